@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "eyebridge/base/clock.hpp"
+#include "eyebridge/base/result.hpp"
+#include "eyebridge/camera/frame.hpp"
+#include "eyebridge/camera/view.hpp"
+
+namespace eyebridge::camera {
+
+/// Where frames come from. One thread at a time.
+class Source {
+ public:
+  virtual ~Source() = default;
+
+  /// Asks for frames of `width` x `height` pixels from now on. Fails with Unsupported or
+  /// OutOfRange.
+  virtual Result<void> set_size(int width, int height) = 0;
+
+  /// The next frame that has not been given out yet; waits for it, at most until `deadline` on the
+  /// robot's clock. Fails with Timeout or Disconnected; an old frame is never given twice.
+  virtual Result<FramePtr> next(Time deadline) = 0;
+};
+
+/// What a source may need; pointers are lent for the source's life.
+struct SourceContext {
+  Clock* clock = nullptr;  ///< Never null.
+  View* view = nullptr;    ///< Null when the backend has nothing to render.
+};
+
+/// One row of the table of sources.
+struct SourceFactory {
+  std::string_view scheme;   ///< "render", "pattern"
+  std::string_view summary;  ///< One line for `eyebridge doctor` and error messages.
+  std::unique_ptr<Source> (*open)(std::string_view rest, const SourceContext& context);
+};
+
+/// All sources, in order of preference.
+std::span<const SourceFactory> source_table();
+
+/// Opens `url`: "render", "render:egl", "pattern", … Throws ConfigError{"--camera"} for an unknown
+/// scheme (naming the known ones) or a source that cannot work here.
+std::unique_ptr<Source> open_source(const std::string& url, const SourceContext& context);
+
+}  // namespace eyebridge::camera

@@ -1,0 +1,46 @@
+# What can be switched, and the flags that every target of ours gets.
+
+option(EYEBRIDGE_WITH_TESTS "Build the tests" ON)
+option(EYEBRIDGE_WITH_BENCH "Build the benchmarks" OFF)
+option(EYEBRIDGE_FUZZ "Build the fuzz targets (clang only)" OFF)
+option(EYEBRIDGE_CLANG_TIDY "Run clang-tidy on every source" OFF)
+set(EYEBRIDGE_SANITIZE "" CACHE STRING "Comma-separated sanitizers: address,undefined or thread")
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_C_STANDARD 99)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+# Programs link against libeyebridge: only the C API may be visible, user programs own all other names.
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_C_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
+
+find_program(EYEBRIDGE_CCACHE ccache)
+if(EYEBRIDGE_CCACHE)
+  set(CMAKE_C_COMPILER_LAUNCHER "${EYEBRIDGE_CCACHE}")
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${EYEBRIDGE_CCACHE}")
+endif()
+if(EYEBRIDGE_CLANG_TIDY)
+  set(CMAKE_CXX_CLANG_TIDY clang-tidy-14 --quiet)
+endif()
+
+# The same bits in debug and release: no fused multiply-add behind our back.
+add_compile_options(-ffp-contract=off)
+
+if(EYEBRIDGE_SANITIZE)
+  add_compile_options(-fsanitize=${EYEBRIDGE_SANITIZE} -fno-omit-frame-pointer
+                      -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${EYEBRIDGE_SANITIZE})
+endif()
+
+add_library(eyebridge_warnings INTERFACE)
+target_compile_options(eyebridge_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+                       -Werror)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # g++ 12 reports std::string members of temporaries as uninitialised at -O2 and above (its bug 105562).
+  target_compile_options(eyebridge_warnings INTERFACE -Wno-maybe-uninitialized)
+endif()

@@ -1,0 +1,41 @@
+# eyebridge_library(base SOURCES … PUBLIC … PRIVATE …): the static library eyebridge_base, alias
+# eyebridge::base, with its own include folder, so that a forbidden include does not compile.
+function(eyebridge_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(eyebridge_${name} STATIC ${arg_SOURCES})
+  add_library(eyebridge::${name} ALIAS eyebridge_${name})
+  target_include_directories(eyebridge_${name} PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/include"
+                             PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/src")
+  target_link_libraries(eyebridge_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE}
+                        eyebridge_warnings)
+endfunction()
+
+# eyebridge_test(core_base SOURCES … LIBRARIES … [LABEL slow]): one GoogleTest program; every test in
+# it becomes a ctest named core_base.Suite.Test, so that `./test core` picks a group by its prefix.
+# LABEL is unit unless given: unit tests together stay under two minutes.
+function(eyebridge_test name)
+  cmake_parse_arguments(arg "" "LABEL" "SOURCES;LIBRARIES" ${ARGN})
+  if(NOT arg_LABEL)
+    set(arg_LABEL unit)
+  endif()
+  add_executable(test_${name} ${arg_SOURCES})
+  target_link_libraries(test_${name} PRIVATE ${arg_LIBRARIES} GTest::gmock GTest::gtest_main
+                        eyebridge_warnings)
+  target_precompile_headers(test_${name} PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
+  target_compile_definitions(test_${name} PRIVATE
+                             EYEBRIDGE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
+                             EYEBRIDGE_SHARED_DIR="${CMAKE_SOURCE_DIR}/../shared")
+  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
+                       PROPERTIES LABELS ${arg_LABEL} TIMEOUT 300)
+endfunction()
+
+# eyebridge_fuzzer(world LIBRARIES …): fuzz_world from fuzz_world.cpp, built with EYEBRIDGE_FUZZ.
+function(eyebridge_fuzzer name)
+  cmake_parse_arguments(arg "" "" "LIBRARIES" ${ARGN})
+  if(NOT EYEBRIDGE_FUZZ)
+    return()
+  endif()
+  add_executable(fuzz_${name} fuzz_${name}.cpp)
+  target_link_libraries(fuzz_${name} PRIVATE ${arg_LIBRARIES} eyebridge_warnings)
+  target_link_options(fuzz_${name} PRIVATE -fsanitize=fuzzer)
+endfunction()

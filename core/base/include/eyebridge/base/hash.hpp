@@ -1,0 +1,26 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+namespace eyebridge {
+
+/// A running 64-bit hash (FNV-1a) of a simulation's state: pins determinism in tests and runs.
+class StateHash {
+ public:
+  void add(std::uint64_t value) {
+    for (int byte = 0; byte < 8; ++byte) {
+      hash_ = (hash_ ^ ((value >> (8 * byte)) & 0xFFU)) * kPrime;
+    }
+  }
+  /// Adds the bits of `value`; 0.0 and -0.0 count as equal.
+  void add(double value) { add(std::bit_cast<std::uint64_t>(value == 0.0 ? 0.0 : value)); }
+
+  [[nodiscard]] std::uint64_t value() const { return hash_; }
+
+ private:
+  static constexpr std::uint64_t kPrime = 0x100000001B3U;
+  std::uint64_t hash_ = 0xCBF29CE484222325U;
+};
+
+}  // namespace eyebridge

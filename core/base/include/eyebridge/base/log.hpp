@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string_view>
+
+namespace eyebridge {
+
+enum class Severity { Debug, Info, Warning, Error };
+
+/// Where messages go. Passed in; implementations lock for themselves, so any thread may write.
+class LogSink {
+ public:
+  virtual ~LogSink() = default;
+  /// One message, one line, without a line end.
+  virtual void write(Severity severity, std::string_view message) = 0;
+};
+
+/// Swallows everything: for tests and benchmarks.
+class NullLog final : public LogSink {
+ public:
+  void write(Severity, std::string_view) override {}
+};
+
+}  // namespace eyebridge

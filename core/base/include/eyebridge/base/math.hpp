@@ -1,0 +1,27 @@
+#pragma once
+
+namespace eyebridge {
+
+// Elementary functions that give the same bits on every CPU and at every optimisation level.
+// libm's differ between CPU generations (it picks FMA variants at run time), which would make two
+// machines disagree about a simulation. Only +, -, *, / and sqrt are used here; the build switches
+// floating-point contraction off. Accuracy: within 4 ulp over the stated ranges.
+
+struct SinCos {
+  double sin;
+  double cos;
+};
+
+/// Sine and cosine of `angle` radians; best for |angle| up to about 1e6.
+SinCos sin_cos(double angle);
+
+/// Angle of the vector (x, y) in radians, -pi … pi; 0 for the null vector.
+double arc_tan2(double y, double x);
+
+/// Natural logarithm of `x`; `x` is finite and > 0.
+double log_of(double x);
+
+/// `angle` brought into (-pi, pi].
+double wrap_angle(double angle);
+
+}  // namespace eyebridge

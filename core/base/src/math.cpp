@@ -1,0 +1,114 @@
+#include "eyebridge/base/math.hpp"
+
+#include <cmath>
+
+#include "eyebridge/base/units.hpp"
+
+namespace eyebridge {
+namespace {
+
+// Taylor series about 0, enough terms for |x| <= pi/4 in double precision, in Horner form.
+double sin_small(double x) {
+  const double z = x * x;
+  double s = 1.0 / 355687428096000.0;  // 1/17!
+  s = s * z - 1.0 / 1307674368000.0;
+  s = s * z + 1.0 / 6227020800.0;
+  s = s * z - 1.0 / 39916800.0;
+  s = s * z + 1.0 / 362880.0;
+  s = s * z - 1.0 / 5040.0;
+  s = s * z + 1.0 / 120.0;
+  s = s * z - 1.0 / 6.0;
+  return x + x * (z * s);
+}
+
+double cos_small(double x) {
+  const double z = x * x;
+  double c = 1.0 / 6402373705728000.0;  // 1/18!
+  c = c * z - 1.0 / 20922789888000.0;
+  c = c * z + 1.0 / 87178291200.0;
+  c = c * z - 1.0 / 479001600.0;
+  c = c * z + 1.0 / 3628800.0;
+  c = c * z - 1.0 / 40320.0;
+  c = c * z + 1.0 / 720.0;
+  c = c * z - 1.0 / 24.0;
+  const double half = 0.5 * z;
+  // (1 - half) rounds; the lost part is put back with the small terms.
+  const double head = 1.0 - half;
+  return head + ((1.0 - head) - half + z * (z * -c));
+}
+
+// pi/2 in two pieces (Cody and Waite): k * kHalfPiHigh is exact for k < 2^20.
+constexpr double kHalfPiHigh = 1.57079632673412561417e+00;
+constexpr double kHalfPiLow = 6.07710050650619224932e-11;
+
+double atan_unit(double t) {  // |t| <= tan(pi/16): the series converges fast
+  const double z = t * t;
+  double sum = 0.0;
+  for (int n = 21; n >= 1; n -= 2) sum = 1.0 / n - z * sum;
+  return t * sum;
+}
+
+}  // namespace
+
+SinCos sin_cos(double angle) {
+  const double k = std::nearbyint(angle * (2.0 / kPi));
+  const double x = (angle - k * kHalfPiHigh) - k * kHalfPiLow;
+  const double s = sin_small(x);
+  const double c = cos_small(x);
+  switch (static_cast<long long>(k) & 3) {
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
+  }
+}
+
+double arc_tan2(double y, double x) {
+  if (x == 0.0 && y == 0.0) return 0.0;
+  const double ax = std::abs(x);
+  const double ay = std::abs(y);
+  const bool steep = ay > ax;
+  double t = steep ? ax / ay : ay / ax;  // 0 … 1
+  // Two half-angle steps, atan(t) = 2 atan(t / (1 + sqrt(1 + t^2))), bring t under tan(pi/16).
+  double scale = 1.0;
+  for (int i = 0; i < 2; ++i) {
+    t = t / (1.0 + std::sqrt(1.0 + t * t));
+    scale *= 2.0;
+  }
+  double angle = scale * atan_unit(t);
+  if (steep) angle = kPi / 2 - angle;
+  if (x < 0.0) angle = kPi - angle;
+  return y < 0.0 ? -angle : angle;
+}
+
+double log_of(double x) {
+  int exponent = 0;
+  double m = std::frexp(x, &exponent);  // exact: 0.5 <= m < 1
+  if (m < 0.70710678118654752) {
+    m *= 2.0;
+    --exponent;
+  }
+  const double t = (m - 1.0) / (m + 1.0);  // ln m = 2 atanh t, |t| < 0.172
+  const double z = t * t;
+  double sum = 0.0;
+  for (int n = 21; n >= 1; n -= 2) sum = 1.0 / n + z * sum;
+  // ln 2 in two pieces, so that exponent * ln 2 keeps its last bits.
+  constexpr double kLn2High = 6.93147180369123816490e-01;
+  constexpr double kLn2Low = 1.90821492927058770002e-10;
+  return exponent * kLn2High + (2.0 * t * sum + exponent * kLn2Low);
+}
+
+double wrap_angle(double angle) {
+  if (angle > -kPi && angle <= kPi) return angle;
+  const double turns = std::floor((angle + kPi) / (2.0 * kPi));
+  double wrapped = angle - turns * (2.0 * kPi);
+  if (wrapped <= -kPi) wrapped += 2.0 * kPi;
+  if (wrapped > kPi) wrapped -= 2.0 * kPi;
+  return wrapped;
+}
+
+}  // namespace eyebridge

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "eyebridge/files/scenario.hpp"
+
+namespace eyebridge::files {
+
+// Text in, model out. Every reader takes the text and the name to use in messages, touches no file,
+// and throws ConfigError with file, line and column, what was found and what was expected. Oddities
+// that still have one clear meaning go to `warnings`. Formats: reference/robios7.md section 5 and
+// reference/robios-classic.md section 7 (facts), worlds/README.md (our extensions).
+
+/// EyeSim / Saphira world (`.wld`): sizes, walls, push/pop, position, floor_texture.
+world::WorldModel read_world(std::string_view text, const std::string& file,
+                             std::vector<Warning>& warnings);
+
+/// Maze drawn with `|` and `_` (`.maz`).
+world::WorldModel read_maze(std::string_view text, const std::string& file,
+                            std::vector<Warning>& warnings);
+
+/// Robot description (`.robi`), both dialects.
+robot::RobotModel read_robi(std::string_view text, const std::string& file,
+                            std::vector<Warning>& warnings);
+
+/// EyeSim 1–4 parameter file (`eyesim.p`), without the world it names.
+struct ParameterFile {
+  robot::RobotModel robot;
+  std::optional<std::string> world;  ///< File names as written.
+  std::optional<std::string> maze;
+  bool pause = false;
+  bool debug = false;
+};
+ParameterFile read_parameter_file(std::string_view text, const std::string& file,
+                                  std::vector<Warning>& warnings);
+
+/// One robot line of a `.sim`, before its model and its start letter are looked up.
+struct SimRobot {
+  std::string model;          ///< Name as written.
+  std::optional<char> start;  ///< Letter of the maze …
+  std::optional<Pose> pose;   ///< … or a pose; with a letter only `pose->theta` counts.
+  std::string program;
+  std::vector<std::string> arguments;
+  SourceLocation where;
+};
+/// Simulation description (`.sim`), without the files it names.
+struct SimFile {
+  std::optional<std::string> world;  ///< .wld or .maz, as written.
+  SourceLocation world_where;
+  std::vector<std::pair<std::string, SourceLocation>> robot_files;
+  std::vector<std::pair<std::string, SourceLocation>> object_files;
+  std::vector<SimRobot> robots;
+  std::vector<world::ObjectSpec> objects;
+  std::vector<world::Marker> markers;
+  bool show_sensors = false;
+  bool show_trail = false;
+};
+SimFile read_sim(std::string_view text, const std::string& file, std::vector<Warning>& warnings);
+
+/// The whole file at `path`, at most `kMaxFileSize` bytes. Throws ConfigError when it is missing,
+/// unreadable, too big or not text.
+inline constexpr std::size_t kMaxFileSize = 64U << 20U;
+std::string read_text_file(const std::filesystem::path& path);
+
+/// Writes `model` so that read_world() gives an equal model back.
+std::string write_world(const world::WorldModel& model);
+/// Writes `model` so that read_maze() gives an equal model back. Throws ConfigError when the model
+/// is no maze or has objects a maze cannot draw.
+std::string write_maze(const world::WorldModel& model);
+
+}  // namespace eyebridge::files

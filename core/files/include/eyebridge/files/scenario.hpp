@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "eyebridge/base/config_error.hpp"
+#include "eyebridge/robot/robot_model.hpp"
+#include "eyebridge/world/world_model.hpp"
+
+namespace eyebridge::files {
+
+/// One robot as a scenario places it.
+struct RobotPlacement {
+  std::size_t model = 0;  ///< Index into Scenario::models.
+  Pose pose;
+  std::string program;  ///< Empty: started by hand.
+  std::vector<std::string> arguments;
+
+  friend bool operator==(const RobotPlacement&, const RobotPlacement&) = default;
+};
+
+/// What a run starts from, whichever files it came from.
+struct Scenario {
+  std::filesystem::path directory;  ///< Where the files lie that it names.
+  world::WorldModel world;
+  std::vector<robot::RobotModel> models;
+  std::vector<RobotPlacement> robots;
+  bool start_paused = false;  ///< eyesim.p: pause on
+  bool show_sensors = false;  ///< .sim: settings VIS
+  bool show_trail = false;    ///< .sim: settings TRACE
+  std::vector<Warning> warnings;
+};
+
+}  // namespace eyebridge::files

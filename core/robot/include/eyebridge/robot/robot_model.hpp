@@ -1,0 +1,138 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "eyebridge/base/pose.hpp"
+#include "eyebridge/base/units.hpp"
+
+namespace eyebridge::robot {
+
+// Definition structs: every field has a usable default, every one names its unit. The defaults are
+// those of an S4-sized EyeBot; readers of .robi and eyesim.p overwrite what their file says.
+
+/// Gaussian error of a reading: sigma = `sigma` + `sigma_relative` * value, mean = `bias`.
+/// All zero, the default, is a perfect sensor.
+struct GaussianError {
+  double bias = 0.0;            ///< In the unit of the reading.
+  double sigma = 0.0;           ///< In the unit of the reading.
+  double sigma_relative = 0.0;  ///< Fraction of the reading.
+
+  [[nodiscard]] bool perfect() const { return bias == 0 && sigma == 0 && sigma_relative == 0; }
+  friend bool operator==(const GaussianError&, const GaussianError&) = default;
+};
+
+/// A distance sensor (PSD): one ray.
+struct RangeSensorModel {
+  int id = 1;                   ///< As programs ask for it: PSDGet(id).
+  std::string name;             ///< "PSD_FRONT"
+  Pose pose_in_robot;           ///< Metres, radians; the ray leaves along theta.
+  double height = 0.03;         ///< Metres above the floor.
+  double min_range = 0.0;       ///< Nearer surfaces read as `out_of_range`, metres.
+  double max_range = 9.999;     ///< Farther surfaces read as `out_of_range`, metres.
+  double out_of_range = 9.999;  ///< Metres: EyeSim's 9999 mm.
+  GaussianError error;
+
+  friend bool operator==(const RangeSensorModel&, const RangeSensorModel&) = default;
+};
+
+/// An infrared proximity switch: true when something is nearer than `threshold`.
+struct ProximityModel {
+  int id = 1;
+  std::string name;
+  Pose pose_in_robot;
+  double threshold = 0.15;        ///< Metres.
+  double flip_probability = 0.0;  ///< Of one wrong answer, 0 … 1.
+
+  friend bool operator==(const ProximityModel&, const ProximityModel&) = default;
+};
+
+/// A bumper: true when something touches the rim between two bearings.
+struct BumperModel {
+  int id = 1;
+  std::string name;
+  double start = 0.0;             ///< Bearing in the robot, radians; the sector goes
+  double end = 0.0;               ///< counter-clockwise from `start` to `end`.
+  double miss_probability = 0.0;  ///< Of a contact not seen, 0 … 1.
+
+  friend bool operator==(const BumperModel&, const BumperModel&) = default;
+};
+
+/// A scanning range sensor.
+struct LidarModel {
+  int points = 360;
+  double field_of_view = 2 * kPi;  ///< Radians, centred on the front.
+  double tilt = 0.0;               ///< Radians, positive down.
+  Pose pose_in_robot;
+  double height = 0.1;       ///< Metres above the floor.
+  double max_range = 9.999;  ///< Metres; also what "nothing hit" reads.
+  GaussianError error;
+
+  friend bool operator==(const LidarModel&, const LidarModel&) = default;
+};
+
+/// Where the camera sits and how it looks.
+struct CameraModel {
+  double x = 0.06;                   ///< Forward of the robot's centre, metres.
+  double y = 0.0;                    ///< Left of it, metres.
+  double z = 0.06;                   ///< Above the floor, metres.
+  double pan = 0.0;                  ///< Radians, left positive, servo at its middle.
+  double tilt = 0.0;                 ///< Radians, up positive, servo at its middle.
+  double max_pan = deg_to_rad(90);   ///< Servo 1's throw to either side, radians.
+  double max_tilt = deg_to_rad(90);  ///< Servo 2's throw to either side, radians.
+  double horizontal_field_of_view = deg_to_rad(60);  ///< Radians.
+  double salt_and_pepper = 0.0;                      ///< Fraction of pixels turned black or white.
+  double sigma = 0.0;                                ///< Gaussian noise a channel, 0 … 255.
+
+  friend bool operator==(const CameraModel&, const CameraModel&) = default;
+};
+
+enum class DriveKind { Differential, Ackermann, Omni };
+
+/// Two driven wheels (or what stands for them) and the controller over them.
+struct DriveModel {
+  DriveKind kind = DriveKind::Differential;
+  double wheel_base = 0.09;              ///< Distance between the two wheels, metres.
+  double wheel_diameter = 0.054;         ///< Metres.
+  double ticks_per_revolution = 1100;    ///< Encoder ticks a wheel turn.
+  double max_wheel_speed = 62.83;        ///< Radians per second of the wheel.
+  double max_linear = 0.6;               ///< Metres per second.
+  double max_angular = deg_to_rad(300);  ///< Radians per second.
+  double linear_acceleration = 1.0;      ///< Metres per second squared.
+  double angular_acceleration = 10.0;    ///< Radians per second squared.
+  double motor_time_constant = 0.0;  ///< Seconds until a wheel has 63 % of its speed; 0 = at once.
+
+  friend bool operator==(const DriveModel&, const DriveModel&) = default;
+};
+
+/// Errors of actuators and odometry. All zero: perfect.
+struct DriveError {
+  double linear_sigma = 0.0;   ///< Gaussian, fraction of each step's travel.
+  double angular_sigma = 0.0;  ///< Gaussian, fraction of each step's turn.
+  double left_scale = 0.0;     ///< Systematic: the left wheel's travel is 1 + this times what its
+  double right_scale = 0.0;    ///< encoder says; likewise right (unequal wheel diameters).
+  double encoder_quantised = 0.0;  ///< 1: odometry sees whole encoder ticks only, 0: exact travel.
+
+  friend bool operator==(const DriveError&, const DriveError&) = default;
+};
+
+/// Everything about one type of robot.
+struct RobotModel {
+  std::string name = "S4";
+  double diameter = 0.186;  ///< Of the disc that stands for its body, metres.
+  double height = 0.10;     ///< Metres.
+  DriveModel drive;
+  DriveError drive_error;
+  std::vector<RangeSensorModel> range_sensors;
+  std::vector<ProximityModel> proximity_sensors;
+  std::vector<BumperModel> bumpers;
+  std::optional<LidarModel> lidar;
+  std::optional<CameraModel> camera;
+  GaussianError compass_error;  ///< Radians.
+
+  [[nodiscard]] double radius() const { return diameter / 2; }
+  friend bool operator==(const RobotModel&, const RobotModel&) = default;
+};
+
+}  // namespace eyebridge::robot

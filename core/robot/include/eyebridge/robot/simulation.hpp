@@ -1,0 +1,139 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "eyebridge/base/hash.hpp"
+#include "eyebridge/base/result.hpp"
+#include "eyebridge/robot/robot_model.hpp"
+#include "eyebridge/world/world.hpp"
+
+namespace eyebridge::robot {
+
+/// Index of a robot in its Simulation: 0 for the first.
+using RobotIndex = std::uint32_t;
+
+/// A movement that ends by itself.
+struct DriveGoal {
+  double distance = 0.0;  ///< Along the path, metres; negative drives backwards.
+  double angle = 0.0;     ///< Total change of heading, radians; positive is counter-clockwise.
+  double speed = 0.0;  ///< Magnitude: metres per second, or radians per second when distance is 0.
+};
+
+/// Where the running movement stands.
+enum class DriveState {
+  Idle,     ///< Nothing under way, or speed mode: nothing that could end.
+  Driving,  ///< A goal is under way.
+  Failed,   ///< The last goal was given up: stalled for longer than the time-out.
+};
+
+/// Which wheels are held by an obstacle: bit 0 left, bit 1 right.
+enum StallMask : unsigned { kStallNone = 0, kStallLeft = 1, kStallRight = 2, kStallBoth = 3 };
+
+/// Something the environment reports, once a contact.
+struct CollisionEvent {
+  double time = 0.0;  ///< Seconds since start.
+  RobotIndex robot = 0;
+  bool with_wall = true;
+  world::BodyId with_body = world::kNoBody;
+  Pose pose;  ///< Of the robot.
+};
+
+/// Settings of a simulation.
+struct SimulationSettings {
+  double step = 0.01;          ///< Seconds; fixed.
+  std::uint64_t seed = 1;      ///< Every robot and device draws from its own stream of it.
+  double stall_timeout = 2.0;  ///< A goal that is stalled this long fails, seconds.
+};
+
+/// A world with robots that move: commands in, readings out, one fixed step at a time.
+///
+/// Pipeline of a robot, each step: v-omega commands -> ramps -> wheel targets (PID) -> motors ->
+/// wheels -> arc -> collision -> pose; encoders and odometry come from the wheels. "Perfect" and
+/// "with errors" are the same code with other parameters. Same calls, same seed: same bits.
+/// Not thread-safe. Robot indices are checked by assert only.
+class Simulation {
+ public:
+  Simulation(std::shared_ptr<const world::WorldModel> model, const SimulationSettings& settings);
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  /// Adds a robot at `pose`. Throws std::invalid_argument when it would stand in something.
+  RobotIndex add_robot(const RobotModel& model, const Pose& pose);
+  [[nodiscard]] std::size_t robot_count() const;
+  [[nodiscard]] const RobotModel& model(RobotIndex robot) const;
+  [[nodiscard]] world::BodyId body(RobotIndex robot) const;
+
+  /// Advances time by settings().step.
+  void step();
+  [[nodiscard]] double time() const;
+  [[nodiscard]] const SimulationSettings& settings() const;
+
+  // Truth.
+  [[nodiscard]] Pose pose(RobotIndex robot) const;
+  /// Moves a robot by hand, at rest; odometry does not notice. The running command goes on.
+  void set_pose(RobotIndex robot, const Pose& pose);
+  [[nodiscard]] Twist twist(RobotIndex robot) const;  ///< As driven in the last step.
+
+  // v-omega driving. Speeds and accelerations are clamped to the model's limits.
+  void set_speed(RobotIndex robot, const Twist& twist);  ///< Until the next command.
+  /// Replaces whatever is under way; the ramp starts from the speed the robot has. A goal of zero
+  /// length, or with speed 0, is done at once and stops the robot.
+  void drive(RobotIndex robot, const DriveGoal& goal);
+  [[nodiscard]] DriveState drive_state(RobotIndex robot) const;
+  [[nodiscard]] double remaining(
+      RobotIndex robot) const;  ///< Distance to go, metres, >= 0; turns: 0.
+  [[nodiscard]] unsigned stalled(RobotIndex robot) const;  ///< StallMask.
+  void stop(RobotIndex robot);                             ///< At once, without a ramp.
+
+  // Odometry, from the wheels.
+  [[nodiscard]] Pose odometry(RobotIndex robot) const;
+  void set_odometry(RobotIndex robot, const Pose& pose);
+  [[nodiscard]] Twist measured_twist(RobotIndex robot) const;
+
+  // Wheels: motor 0 is left, 1 is right. Using one takes the robot out of v-omega control.
+  /// `duty` -1 … 1 of the model's top wheel speed.
+  void set_motor_duty(RobotIndex robot, unsigned motor, double duty);
+  /// PID-controlled wheel speed, encoder ticks per second.
+  void set_motor_speed(RobotIndex robot, unsigned motor, double ticks_per_second);
+  /// Gains as the IO7 board takes them, 0 … 255 each; 4, 1, 1 by default.
+  void set_motor_pid(RobotIndex robot, unsigned motor, int p, int i, int d);
+  [[nodiscard]] std::int64_t encoder_ticks(RobotIndex robot, unsigned motor) const;
+  void reset_encoder(RobotIndex robot, unsigned motor);
+
+  // Sensors. A fresh reading of the present state at every call; errors draw from the device's
+  // stream.
+  [[nodiscard]] double read_range(RobotIndex robot, std::size_t sensor);
+  [[nodiscard]] bool read_proximity(RobotIndex robot, std::size_t sensor);
+  [[nodiscard]] bool read_bumper(RobotIndex robot, std::size_t bumper);
+  /// Ranges of a scan of `points` rays over `field_of_view` radians centred on the front, from the
+  /// left-most ray clockwise to the right-most. A full circle starts straight behind and does not
+  /// repeat its first ray. Ray i looks along bearing fov/2 - i * fov/points (full circle), or
+  /// fov/2 - i * fov/(points - 1).
+  void read_lidar(RobotIndex robot, double field_of_view, std::span<double> ranges);
+  /// Heading in the world, radians counter-clockwise from +x, with the model's error.
+  [[nodiscard]] double read_compass(RobotIndex robot);
+
+  // Servos: position 0 … 1, 0.5 is the middle. 0 is pan (1 = left), 1 is tilt (1 = up).
+  void set_servo(RobotIndex robot, unsigned servo, double position);
+  [[nodiscard]] double servo(RobotIndex robot, unsigned servo) const;
+
+  /// Called from step() once for each new contact. Replaces the previous listener.
+  void on_collision(std::function<void(const CollisionEvent&)> listener);
+
+  [[nodiscard]] const world::World& world() const;
+  [[nodiscard]] world::World& world();
+  [[nodiscard]] std::uint64_t state_hash() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace eyebridge::robot

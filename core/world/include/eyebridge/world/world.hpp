@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "eyebridge/base/hash.hpp"
+#include "eyebridge/base/pose.hpp"
+#include "eyebridge/world/ray_caster.hpp"
+#include "eyebridge/world/scene.hpp"
+#include "eyebridge/world/world_model.hpp"
+
+namespace eyebridge::world {
+
+/// Index of a body in its World: 0 for the first one added.
+using BodyId = std::uint32_t;
+inline constexpr BodyId kNoBody = ~BodyId{0};
+
+/// A motion over one step: an exact arc in the body's own frame.
+struct Arc {
+  Vec2 displacement;  ///< Chord, in the frame of the body at the start of the step, metres.
+  Heading turn;       ///< Change of heading.
+};
+
+/// What a move met.
+struct MoveResult {
+  double fraction = 1.0;  ///< How much of the arc was driven, 0 … 1.
+  bool hit_wall = false;
+  BodyId hit_body = kNoBody;  ///< A body that did not give way.
+  /// Direction of the contact in the world, unit vector from the body's centre; null if none.
+  Vec2 contact;
+
+  [[nodiscard]] bool blocked() const { return hit_wall || hit_body != kNoBody; }
+};
+
+/// Walls and bodies: who is where, who touches whom, how far a ray goes.
+///
+/// Bodies are discs; state is struct-of-arrays. A driven body stops at the contact without sliding,
+/// as in EyeSim; balls and cans give way. Same calls, same bits: nothing here depends on addresses,
+/// threads or libm. Not thread-safe.
+class World {
+ public:
+  /// Adds the model's objects as the first bodies, in order.
+  explicit World(std::shared_ptr<const WorldModel> model);
+  ~World();
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+
+  /// Adds a robot's body. Throws std::invalid_argument when it overlaps a wall or a body;
+  /// the message says which and by how much.
+  BodyId add_robot(const Pose& pose, double radius, double height, Rgb colour);
+
+  [[nodiscard]] std::size_t body_count() const;
+  /// How many of them are the model's objects: ids 0 … object_count() - 1.
+  [[nodiscard]] std::size_t object_count() const;
+  [[nodiscard]] Pose pose(BodyId id) const;
+  [[nodiscard]] Vec2 position(BodyId id) const;
+  [[nodiscard]] Heading heading(BodyId id) const;
+  [[nodiscard]] double radius(BodyId id) const;
+  /// Puts a body somewhere, at rest. No check: a person may put it into a wall.
+  void set_pose(BodyId id, const Pose& pose);
+
+  /// Drives `id` along `arc`, up to the first contact that does not give way.
+  MoveResult move(BodyId id, const Arc& arc, double dt);
+  /// Rolls balls and settles cans for `dt` seconds; called once a step, after the robots moved.
+  void step_objects(double dt);
+
+  /// Range from `origin` along the unit vector `direction` to the nearest wall or body other than
+  /// `ignore`, or `max_range`.
+  [[nodiscard]] double cast_ray(Vec2 origin, Vec2 direction, double max_range, BodyId ignore) const;
+  /// The same for many directions from one origin.
+  void cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_range, BodyId ignore,
+                std::span<double> ranges) const;
+
+  /// Appends the contacts of `id` as unit vectors from its centre in the world: walls and bodies
+  /// nearer than `reach` metres to its rim.
+  void contacts(BodyId id, double reach, std::vector<Vec2>& out) const;
+
+  /// True when a disc of `radius` at `centre` touches neither wall nor body (other than `ignore`).
+  [[nodiscard]] bool is_free(Vec2 centre, double radius, BodyId ignore = kNoBody) const;
+
+  [[nodiscard]] const WorldModel& model() const;
+  [[nodiscard]] Scene scene(double time) const;
+  void add_to(StateHash& hash) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace eyebridge::world

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "eyebridge/base/config_error.hpp"
+
+namespace eyebridge::hal {
+
+/// One thing that can be configured. The table of these is the only list of keys there is: flags,
+/// environment variables, `eyebridge.toml`, `eyebridge config` and the documentation follow it.
+struct Setting {
+  enum class Kind { Text, Path, Boolean, Integer, Number, Duration };
+
+  std::string_view key;  ///< "world"; flag --world, variable EYEBRIDGE_WORLD, TOML key world.
+  Kind kind;
+  std::string_view fallback;  ///< Value when nobody says anything; "" means unset.
+  std::string_view help;      ///< One line.
+};
+
+/// All settings, in the order they are shown.
+std::span<const Setting> settings();
+
+/// A value and where it came from: "--world", "EYEBRIDGE_WORLD", "eyebridge.toml:3:9", "default".
+struct ConfigValue {
+  std::string text;
+  SourceLocation where;
+};
+
+/// Effective configuration. Precedence: command line > environment > eyebridge.toml (working
+/// folder, then beside the program, then the user's) > defaults. Immutable once loaded.
+class Config {
+ public:
+  /// Where to look; all explicit, so that tests need no real environment.
+  struct Sources {
+    std::map<std::string, std::string> flags;        ///< key -> value, from the command line.
+    std::map<std::string, std::string> environment;  ///< All variables of the process.
+    std::vector<std::filesystem::path>
+        toml_files;  ///< Highest precedence first; missing ones skipped.
+  };
+
+  /// Throws ConfigError: unknown key (with line and column, and the nearest known one), or a value
+  /// that is not of the setting's kind.
+  static Config load(const Sources& sources);
+  /// From this process: EYEBRIDGE_* and EYEBRIDGE_FLAGS (set by `eyebridge run`), and the three
+  /// usual places of eyebridge.toml.
+  static Config from_process(const std::filesystem::path& program);
+
+  [[nodiscard]] const ConfigValue& value(
+      std::string_view key) const;                        ///< Key must be in settings().
+  [[nodiscard]] bool is_set(std::string_view key) const;  ///< Text not empty.
+  [[nodiscard]] std::string text(std::string_view key) const;
+  [[nodiscard]] bool boolean(std::string_view key) const;
+  [[nodiscard]] long long integer(std::string_view key) const;
+  [[nodiscard]] double number(std::string_view key) const;  ///< Number, or Duration in seconds.
+  /// A Path: relative ones are taken from where they were written (the TOML file's folder, else the
+  /// working folder).
+  [[nodiscard]] std::filesystem::path path(std::string_view key) const;
+
+ private:
+  std::map<std::string, ConfigValue, std::less<>> values_;
+};
+
+/// "2s", "250ms", "1.5 min", or a bare number of seconds. Throws ConfigError at `where`.
+double parse_duration(std::string_view text, const SourceLocation& where);
+
+}  // namespace eyebridge::hal

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "eyebridge/base/pose.hpp"
+#include "eyebridge/base/result.hpp"
+
+namespace eyebridge::hal {
+
+/// A movement that ends by itself. `angle` and `distance` may both be given: an arc.
+struct DriveGoal {
+  double distance = 0.0;  ///< Along the path, metres; negative drives backwards.
+  double angle = 0.0;     ///< Total change of heading, radians, positive counter-clockwise.
+  double speed = 0.0;     ///< Magnitude; metres per second, or radians per second for a turn on the
+                          ///< spot (distance 0).
+};
+
+enum class DriveProgress { Done, Driving, Failed };
+
+/// What a drive says of itself.
+struct DriveStatus {
+  DriveProgress progress = DriveProgress::Done;
+  double remaining = 0.0;      ///< Metres to go, >= 0; 0 for turns on the spot.
+  bool stalled_left = false;   ///< An obstacle holds the left wheel …
+  bool stalled_right = false;  ///< … or the right one.
+};
+
+/// The v-omega drive of a robot. A new command replaces the running one.
+class Drive {
+ public:
+  virtual ~Drive() = default;
+
+  /// Drives at `twist` until the next command.
+  virtual Result<void> set_speed(const Twist& twist) = 0;
+  /// Starts towards `goal` and returns at once.
+  virtual Result<void> start(const DriveGoal& goal) = 0;
+  virtual Result<DriveStatus> status() = 0;
+  /// Speed as measured at the wheels.
+  virtual Result<Twist> measured_twist() = 0;
+  /// Pose by odometry, relative to where set_odometry() said it was (the start, at first).
+  virtual Result<Pose> odometry() = 0;
+  virtual Result<void> set_odometry(const Pose& pose) = 0;
+};
+
+}  // namespace eyebridge::hal

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "eyebridge/base/result.hpp"
+
+namespace eyebridge::hal {
+
+/// A sensor that says yes or no: an infrared proximity switch or a bumper.
+class SwitchSensor {
+ public:
+  virtual ~SwitchSensor() = default;
+
+  /// True when something is near, or touches. Fails with Timeout or Disconnected.
+  virtual Result<bool> read() = 0;
+};
+
+}  // namespace eyebridge::hal

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "eyebridge/base/pose.hpp"
+#include "eyebridge/base/result.hpp"
+
+namespace eyebridge::hal {
+
+/// The hand of God: what only a simulated world can do. Behind the SIM* calls, tests and windows;
+/// robot programs that use it do not run on a real robot.
+class WorldControl {
+ public:
+  virtual ~WorldControl() = default;
+
+  [[nodiscard]] virtual int robot_count() const = 0;
+  [[nodiscard]] virtual int object_count() const = 0;
+  /// Ids from 1, in the order of the scenario; robot 0 is the caller's own.
+  virtual Result<Pose> robot_pose(int id) const = 0;
+  virtual Result<void> set_robot_pose(int id, const Pose& pose) = 0;
+  virtual Result<Pose> object_pose(int id) const = 0;
+  virtual Result<void> set_object_pose(int id, const Pose& pose) = 0;
+};
+
+}  // namespace eyebridge::hal

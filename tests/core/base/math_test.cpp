@@ -1,0 +1,95 @@
+#include "eyebridge/base/math.hpp"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "eyebridge/base/hash.hpp"
+#include "eyebridge/base/units.hpp"
+
+namespace eyebridge {
+namespace {
+
+double ulp(double x) { return std::nextafter(std::abs(x), 1e300) - std::abs(x); }
+
+TEST(SinCos, AgreesWithLibmToTwoUlpOverManyTurns) {
+  std::mt19937_64 gen(1);
+  std::uniform_real_distribution<double> angle(-1000.0, 1000.0);
+  for (int i = 0; i < 200'000; ++i) {
+    const double a = angle(gen);
+    const SinCos sc = sin_cos(a);
+    // Near a zero of the function the argument reduction, not the series, sets the error.
+    ASSERT_NEAR(sc.sin, std::sin(a), 2 * ulp(std::sin(a)) + 2e-16) << a;
+    ASSERT_NEAR(sc.cos, std::cos(a), 2 * ulp(std::cos(a)) + 2e-16) << a;
+  }
+}
+
+TEST(SinCos, IsExactAtZero) {
+  EXPECT_EQ(sin_cos(0.0).sin, 0.0);
+  EXPECT_EQ(sin_cos(0.0).cos, 1.0);
+}
+
+TEST(SinCos, GivesAUnitVector) {
+  for (double a = -10; a < 10; a += 0.001) {
+    const SinCos sc = sin_cos(a);
+    ASSERT_NEAR(sc.sin * sc.sin + sc.cos * sc.cos, 1.0, 5e-16) << a;
+  }
+}
+
+TEST(ArcTan2, AgreesWithLibmInAllQuadrants) {
+  std::mt19937_64 gen(2);
+  std::uniform_real_distribution<double> part(-3.0, 3.0);
+  for (int i = 0; i < 200'000; ++i) {
+    const double y = part(gen);
+    const double x = part(gen);
+    ASSERT_NEAR(arc_tan2(y, x), std::atan2(y, x), 4 * ulp(std::atan2(y, x)) + 1e-16)
+        << y << ' ' << x;
+  }
+}
+
+TEST(ArcTan2, KnowsTheAxesAndTheNullVector) {
+  EXPECT_EQ(arc_tan2(0, 0), 0.0);
+  EXPECT_EQ(arc_tan2(0, 1), 0.0);
+  EXPECT_DOUBLE_EQ(arc_tan2(1, 0), kPi / 2);
+  EXPECT_DOUBLE_EQ(arc_tan2(-1, 0), -kPi / 2);
+  EXPECT_DOUBLE_EQ(arc_tan2(0, -1), kPi);
+}
+
+TEST(LogOf, AgreesWithLibmOverTheWholeRange) {
+  std::mt19937_64 gen(3);
+  std::uniform_real_distribution<double> exponent(-300.0, 300.0);
+  for (int i = 0; i < 200'000; ++i) {
+    const double x = std::pow(10.0, exponent(gen));
+    ASSERT_NEAR(log_of(x), std::log(x), 4 * ulp(std::log(x))) << x;
+  }
+  EXPECT_EQ(log_of(1.0), 0.0);
+}
+
+TEST(WrapAngle, BringsEveryAngleIntoTheHalfOpenTurn) {
+  EXPECT_DOUBLE_EQ(wrap_angle(kPi), kPi);
+  EXPECT_DOUBLE_EQ(wrap_angle(-kPi), kPi);
+  EXPECT_NEAR(wrap_angle(3 * kPi), kPi, 1e-15);
+  EXPECT_NEAR(wrap_angle(kPi + 0.1), -kPi + 0.1, 1e-15);
+  for (double a = -100; a < 100; a += 0.01) {
+    const double w = wrap_angle(a);
+    ASSERT_GT(w, -kPi);
+    ASSERT_LE(w, kPi);
+    ASSERT_NEAR(std::sin(w), std::sin(a), 1e-13);
+  }
+}
+
+TEST(Math, GivesTheSameBitsInEveryBuild) {
+  StateHash hash;
+  for (double a = -50.0; a < 50.0; a += 0.037) {
+    const SinCos sc = sin_cos(a);
+    hash.add(sc.sin);
+    hash.add(sc.cos);
+    hash.add(arc_tan2(sc.sin + 0.1, sc.cos));
+    hash.add(log_of(a * a + 0.001));
+  }
+  EXPECT_EQ(hash.value(), 0x94cc238f54cdbee0U) << std::hex << hash.value();
+}
+
+}  // namespace
+}  // namespace eyebridge
