@@ -8,6 +8,7 @@
 #include "eyebridge/hal/range_sensor.hpp"
 #include "eyebridge/hal/servo.hpp"
 #include "eyebridge/hal/switch_sensor.hpp"
+#include "eyebridge/hal/trace.hpp"
 #include "eyebridge/hal/world_control.hpp"
 
 namespace eyebridge::camera {
@@ -42,6 +43,9 @@ class Backend {
   virtual WorldControl* world() = 0;
   /// What a rendered camera on this robot looks at; null when nothing here can be rendered.
   virtual camera::View* camera_view() = 0;
+
+  /// Tells `sink` of every step from now on; null ends it. The sink is lent until then.
+  virtual void trace_to(TraceSink* sink) = 0;
 
   /// Stops all motors now. Called once, when the program ends in any way; never throws.
   virtual void stop() noexcept = 0;

@@ -1,17 +1,10 @@
 #pragma once
 
+#include "eyebridge/base/drive_goal.hpp"
 #include "eyebridge/base/pose.hpp"
 #include "eyebridge/base/result.hpp"
 
 namespace eyebridge::hal {
-
-/// A movement that ends by itself. `angle` and `distance` may both be given: an arc.
-struct DriveGoal {
-  double distance = 0.0;  ///< Along the path, metres; negative drives backwards.
-  double angle = 0.0;     ///< Total change of heading, radians, positive counter-clockwise.
-  double speed = 0.0;     ///< Magnitude; metres per second, or radians per second for a turn on the
-                          ///< spot (distance 0).
-};
 
 enum class DriveProgress { Done, Driving, Failed };
 

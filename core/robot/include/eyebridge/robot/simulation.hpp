@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "eyebridge/base/drive_goal.hpp"
 #include "eyebridge/base/hash.hpp"
 #include "eyebridge/base/result.hpp"
 #include "eyebridge/robot/robot_model.hpp"
@@ -17,13 +18,6 @@ namespace eyebridge::robot {
 
 /// Index of a robot in its Simulation: 0 for the first.
 using RobotIndex = std::uint32_t;
-
-/// A movement that ends by itself.
-struct DriveGoal {
-  double distance = 0.0;  ///< Along the path, metres; negative drives backwards.
-  double angle = 0.0;     ///< Total change of heading, radians; positive is counter-clockwise.
-  double speed = 0.0;  ///< Magnitude: metres per second, or radians per second when distance is 0.
-};
 
 /// Where the running movement stands.
 enum class DriveState {

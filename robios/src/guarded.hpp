@@ -1,0 +1,34 @@
+#pragma once
+
+#include <exception>
+#include <string>
+#include <string_view>
+
+#include "eyebridge/base/result.hpp"
+#include "session.hpp"
+
+namespace eyebridge::robios {
+
+/// The one place where C++ ends and C begins: nothing is thrown across it.
+///
+/// Charges the call's cost to the robot's clock, runs `body(session)` and returns its value; on
+/// failure returns `failure` (the call's documented failure value), logs the reason once per device
+/// until it recovers, and keeps it for EYEBRIDGELastError().
+template <class Value, class Body>
+Value guarded(std::string_view call, Value failure, Body&& body) {
+  Session& session = Session::instance();  // ends the process itself on a ConfigError
+  try {
+    session.charge(call);
+    Result<Value> result = body(session);
+    if (result) {
+      session.succeeded(call);
+      return *result;
+    }
+    session.failed(call, result.error());
+  } catch (const std::exception& error) {
+    session.failed(call, Error{Errc::Corrupt, error.what()});
+  }
+  return failure;
+}
+
+}  // namespace eyebridge::robios

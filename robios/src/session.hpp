@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "eyebridge/base/clock.hpp"
+#include "eyebridge/base/log.hpp"
+#include "eyebridge/base/result.hpp"
+#include "eyebridge/hal/backend.hpp"
+#include "eyebridge/hal/config.hpp"
+
+namespace eyebridge::robios {
+
+class CameraPort;
+class Keys;
+class Lcd;
+class Timers;
+
+/// What one robot program has: its backend, panel, camera and timers. One per process.
+///
+/// Any thread of the program may call; each part locks for itself.
+class Session {
+ public:
+  /// The session of this process. The first call starts it: configuration, backend, panel. A
+  /// ConfigError is printed and ends the process with exit code 2, before the call returns.
+  static Session& instance();
+
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  [[nodiscard]] const hal::Config& config() const;
+  [[nodiscard]] hal::Backend& backend();
+  [[nodiscard]] Clock& clock();
+  [[nodiscard]] Lcd& lcd();
+  [[nodiscard]] Keys& keys();
+  [[nodiscard]] CameraPort& camera();
+  [[nodiscard]] Timers& timers();
+  [[nodiscard]] LogSink& log();
+
+  /// Charges what `call` costs on a real robot, and runs the timers that came due meanwhile.
+  void charge(std::string_view call);
+  /// Waits until `deadline` on the robot's clock; timers run meanwhile.
+  void wait_until(Time deadline);
+
+  /// Book-keeping of guarded().
+  void succeeded(std::string_view call);
+  void failed(std::string_view call, const Error& error);
+  /// The last failure on this thread's program, or "".
+  [[nodiscard]] std::string last_error() const;
+
+  /// Stops the motors and writes the results to --out. Idempotent; never throws.
+  void end() noexcept;
+
+ private:
+  Session();
+  ~Session();
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace eyebridge::robios
