@@ -6,6 +6,7 @@
 //
 // Usage: maze_explorer [distance of the PSDs from the robot's centre in mm, 20 by default]
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

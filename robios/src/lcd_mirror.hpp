@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ class LcdMirror {
  private:
   Lcd& lcd_;
   Time next_{0};
+  std::uint64_t revision_ = 0;
   std::vector<std::string> shown_;
 };
 

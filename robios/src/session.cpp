@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <mutex>
@@ -40,6 +41,27 @@ hal::Config read_config() {
   return hal::Config::from_process(std::filesystem::read_symlink("/proc/self/exe", error));
 }
 
+std::unique_ptr<Lcd> make_lcd(const hal::Config& config) {
+  const hal::ConfigValue& value = config.value("lcd");
+  int width = 0;
+  int height = 0;
+  int used = 0;
+  if (std::sscanf(value.text.c_str(), "%dx%d%n", &width, &height, &used) != 2 ||
+      static_cast<std::size_t>(used) != value.text.size()) {
+    throw ConfigError(value.where,
+                      fmt::format("'{}' is no size of a display; expected WIDTHxHEIGHT in pixels, "
+                                  "such as 560x400",
+                                  value.text));
+  }
+  return std::make_unique<Lcd>(width, height);
+}
+
+std::unique_ptr<Keys> make_keys(const hal::Config& config, Clock& clock, Lcd& lcd) {
+  auto keys = std::make_unique<Keys>(clock, parse_key_script(config.text("keys")), terminal_keys());
+  keys->set_touch_map([&lcd](int x, int y) { return lcd.key_at(x, y); });
+  return keys;
+}
+
 }  // namespace
 
 struct Session::Impl {
@@ -49,7 +71,7 @@ struct Session::Impl {
         backend(hal::open_backend({config, log})),
         clock(backend->clock()),
         lcd(make_lcd(config)),
-        keys(make_keys(config, clock)),
+        keys(make_keys(config, clock, *lcd)),
         camera(config.text("camera"), {&clock, backend->camera_view()}),
         timers(clock),
         cost_scale(config.number("cost_scale")) {
@@ -191,6 +213,7 @@ std::string Session::last_error() const {
 
 void Session::end() noexcept {
   std::call_once(impl_->ended, [this] {
+    restore_terminal();
     impl_->timers.stop();
     impl_->backend->stop();
     impl_->backend->trace_to(nullptr);

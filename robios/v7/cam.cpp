@@ -7,6 +7,7 @@
 #include "eyebot.h"
 #include "eyebridge/camera/convert.hpp"
 #include "guarded.hpp"
+#include "lcd.hpp"
 
 int CAMWIDTH = 0;
 int CAMHEIGHT = 0;
@@ -53,6 +54,7 @@ int CAMInit(int resolution) {
     return session.camera().init(size.width, size.height).map([&] {
       publish(resolution, size);
       IPSetSize(resolution);
+      session.lcd().follow_camera(size.width, size.height);
       return CAM_SUCCESS;
     });
   });
@@ -81,7 +83,7 @@ int CAMGet(BYTE* buf) {
 int CAMGetGray(BYTE* buf) {
   return robios::guarded("CAMGetGray", CAM_FAILURE, [&](Session& session) -> Result<int> {
     return session.camera().next().map([&](const camera::FramePtr& frame) {
-      const camera::Frame grey = camera::to_grey(*frame);
+      const camera::Frame grey = camera::to_grey8(*frame);
       for (int y = 0; y < grey.height; ++y) {
         const auto row = grey.row(y);
         std::memcpy(buf + static_cast<std::size_t>(y) * row.size(), row.data(), row.size());

@@ -79,6 +79,23 @@ int OSGetCount(void) {
   });
 }
 
+char* OSExecute(const char* command) {
+  return robios::guarded("OSExecute", static_cast<char*>(nullptr), [&](Session&) -> Result<char*> {
+    struct Close {
+      void operator()(std::FILE* pipe) const { pclose(pipe); }
+    };
+    const std::unique_ptr<std::FILE, Close> pipe(popen(command, "r"));
+    if (!pipe) return fail(Errc::Unsupported, fmt::format("cannot run '{}'", command));
+    thread_local std::string output;
+    output.clear();
+    char chunk[4096];
+    for (std::size_t n = 0; (n = std::fread(chunk, 1, sizeof chunk, pipe.get())) > 0;) {
+      output.append(chunk, n);
+    }
+    return output.data();
+  });
+}
+
 int OSVersion(char* buf) {
   return robios::guarded("OSVersion", 1, [&](Session&) -> Result<int> {
     std::strcpy(buf, VERSION);

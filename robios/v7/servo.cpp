@@ -28,3 +28,15 @@ int set(const char* call, int id, int angle) {
 int SERVOSet(int servo, int angle) { return set("SERVOSet", servo, angle); }
 
 int SERVOSetRaw(int servo, int angle) { return set("SERVOSetRaw", servo, angle); }
+
+int SERVORange(int servo, int low, int high) {
+  return robios::guarded("SERVORange", 1, [&](robios::Session& session) -> Result<int> {
+    if (low < 0 || high > 255 || low >= high) {
+      return fail(Errc::OutOfRange, fmt::format("servo limits {}..{} are outside 0..255", low, high));
+    }
+    if (session.backend().servo(servo) == nullptr) {
+      return fail(Errc::OutOfRange, fmt::format("this robot has no servo {}", servo));
+    }
+    return 0;  // pulse lengths have no meaning for a simulated servo, as in EyeSim
+  });
+}

@@ -31,28 +31,28 @@ Pose pose_of(int x, int y, int phi) {
 
 }  // namespace
 
-void SIMGetRobot(int id, int* x, int* y, int* z, int* phi) {
+int SIMGetRobot(int id, int* x, int* y, int* z, int* phi) {
   give({}, x, y, z, phi);  // an unknown id reads as zeros
-  with_world("SIMGetRobot", 1, [&](hal::WorldControl& world) -> Result<int> {
+  return with_world("SIMGetRobot", 1, [&](hal::WorldControl& world) -> Result<int> {
     return world.robot_pose(id).map([&](const Pose& pose) { return give(pose, x, y, z, phi); });
   });
 }
 
-void SIMSetRobot(int id, int x, int y, int /*z*/, int phi) {
-  with_world("SIMSetRobot", 1, [&](hal::WorldControl& world) -> Result<int> {
+int SIMSetRobot(int id, int x, int y, int /*z*/, int phi) {
+  return with_world("SIMSetRobot", 1, [&](hal::WorldControl& world) -> Result<int> {
     return world.set_robot_pose(id, pose_of(x, y, phi)).map([] { return 0; });
   });
 }
 
-void SIMGetObject(int id, int* x, int* y, int* z, int* phi) {
+int SIMGetObject(int id, int* x, int* y, int* z, int* phi) {
   give({}, x, y, z, phi);
-  with_world("SIMGetObject", 1, [&](hal::WorldControl& world) -> Result<int> {
+  return with_world("SIMGetObject", 1, [&](hal::WorldControl& world) -> Result<int> {
     return world.object_pose(id).map([&](const Pose& pose) { return give(pose, x, y, z, phi); });
   });
 }
 
-void SIMSetObject(int id, int x, int y, int /*z*/, int phi) {
-  with_world("SIMSetObject", 1, [&](hal::WorldControl& world) -> Result<int> {
+int SIMSetObject(int id, int x, int y, int /*z*/, int phi) {
+  return with_world("SIMSetObject", 1, [&](hal::WorldControl& world) -> Result<int> {
     return world.set_object_pose(id, pose_of(x, y, phi)).map([] { return 0; });
   });
 }

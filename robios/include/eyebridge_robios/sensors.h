@@ -5,8 +5,9 @@
 
 /**
  * Distance in mm; psd is PSD_FRONT … or any number of the robot file. Nothing within reach gives
- * the sensor's largest value, 9999 unless the robot file says otherwise. 0 for a sensor that the
- * robot does not have, as on EyeSim; its reason is in EYEBRIDGELastError().
+ * the sensor's largest value, 9999 unless the robot file says otherwise. -1 for a sensor that the
+ * robot does not have or has lost (EyeSim gives 0, which a near wall gives too); the reason is in
+ * EYEBRIDGELastError().
  */
 int PSDGet(int psd);
 /** Raw value of the sensor. In simulation the same as PSDGet(). */
