@@ -1,0 +1,45 @@
+#include "arc.hpp"
+
+#include <cmath>
+
+#include "eyebridge/base/math.hpp"
+
+namespace eyebridge::robot {
+namespace {
+
+constexpr double kSeriesLimit = 0.25;  // radians; the first term left out is below 1e-17
+
+}  // namespace
+
+world::Arc arc_of(const PathStep& path) {
+  // A chord of an arc of length d and angle a, seen from its start:
+  // x = d sin(a) / a, y = d (1 - cos(a)) / a. Both quotients are smooth through a = 0.
+  const double a = path.angle;
+  double sine_by_angle = 0.0;
+  double versine_by_angle = 0.0;
+  Heading turn;
+  if (std::abs(a) < kSeriesLimit) {
+    const double z = a * a;
+    double sine = -1.0 / 39916800.0;  // 1/11!
+    sine = sine * z + 1.0 / 362880.0;
+    sine = sine * z - 1.0 / 5040.0;
+    sine = sine * z + 1.0 / 120.0;
+    sine = sine * z - 1.0 / 6.0;
+    sine_by_angle = 1.0 + z * sine;
+    double versine = -1.0 / 479001600.0;  // 1/12!
+    versine = versine * z + 1.0 / 3628800.0;
+    versine = versine * z - 1.0 / 40320.0;
+    versine = versine * z + 1.0 / 720.0;
+    versine = versine * z - 1.0 / 24.0;
+    versine_by_angle = a * (0.5 + z * versine);
+    turn = {1.0 - a * versine_by_angle, a * sine_by_angle};
+  } else {
+    const SinCos sc = sin_cos(a);
+    sine_by_angle = sc.sin / a;
+    versine_by_angle = (1.0 - sc.cos) / a;
+    turn = {sc.cos, sc.sin};
+  }
+  return {{path.distance * sine_by_angle, path.distance * versine_by_angle}, turn};
+}
+
+}  // namespace eyebridge::robot
