@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -114,8 +116,13 @@ TEST(Simulation, EveryGoalOfARealisticRobotEnds) {
       rig.sim.set_pose(rig.robot, {2.0, 2.0, 0.0});
       const double distance = goal % 3 == 0 ? 0.0 : 1.6 * random.uniform() - 0.8;
       const double angle = goal % 3 == 1 ? 0.0 : 8.0 * random.uniform() - 4.0;
-      rig.sim.drive(rig.robot, {distance, angle, 0.1 + random.uniform()});
-      EXPECT_LT(rig.finish(), 9000) << distance << " m, " << angle << " rad";
+      const double speed = 0.1 + random.uniform();
+      rig.sim.drive(rig.robot, {distance, angle, speed});
+      // As long as the trapezoid takes, and 1.5 s for ramps, lag and the last tick.
+      const double way = std::abs(distance == 0.0 ? angle : distance);
+      const double slowest = std::max(way / std::min(speed, distance == 0.0 ? 5.0 : 0.6),
+                                      std::abs(angle) / deg_to_rad(300));
+      EXPECT_LT(rig.finish() * 0.01, slowest + 1.5) << distance << " m, " << angle << " rad";
       EXPECT_EQ(rig.sim.drive_state(rig.robot), DriveState::Idle);
     }
   }
