@@ -6,8 +6,8 @@
 #include "camera_port.hpp"
 #include "eyebot.h"
 #include "eyebridge/camera/convert.hpp"
+#include "globals.hpp"
 #include "guarded.hpp"
-#include "lcd.hpp"
 
 int CAMWIDTH = 0;
 int CAMHEIGHT = 0;
@@ -53,8 +53,9 @@ int CAMInit(int resolution) {
     const Size size = kModes[static_cast<std::size_t>(resolution)];
     return session.camera().init(size.width, size.height).map([&] {
       publish(resolution, size);
-      IPSetSize(resolution);
+      robios::set_ip_size({size.width, size.height});
       session.lcd().follow_camera(size.width, size.height);
+      robios::publish_image_window(session.lcd().image_window(), resolution);
       return CAM_SUCCESS;
     });
   });

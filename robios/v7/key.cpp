@@ -19,8 +19,17 @@ auto session_wait(Session& session) {
   return [&session](Time deadline) { session.wait_until(deadline); };
 }
 
+/// A program that waits for what can never come would wait for ever: it ends instead.
+template <class Value>
+Result<Value> or_end(Session& session, Result<Value> waited) {
+  if (!waited && waited.error().code == Errc::Unsupported) {
+    session.abort_run(waited.error());
+  }
+  return waited;
+}
+
 Result<int> wait_for_key(Session& session, int mask) {
-  return session.keys().wait(mask, session_wait(session));
+  return or_end(session, session.keys().wait(mask, session_wait(session)));
 }
 
 tl::unexpected<eyebridge::Error> null_pointer() {
@@ -48,7 +57,8 @@ int KEYGetXY(int* x, int* y) {
     if (x == nullptr || y == nullptr) {
       return null_pointer();
     }
-    return session.keys().wait_touch(session_wait(session)).map([&](TouchPoint point) {
+    const auto touch = session.keys().wait_touch(session_wait(session));
+    return or_end(session, touch).map([&](TouchPoint point) {
       *x = point.x;
       *y = point.y;
       return 0;
