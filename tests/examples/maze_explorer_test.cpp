@@ -76,8 +76,8 @@ TEST_P(CompetitionMaze, IsSolvedByTheShortestWay) {
 INSTANTIATE_TEST_SUITE_P(Published, CompetitionMaze,
                          ::testing::Values("vr-apec-1990", "vr-chicago-1986", "vr-japan-1982",
                                            "vr-london-1986", "vr-size-example", "vr-maze2"),
-                         [](const auto& info) {
-                           std::string name = info.param;
+                         [](const auto& maze) {
+                           std::string name = maze.param;
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });
