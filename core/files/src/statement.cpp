@@ -123,6 +123,7 @@ double Statement::degrees(std::size_t i, std::string_view what) const {
 }
 
 std::string write_millimetres(double metres) {
+  if (metres == 0) return "0";
   char buffer[64];
   const auto result =
       std::to_chars(buffer, buffer + sizeof buffer, metres, std::chars_format::scientific);
