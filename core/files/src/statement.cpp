@@ -49,7 +49,14 @@ std::string shown(double value) {
   return {buffer, result.ptr};
 }
 
-std::string range_text(double low, double high) { return shown(low) + " to " + shown(high); }
+std::string plain(double value) {
+  char buffer[400];
+  const auto result =
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed);
+  return {buffer, result.ptr};
+}
+
+std::string range_text(double low, double high) { return plain(low) + " to " + plain(high); }
 
 }  // namespace
 

@@ -1,6 +1,6 @@
-#include <gmock/gmock.h>
-
 #include <cstdint>
+
+#include <gmock/gmock.h>
 
 #include "reading.hpp"
 
@@ -24,7 +24,8 @@ const Row kReaders[] = {
 
 TEST(BadInput, EmptyFilesBinaryJunkAndEndlessLinesAreErrorsOfEveryReader) {
   const std::string texts[] = {"", "\n\n", std::string("\0\1\2\3", 4), std::string(1 << 20, 'a'),
-                               "\x7F" "ELF"};
+                               "\x7F"
+                               "ELF"};
   for (const Row& reader : kReaders) {
     for (const std::string& text : texts) {
       std::vector<Warning> warnings;
@@ -44,8 +45,8 @@ TEST(BadInput, WarningsAreLimitedHoweverOddTheFile) {
 
 TEST(BadInput, AnyBytesGiveAModelOrAConfigError) {
   const std::string alphabet = "0123456789 \n\n.-|_ouS'\"#;%e\t\r";
-  const char* const words[] = {"floor ", "push ", "pop\n", "psd ", "error ", "drive ", "world ",
-                               "robi ",  "S4 ",   "wheel ", "camera ", "1e308 ", "-0 ", "nan "};
+  const char* const words[] = {"floor ", "push ", "pop\n",  "psd ",    "error ", "drive ", "world ",
+                               "robi ",  "S4 ",   "wheel ", "camera ", "1e308 ", "-0 ",    "nan "};
   std::uint32_t state = 12345;
   const auto next = [&] { return (state = state * 1664525U + 1013904223U) >> 8U; };
   int read = 0;

@@ -1,6 +1,6 @@
-#include <gmock/gmock.h>
-
 #include <cmath>
+
+#include <gmock/gmock.h>
 
 #include "reading.hpp"
 
@@ -9,8 +9,9 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr const char* kRoom = "floor 2000 2000\n0 0 2000 0\n2000 0 2000 2000\n2000 2000 0 2000\n"
-                              "0 2000 0 0\n";
+constexpr const char* kRoom =
+    "floor 2000 2000\n0 0 2000 0\n2000 0 2000 2000\n2000 2000 0 2000\n"
+    "0 2000 0 0\n";
 
 std::string error(const std::filesystem::path& path, const std::string& robot = "S4") {
   return error_of([&] { load_scenario(path, robot); });
@@ -49,9 +50,10 @@ TEST(Load, ARobotInAWallIsAnErrorAtTheLineThatPlacesIt) {
   const Folder folder;
   folder.write("a.wld", kRoom);
   const auto path = folder.write("a.sim", "world a.wld\n  S4 50 1000 0\n");
-  EXPECT_EQ(error(path), path.string() + ":2:3: S4 (186 mm across) at (50, 1000) mm stands in the "
-                                         "wall from (0, 2000) mm to (0, 0) mm: expected a free "
-                                         "place");
+  EXPECT_EQ(error(path), path.string() +
+                             ":2:3: S4 (186 mm across) at (50, 1000) mm stands in the "
+                             "wall from (0, 2000) mm to (0, 0) mm: expected a free "
+                             "place");
   const auto small = folder.write("m.maz", " _\n|S|\n100\n");
   EXPECT_THAT(error(small), HasSubstr(small.string() + ": S4 (186 mm across)"));
   EXPECT_EQ(error(folder.write("n.maz", " _\n|S|\n180\n"), "Mouse"), "no error");
@@ -71,8 +73,9 @@ TEST(Load, ASimTakesLettersFromItsMaze) {
   folder.write("m.maz", " _____\n|u r S|\n|_____|\n");
   folder.write("b.robi", "name B\ndiameter 100\n");
   const auto scenario =
-      load_scenario(folder.write("a.sim", "world m.maz\nS4 U 0 one.x\nS4 s two.x\n"
-                                          "robi b.robi three.x\nsettings VIS\nmarker 1 2\n"));
+      load_scenario(folder.write("a.sim",
+                                 "world m.maz\nS4 U 0 one.x\nS4 s two.x\n"
+                                 "robi b.robi three.x\nsettings VIS\nmarker 1 2\n"));
   ASSERT_EQ(scenario.robots.size(), 3u);
   EXPECT_EQ(scenario.robots[0].pose, (Pose{0.18, 0.54, 0}));
   EXPECT_EQ(scenario.robots[1].pose, scenario.world.starts[2].pose);
@@ -102,7 +105,8 @@ TEST(Load, FilesAreSearchedBesideInTheHomeAndAmongOurWorlds) {
   const Folder folder;
   folder.write("sim/worlds/room.wld", kRoom);
   const auto path = folder.write("a.sim", "world %SIM%\\worlds\\room.wld\nS4 500 500 0\n");
-  EXPECT_THAT(error(path), HasSubstr("a.sim:1:7: '%SIM%\\worlds\\room.wld' found, but EYESIM_HOME"));
+  EXPECT_THAT(error(path),
+              HasSubstr("a.sim:1:7: '%SIM%\\worlds\\room.wld' found, but EYESIM_HOME"));
   SearchPlaces places;
   places.eyesim_home = folder.path() / "sim";
   EXPECT_EQ(load_scenario(path, "S4", places).world.walls.size(), 4u);
@@ -113,16 +117,17 @@ TEST(Load, FilesAreSearchedBesideInTheHomeAndAmongOurWorlds) {
 
 TEST(Load, MissingFilesAndNamesAreErrorsAtTheirLine) {
   const Folder folder;
-  EXPECT_THAT(error(folder.write("a.sim", "world C:\\no\\such.wld\n")),
-              HasSubstr("a.sim:1:7: no file 'C:\\no\\such.wld': expected it in the working folder"));
+  EXPECT_THAT(
+      error(folder.write("a.sim", "world C:\\no\\such.wld\n")),
+      HasSubstr("a.sim:1:7: no file 'C:\\no\\such.wld': expected it in the working folder"));
   EXPECT_THAT(error(folder.write("b.sim", "world empty-room.wld\nrobot no.robi\n")),
               HasSubstr("b.sim:2:7: no file 'no.robi'"));
   EXPECT_THAT(error(folder.write("c.sim", "S5 1 2 3\n")),
               HasSubstr("c.sim:1:1: no robot or object 'S5': expected S4, LabBot or Mouse"));
   EXPECT_THAT(error(folder.write("d.sim", "world maze-5.maz\nS4 L\n")),
               HasSubstr("d.sim:2:1: no start 'L' left"));
-  EXPECT_EQ(error(folder.path() / "none.wld"), (folder.path() / "none.wld").string() +
-                                                   ": no such file");
+  EXPECT_EQ(error(folder.path() / "none.wld"),
+            (folder.path() / "none.wld").string() + ": no such file");
   EXPECT_THAT(error(folder.write("e.txt", "x")), HasSubstr("unknown kind of file"));
   EXPECT_EQ(error(folder.write("f.wld", kRoom), "R2D2"),
             "default robot: no robot 'R2D2': expected S4, LabBot or Mouse");

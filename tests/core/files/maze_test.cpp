@@ -85,10 +85,10 @@ TEST(Maze, EveryMistakeIsNamed) {
   EXPECT_EQ(error("hello\nworld\n"), "m.maz:1:1: no wall in the maze: expected '|' and '_'");
   EXPECT_EQ(error(" _\n|\t|\n"),
             "m.maz:2:2: tab found: expected blanks, a tab has no width in a drawing");
-  EXPECT_EQ(error(" _\n|_|\n0\n"),
-            "m.maz:3:1: the size of a cell is 0: expected 10 to 100000");
-  EXPECT_EQ(error("|\n"), "m.maz:1:1: no cell in the maze: expected at least two lines of two "
-                          "columns drawn with '|' and '_'");
+  EXPECT_EQ(error(" _\n|_|\n0\n"), "m.maz:3:1: the size of a cell is 0: expected 10 to 100000");
+  EXPECT_EQ(error("|\n"),
+            "m.maz:1:1: no cell in the maze: expected at least two lines of two "
+            "columns drawn with '|' and '_'");
 }
 
 TEST(Maze, LimitsTheNumberOfCells) {

@@ -1,7 +1,7 @@
-#include <gmock/gmock.h>
-
 #include <deque>
 #include <set>
+
+#include <gmock/gmock.h>
 
 #include "reading.hpp"
 

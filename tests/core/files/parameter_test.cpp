@@ -14,9 +14,10 @@ ParameterFile read(const std::string& text) {
 }
 
 TEST(Parameters, ReadsEveryKeyword) {
-  const auto file = read("name Rookie\ndiameter 150 # mm\nspeed 40\nturn 180\nmaze demo.maz\n"
-                         "pause on\ndebug off\npsd PSD_LEFT -205 90 70 0\npsd PSD_FRONT -200 0 70 0\n"
-                         "ir IR_F -400 0 75 45\nbump BUMP_RIGHT -500 -180 0\n");
+  const auto file = read(
+      "name Rookie\ndiameter 150 # mm\nspeed 40\nturn 180\nmaze demo.maz\n"
+      "pause on\ndebug off\npsd PSD_LEFT -205 90 70 0\npsd PSD_FRONT -200 0 70 0\n"
+      "ir IR_F -400 0 75 45\nbump BUMP_RIGHT -500 -180 0\n");
   EXPECT_EQ(file.robot.name, "Rookie");
   EXPECT_EQ(file.robot.diameter, 0.15);
   EXPECT_EQ(file.robot.drive.max_linear, 0.4);
@@ -49,11 +50,11 @@ TEST(Parameters, WarnsOfUnknownKeywords) {
 TEST(Parameters, EveryMistakeIsNamed) {
   const auto error = [](const std::string& text) { return error_of([&] { read(text); }); };
   EXPECT_EQ(error("pause maybe"), "eyesim.p:1:7: 'maybe' found: expected 'on' or 'off'");
-  EXPECT_EQ(error("world a.wld\nmaze b.maz"),
-            "eyesim.p:2:1: a second world or maze: expected one");
+  EXPECT_EQ(error("world a.wld\nmaze b.maz"), "eyesim.p:2:1: a second world or maze: expected one");
   EXPECT_EQ(error("speed fast"), "eyesim.p:1:7: 'fast' found: expected the speed, a number");
-  EXPECT_EQ(error("psd A 1 0 0"),
-            "eyesim.p:1:12: 'psd' with 4 arguments: expected 'psd NAME id angle distance direction'");
+  EXPECT_EQ(
+      error("psd A 1 0 0"),
+      "eyesim.p:1:12: 'psd' with 4 arguments: expected 'psd NAME id angle distance direction'");
   EXPECT_EQ(error("bump A 3 0 9\nbump B 3 0 9"),
             "eyesim.p:2:8: bump id 3 is given twice: expected every id once");
   EXPECT_THAT(error(""), testing::HasSubstr("no keyword of a parameter file"));

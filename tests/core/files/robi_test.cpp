@@ -18,10 +18,11 @@ std::string error(const std::string& text) {
 }
 
 TEST(Robi, ReadsTheOldDialect) {
-  const auto robot = read("name My Bot \t# best\ndiameter 200\nspeed 500\nturn 90\n"
-                          "psd PSD_LEFT 2 56 45 30 90\ncamera 62 0 60 0 -5 80 60\n"
-                          "wheel 54 3600 1100 90\ndrive DIFFERENTIAL_DRIVE MOTOR_LEFT QUAD_LEFT\n"
-                          "this line is prose\n");
+  const auto robot = read(
+      "name My Bot \t# best\ndiameter 200\nspeed 500\nturn 90\n"
+      "psd PSD_LEFT 2 56 45 30 90\ncamera 62 0 60 0 -5 80 60\n"
+      "wheel 54 3600 1100 90\ndrive DIFFERENTIAL_DRIVE MOTOR_LEFT QUAD_LEFT\n"
+      "this line is prose\n");
   EXPECT_EQ(robot.name, "My Bot");
   EXPECT_EQ(robot.diameter, 0.2);
   EXPECT_EQ(robot.drive.max_linear, 0.5);
@@ -39,10 +40,11 @@ TEST(Robi, ReadsTheOldDialect) {
 }
 
 TEST(Robi, ReadsTheNewDialect) {
-  const auto robot = read("drive DIFFERENTIAL_DRIVE\nname \"S 4\"\nmass 50 0 30 -30\n"
-                          "collider box 60 74 80 0 46 0\naxis 22.7 10.8\n"
-                          "psd 2 PSD_LEFT 10 20 30 0 90 0\ncamera 62 0 60 0 0 45 30\nfisheye 120\n"
-                          "wheel 54 3600 1100 45\nlidar 180 -10\n");
+  const auto robot = read(
+      "drive DIFFERENTIAL_DRIVE\nname \"S 4\"\nmass 50 0 30 -30\n"
+      "collider box 60 74 80 0 46 0\naxis 22.7 10.8\n"
+      "psd 2 PSD_LEFT 10 20 30 0 90 0\ncamera 62 0 60 0 0 45 30\nfisheye 120\n"
+      "wheel 54 3600 1100 45\nlidar 180 -10\n");
   EXPECT_EQ(robot.name, "S 4");
   EXPECT_NEAR(robot.diameter, 0.1, 1e-12);  // a 60 x 80 rectangle's diagonal
   EXPECT_EQ(robot.drive.wheel_base, 0.09);  // this dialect gives the half
@@ -58,8 +60,9 @@ TEST(Robi, ReadsTheNewDialect) {
 }
 
 TEST(Robi, NegativeAndMissingIdsBecomeThoseOfPrograms) {
-  const auto robot = read("name X\ndiameter 100\npsd PSD_BACK -212 -40 0 0 180\n"
-                          "psd PSD_DIAG -203 5 8 0 0\npsd PSD_FRONT 60 20 30 0\n");
+  const auto robot = read(
+      "name X\ndiameter 100\npsd PSD_BACK -212 -40 0 0 180\n"
+      "psd PSD_DIAG -203 5 8 0 0\npsd PSD_FRONT 60 20 30 0\n");
   EXPECT_EQ(robot.range_sensors.at(0).id, 4);
   EXPECT_EQ(robot.range_sensors.at(1).id, 5);
   EXPECT_EQ(robot.range_sensors.at(2).id, 1);
@@ -76,8 +79,9 @@ TEST(Robi, ReadsThrowsOfServosAsPanAndTilt) {
 }
 
 TEST(Robi, AckermannTakesItsDrivenWheels) {
-  const auto robot = read("drive ACKERMANN_DRIVE\naxel drive 22.7 -94\naxel turn 12 66\n"
-                          "wheel drive 40 7200 640 44.5\nwheel turn 28 7200 640 40\n");
+  const auto robot = read(
+      "drive ACKERMANN_DRIVE\naxel drive 22.7 -94\naxel turn 12 66\n"
+      "wheel drive 40 7200 640 44.5\nwheel turn 28 7200 640 40\n");
   EXPECT_EQ(robot.drive.kind, robot::DriveKind::Ackermann);
   EXPECT_EQ(robot.drive.wheel_diameter, 0.04);
   EXPECT_EQ(robot.drive.wheel_base, 0.089);
@@ -85,11 +89,12 @@ TEST(Robi, AckermannTakesItsDrivenWheels) {
 }
 
 TEST(Robi, ReadsOurExtensionsAndAppliesThemToEarlierLines) {
-  const auto robot = read("error psd 4 2\ndiameter 99\npsd A 1 0 0 0 0\npsd_range 50 800\n"
-                          "ir I 1 80 0 20 0 120\nbump B 1 -45 45\naccel 800 90\ncamera 1 2 3 4 5\n"
-                          "lidar 9 0\nerror drive 3 4\nerror wheels 1 -2\nerror encoder quantised\n"
-                          "error compass 90\nerror camera 5 6\nerror ir 7\nerror bump 8\n"
-                          "error lidar 9 10\n");
+  const auto robot = read(
+      "error psd 4 2\ndiameter 99\npsd A 1 0 0 0 0\npsd_range 50 800\n"
+      "ir I 1 80 0 20 0 120\nbump B 1 -45 45\naccel 800 90\ncamera 1 2 3 4 5\n"
+      "lidar 9 0\nerror drive 3 4\nerror wheels 1 -2\nerror encoder quantised\n"
+      "error compass 90\nerror camera 5 6\nerror ir 7\nerror bump 8\n"
+      "error lidar 9 10\n");
   EXPECT_EQ(robot.range_sensors[0].error.sigma, 0.004);
   EXPECT_EQ(robot.range_sensors[0].error.sigma_relative, 0.02);
   EXPECT_EQ(robot.range_sensors[0].min_range, 0.05);
@@ -123,12 +128,14 @@ TEST(Robi, WarnsOfLikelyTyposOfKeywords) {
 
 TEST(Robi, EveryMistakeIsNamedWithItsPlace) {
   const std::pair<const char*, const char*> cases[] = {
-      {"psd A 1 0 0 0 0\npsd B 1 0 0 0 0", "r.robi:2:7: psd id 1 is given twice: expected every id "
-                                           "once"},
+      {"psd A 1 0 0 0 0\npsd B 1 0 0 0 0",
+       "r.robi:2:7: psd id 1 is given twice: expected every id "
+       "once"},
       {"psd A 0 0 0 0 0", "r.robi:1:7: id 0 found: expected 1 or more"},
       {"psd A 1.5 0 0 0 0", "r.robi:1:7: '1.5' found: expected the id, a whole number"},
-      {"drive HOVERCRAFT", "r.robi:1:7: unknown drive 'HOVERCRAFT': expected DIFFERENTIAL_DRIVE, "
-                           "ACKERMANN_DRIVE or OMNI_DRIVE"},
+      {"drive HOVERCRAFT",
+       "r.robi:1:7: unknown drive 'HOVERCRAFT': expected DIFFERENTIAL_DRIVE, "
+       "ACKERMANN_DRIVE or OMNI_DRIVE"},
       {"error psi 1 2", "r.robi:1:7: unknown error model 'psi': expected 'psd'?"},
       {"error encoder rounded", "r.robi:1:15: 'rounded' found: expected 'quantised'"},
       {"diameter -5", "r.robi:1:10: the diameter is -5: expected 1 to 10000"},

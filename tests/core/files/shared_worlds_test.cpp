@@ -1,7 +1,7 @@
-#include <gmock/gmock.h>
-
 #include <map>
 #include <sstream>
+
+#include <gmock/gmock.h>
 
 #include "reading.hpp"
 

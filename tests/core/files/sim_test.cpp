@@ -14,8 +14,9 @@ SimFile read(const std::string& text) {
 }
 
 TEST(Sim, ReadsFilesAndSettings) {
-  const auto sim = read("maze \"a b.maz\"\nrobi x.robi\nROBOT y.robi\nobj o.esObj\n"
-                        "object p.esObj\nsettings trace VIS # both");
+  const auto sim = read(
+      "maze \"a b.maz\"\nrobi x.robi\nROBOT y.robi\nobj o.esObj\n"
+      "object p.esObj\nsettings trace VIS # both");
   EXPECT_EQ(sim.world, "a b.maz");
   EXPECT_EQ(sim.world_where, (SourceLocation{"s.sim", 1, 6}));
   ASSERT_EQ(sim.robot_files.size(), 2u);
@@ -41,8 +42,9 @@ TEST(Sim, ReadsRobotsAtPosesAndLetters) {
 }
 
 TEST(Sim, ReadsTheOldFormThatNamesFileAndProgram) {
-  const auto sim = read("robi a/S4.robi drive.dll 600 500 0\nrobi a/S4.robi maze.dll\n"
-                        "object 800 700 0 0.0 %sim%/objects/can/can.ms3d\n");
+  const auto sim = read(
+      "robi a/S4.robi drive.dll 600 500 0\nrobi a/S4.robi maze.dll\n"
+      "object 800 700 0 0.0 %sim%/objects/can/can.ms3d\n");
   ASSERT_EQ(sim.robots.size(), 2u);
   EXPECT_EQ(sim.robots[0].model, "a/S4.robi");
   EXPECT_EQ(sim.robots[0].program, "drive.dll");
@@ -54,8 +56,9 @@ TEST(Sim, ReadsTheOldFormThatNamesFileAndProgram) {
 }
 
 TEST(Sim, ReadsObjectsAndMarkers) {
-  const auto sim = read("CAN 1 2 90\nSoccer 3 4 0\ngolf 5 6 0\nCrate 7 8 0\nmarker 9 10\n"
-                        "marker 1 2 3 4 5\nmarker 1 2 3 4 5 255\n");
+  const auto sim = read(
+      "CAN 1 2 90\nSoccer 3 4 0\ngolf 5 6 0\nCrate 7 8 0\nmarker 9 10\n"
+      "marker 1 2 3 4 5\nmarker 1 2 3 4 5 255\n");
   ASSERT_EQ(sim.objects.size(), 4u);
   EXPECT_EQ(sim.objects[0].kind, world::ObjectKind::Can);
   EXPECT_EQ(sim.objects[1].kind, world::ObjectKind::Ball);
@@ -73,8 +76,9 @@ TEST(Sim, EveryMistakeIsNamed) {
             "s.sim:2:1: a second world: expected one 'world' or 'maze' line");
   EXPECT_EQ(error("S4 1 2"), "s.sim:1:7: line ends: expected phi");
   EXPECT_EQ(error("S4 1 inf 3"), "s.sim:1:6: 'inf' found: expected y, a number");
-  EXPECT_EQ(error("marker 1 2 3"), "s.sim:1:13: 'marker' with 3 arguments: expected 'marker x y "
-                                   "[red green blue [alpha]]'");
+  EXPECT_EQ(error("marker 1 2 3"),
+            "s.sim:1:13: 'marker' with 3 arguments: expected 'marker x y "
+            "[red green blue [alpha]]'");
   EXPECT_THAT(error("xyzzy"), testing::HasSubstr("s.sim:1:1: unknown keyword 'xyzzy': expected"));
 }
 
