@@ -82,7 +82,8 @@ TEST(Maze, WarnsOfLettersWithoutMeaningButNotOfDots) {
 TEST(Maze, EveryMistakeIsNamed) {
   EXPECT_EQ(error(""), "m.maz:1:1: no maze in the file: expected one drawn with '|' and '_'");
   EXPECT_EQ(error("360\n"), "m.maz:1:1: no maze in the file: expected one drawn with '|' and '_'");
-  EXPECT_EQ(error("hello\nworld\n"), "m.maz:1:1: no wall in the maze: expected '|' and '_'");
+  EXPECT_EQ(error("hello\nworld\n"),
+            "m.maz:1:1: no wall in the maze: expected '|' in odd and '_' in even columns");
   EXPECT_EQ(error(" _\n|\t|\n"),
             "m.maz:2:2: tab found: expected blanks, a tab has no width in a drawing");
   EXPECT_EQ(error(" _\n|_|\n0\n"), "m.maz:3:1: the size of a cell is 0: expected 10 to 100000");
