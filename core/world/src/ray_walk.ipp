@@ -10,9 +10,9 @@ namespace {
 
 /// Least of `best` and the ranges to the segments in `lanes`. Not inlined: what the walk needs
 /// stays in registers, and most rays come here once, at their end.
-EYEBRIDGE_RAY_TARGET [[gnu::noinline]] double nearest_of(const RayBlock& block, unsigned lanes,
-                                                         const Segment* segments, Vec2 origin,
-                                                         Vec2 direction, double best) {
+EYEBRIDGE_RAY_TARGET inline double nearest_of(const RayBlock& block, unsigned lanes,
+                                              const Segment* segments, Vec2 origin, Vec2 direction,
+                                              double best) {
   for (; lanes != 0; lanes &= lanes - 1) {
     const std::uint32_t hit = block.segment[__builtin_ctz(lanes)];
     best = nearer_hit(segments[hit], origin, direction, best);
