@@ -1,3 +1,5 @@
+#include <memory>
+
 #include <benchmark/benchmark.h>
 
 #include "bench_worlds.hpp"

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
-#include <memory>
+#include <cstdlib>
+#include <vector>
 
 #include "eyebridge/base/random.hpp"
 #include "eyebridge/base/units.hpp"

@@ -35,8 +35,8 @@ inline double nearer_hit(const Segment& wall, Vec2 origin, Vec2 direction, doubl
   constexpr double kParallel = 1e-12;
   const Vec2 w = wall.a - origin;
   const double signed_den = cross(direction, wall.u);
-  const double sign = signed_den < 0 ? -1.0 : 1.0;  // no branch: it would be a coin's toss
-  const double den = sign * signed_den;
+  const double sign = std::copysign(1.0, signed_den);  // a branch would be a coin's toss
+  const double den = std::fabs(signed_den);
   const double along_ray = sign * cross(w, wall.u);
   const double along_wall = sign * cross(w, direction);
   if (den < kParallel) {

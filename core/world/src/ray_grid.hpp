@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry.hpp"
+#include "ray_query.hpp"
 #include "segment_grid.hpp"
 
 namespace eyebridge::world {
@@ -46,6 +47,10 @@ class RayGrid {
     std::uint32_t first = 0;  ///< Into blocks_.
     std::uint32_t count = 1;  ///< At least 1: block 0 is empty and shared by all empty cells.
   };
+
+  /// Fills one of `starts` for each of `directions`.
+  void start_rays(Vec2 origin, std::span<const Vec2> directions, double max_range,
+                  RayStart* starts) const;
 
   const std::vector<Segment>& segments_;
   SegmentGrid grid_;

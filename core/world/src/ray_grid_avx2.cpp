@@ -1,5 +1,4 @@
 #include "ray_grid.hpp"
-#include "ray_query.hpp"
 
 #if defined(__x86_64__)
 
@@ -14,7 +13,8 @@
 namespace eyebridge::world {
 namespace {
 
-EYEBRIDGE_RAY_TARGET inline unsigned candidates_in(const RayBlock& block, const RayQuery& q) {
+EYEBRIDGE_RAY_TARGET inline unsigned candidates_in(const RayBlock& block, const RayQuery& q,
+                                                   float farthest) {
   const __m256 ux = _mm256_load_ps(block.ux);
   const __m256 uy = _mm256_load_ps(block.uy);
   const __m256 wx = _mm256_sub_ps(_mm256_load_ps(block.ax), _mm256_set1_ps(q.x));
@@ -30,7 +30,7 @@ EYEBRIDGE_RAY_TARGET inline unsigned candidates_in(const RayBlock& block, const 
   const __m256 w = _mm256_xor_ps(along_wall, sign);
   const __m256 margin = _mm256_set1_ps(q.margin);
   const __m256 least = _mm256_set1_ps(-q.margin);
-  const __m256 reach = _mm256_set1_ps(q.reach);
+  const __m256 reach = _mm256_set1_ps(farthest);
   const __m256 length = _mm256_load_ps(block.length);
   const __m256 r_max = _mm256_add_ps(_mm256_mul_ps(reach, size), margin);
   const __m256 w_max = _mm256_add_ps(_mm256_mul_ps(length, size), margin);

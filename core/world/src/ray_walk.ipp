@@ -6,92 +6,65 @@
 // Text is shared, not a template, because g++ inlines no function of a richer instruction set into
 // one of a poorer, and the linker must not take one for the other.
 
+namespace {
+
+/// Least of `best` and the ranges to the segments in `lanes`. Not inlined: what the walk needs
+/// stays in registers, and most rays come here once, at their end.
+EYEBRIDGE_RAY_TARGET inline double nearest_of(const RayBlock& block, unsigned lanes,
+                                              const Segment* segments, Vec2 origin, Vec2 direction,
+                                              double best) {
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const std::uint32_t hit = block.segment[__builtin_ctz(lanes)];
+    best = nearer_hit(segments[hit], origin, direction, best);
+  }
+  return best;
+}
+
+}  // namespace
+
 EYEBRIDGE_RAY_TARGET
 void RayGrid::EYEBRIDGE_RAY_CAST(Vec2 origin, std::span<const Vec2> directions, double max_range,
                                  std::span<double> ranges) const {
-  const double cell = grid_.cell();
-  const double per_cell = 1.0 / cell;
-  const double columns = static_cast<double>(grid_.columns());
-  const double rows = static_cast<double>(grid_.rows());
   const std::ptrdiff_t row_step = static_cast<std::ptrdiff_t>(grid_.columns());
-  // The box that rays are clipped to: the outermost ring of cells is empty and takes up what
-  // rounding lets a ray go too far. Coordinates are in cells from here on.
-  constexpr double kRing = 0.5;
-  const Vec2 start = per_cell * (origin - grid_.origin());
-  const bool inside =
-      start.x > kRing && start.x < columns - kRing && start.y > kRing && start.y < rows - kRing;
+  // In two passes: how a ray starts takes divisions, and those would wait at each wrongly guessed
+  // branch of the walk before.
+  constexpr std::size_t kChunk = 64;
+  RayStart starts[kChunk];
+  for (std::size_t first = 0; first < directions.size(); first += kChunk) {
+    const std::size_t rest = directions.size() - first;
+    const std::size_t count = rest < kChunk ? rest : kChunk;
+    start_rays(origin, directions.subspan(first, count), max_range, starts);
 
-  // Where the rays enter the grid: the same place for all that start inside.
-  double entry = 0.0;  // range
-  std::ptrdiff_t entry_cell = 0;
-  Vec2 in_cell;  // 0 … 1 each, but for rounding
-  RayQuery query{};
-  query.margin = margin_;
-  const auto enter = [&](Vec2 p) EYEBRIDGE_RAY_TARGET {
-    const Vec2 place = grid_.origin() + cell * p;
-    const std::size_t column = grid_.column_of(place.x);
-    const std::size_t row = grid_.row_of(place.y);
-    entry_cell = static_cast<std::ptrdiff_t>(row * grid_.columns() + column);
-    in_cell = p - Vec2{static_cast<double>(column), static_cast<double>(row)};
-    query.x = static_cast<float>(p.x * cell);
-    query.y = static_cast<float>(p.y * cell);
-  };
-  if (inside) enter(start);
-
-  for (std::size_t ray = 0; ray < directions.size(); ++ray) {
-    const Vec2 d = directions[ray];
-    const bool right = d.x >= 0.0;
-    const bool up = d.y >= 0.0;
-    // Infinite where the ray is parallel to an axis; no crossing is ever nearer then.
-    const double cells_x = cell / std::fabs(d.x);
-    const double cells_y = cell / std::fabs(d.y);
-    const double out_x = (right ? columns - kRing - start.x : start.x - kRing) * cells_x;
-    const double out_y = (up ? rows - kRing - start.y : start.y - kRing) * cells_y;
-    const double out = out_x < out_y ? out_x : out_y;
-    const double limit = out < max_range ? out : max_range;
-    ranges[ray] = max_range;
-    if (!inside) {
-      const double gap_x = right ? kRing - start.x : start.x - (columns - kRing);
-      const double gap_y = up ? kRing - start.y : start.y - (rows - kRing);
-      const double in_x = gap_x > 0.0 ? gap_x * cells_x : 0.0;
-      const double in_y = gap_y > 0.0 ? gap_y * cells_y : 0.0;
-      entry = in_x > in_y ? in_x : in_y;
-      if (!(entry < limit)) continue;
-      enter(start + (entry * per_cell) * d);
-    }
-    double next_x = d.x == 0.0 ? kNever : entry + (right ? 1.0 - in_cell.x : in_cell.x) * cells_x;
-    double next_y = d.y == 0.0 ? kNever : entry + (up ? 1.0 - in_cell.y : in_cell.y) * cells_y;
-    const std::ptrdiff_t step_x = right ? 1 : -1;
-    const std::ptrdiff_t step_y = up ? row_step : -row_step;
-    const Cell* at = cells_.data() + entry_cell;
-    query.dx = static_cast<float>(d.x);
-    query.dy = static_cast<float>(d.y);
-
-    double best = limit;
-    for (;;) {
-      const bool by_x = next_x < next_y;
-      const double border = by_x ? next_x : next_y;
-      // Hits behind the border are found from their own cells.
-      const double reach = border < best ? border : best;
-      query.reach = static_cast<float>(reach - entry);
-      const RayBlock* block = blocks_.data() + at->first;
-      const RayBlock* const end = block + at->count;
-      do {  // every cell has a block: one branch less to guess
-        for (unsigned lanes = candidates_in(*block, query); lanes != 0; lanes &= lanes - 1) {
-          const std::uint32_t hit = block->segment[__builtin_ctz(lanes)];
-          best = nearer_hit(segments_[hit], origin, d, best);
-        }
-      } while (++block != end);
-      // A hit in a later cell cannot be nearer than the border to it. Also ends on NaN.
-      if (!(border < best)) break;
-      if (by_x) {
-        at += step_x;
-        next_x += cells_x;
-      } else {
-        at += step_y;
-        next_y += cells_y;
+    for (std::size_t i = 0; i < count; ++i) {
+      const RayStart& start = starts[i];
+      const Vec2 d = directions[first + i];
+      const std::ptrdiff_t step_x = d.x >= 0.0 ? 1 : -1;
+      const std::ptrdiff_t step_y = d.y >= 0.0 ? row_step : -row_step;
+      const RayQuery query{start.x, start.y, static_cast<float>(d.x), static_cast<float>(d.y),
+                           margin_};
+      double next_x = start.next_x;
+      double next_y = start.next_y;
+      double best = start.limit;
+      for (const Cell* at = cells_.data() + start.cell;;) {
+        const bool by_x = next_x < next_y;
+        const double border = by_x ? next_x : next_y;
+        // Hits behind the border are found from their own cells.
+        const double reach = (border < best ? border : best) - start.entry;
+        const RayBlock* block = blocks_.data() + at->first;
+        const RayBlock* const end = block + at->count;
+        do {  // every cell has a block: one branch less to guess
+          const unsigned lanes = candidates_in(*block, query, static_cast<float>(reach));
+          if (lanes != 0) best = nearest_of(*block, lanes, segments_.data(), origin, d, best);
+        } while (++block != end);
+        // A hit in a later cell cannot be nearer than the border to it. Also ends on NaN.
+        if (!(border < best)) break;
+        at += by_x ? step_x : step_y;
+        const double beyond_x = next_x + start.cells_x;
+        const double beyond_y = next_y + start.cells_y;
+        next_x = by_x ? beyond_x : next_x;
+        next_y = by_x ? next_y : beyond_y;
       }
+      ranges[first + i] = best < start.limit ? best : max_range;
     }
-    if (best < limit) ranges[ray] = best;
   }
 }
