@@ -17,7 +17,6 @@ namespace eyebridge::camera {
   X(PFNGLPOLYGONOFFSETPROC, polygon_offset, "glPolygonOffset") \
   X(PFNGLPIXELSTOREIPROC, pixel_store_i, "glPixelStorei") \
   X(PFNGLREADPIXELSPROC, read_pixels, "glReadPixels") \
-  X(PFNGLGETSTRINGPROC, get_string, "glGetString") \
   X(PFNGLGETERRORPROC, get_error, "glGetError") \
   X(PFNGLGETINTEGERVPROC, get_integer_v, "glGetIntegerv") \
   X(PFNGLGENTEXTURESPROC, gen_textures, "glGenTextures") \

@@ -72,7 +72,7 @@ struct Session::Impl {
         clock(backend->clock()),
         lcd(make_lcd(config)),
         keys(make_keys(config, clock, *lcd)),
-        camera(config.text("camera"), {&clock, backend->camera_view()}),
+        camera(config.text("camera"), {&clock, backend->camera_view(), &log}),
         timers(clock),
         cost_scale(config.number("cost_scale")) {
     if (config.is_set("time_limit")) limit = from_seconds(config.number("time_limit"));

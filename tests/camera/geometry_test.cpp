@@ -210,17 +210,18 @@ TEST_P(Projection, AnotherRobotIsDrawnAndTheCarrierIsNot) {
   shot_.eye = {1.0, 1.0, 0.12, 0.0, 0.0, 1.0};
   shot_.carrier = 4;
   shot_.scene.bodies = {{4, world::BodyShape::Robot, {1.0, 1.0, 0.0}, 0.09, 0.3, kGreen},
-                        {7, world::BodyShape::Robot, {1.8, 1.0, kPi / 2}, 0.1, 0.1, kRed}};
+                        {7, world::BodyShape::Robot, {1.8, 1.0, 0.0}, 0.1, 0.1, kRed}};
   const Frame frame = draw();
   EXPECT_EQ(extent(frame, is_green).count, 0);
   const Extent seen = extent(frame, is_red);
+  EXPECT_NEAR(seen.left, column(std::asin(0.1 / 0.8)), 1.0);
   EXPECT_NEAR(seen.right, column(-std::asin(0.1 / 0.8)), 1.0);
-  // It looks to the left, so its left rim is the light mark.
-  const Extent whole = extent(frame, [](const std::uint8_t* p) {
-    return is_red(p) || (p[0] > 200 && p[0] == p[1] && p[1] == p[2]);
-  });
-  EXPECT_NEAR(whole.left, column(std::asin(0.1 / 0.8)), 1.0);
-  EXPECT_GT(seen.left, whole.left + 1);
+
+  // When it looks at us, the mark hides the red of its side.
+  const int away = column_extent(frame, frame.width / 2, is_red).bottom;
+  shot_.scene.bodies[1].pose.theta = kPi;
+  const int facing = column_extent(draw(), frame.width / 2, is_red).bottom;
+  EXPECT_GT(away - facing, 0.09 / 0.7 * focal());
 
   shot_.carrier = 7;  // now from beside them
   shot_.eye.x = 0.2;
