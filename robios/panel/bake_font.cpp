@@ -53,6 +53,10 @@ class Face {
       squeeze.xx = FT_DivFix(cell, slot->advance.x);
       squeeze.yy = 0x10000;
       FT_Outline_Transform(outline, &squeeze);
+      // Squeezing thins the upright stems of m and W: give back what they lost. A stem is about a
+      // twelfth of the size wide.
+      const FT_Pos stem = face_->size->metrics.y_ppem * 64 / 12;
+      FT_Outline_EmboldenXY(outline, stem - FT_MulFix(stem, squeeze.xx), 0);
     }
     const FT_Pos advance = slot->advance.x > cell ? cell : slot->advance.x;
     if (slanted) {

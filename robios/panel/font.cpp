@@ -10,9 +10,14 @@ namespace {
 
 // Written by bake_font: family, then style, then size; each face kGlyphCount cells.
 constexpr std::size_t kFaces = 3 * kFontStyles * kFontGrids.size();
+// Literals, not lists of numbers: they compile much faster. Some are longer than the 65536
+// bytes that every compiler must take; gcc and clang take any length.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Woverlength-strings"
 constexpr const char* kFaceBytes[] = {
 #include "font_data.inc"
 };
+#pragma GCC diagnostic pop
 static_assert(std::size(kFaceBytes) == kFaces);
 
 constexpr std::array<int, kFontGrids.size()> kSizes = [] {

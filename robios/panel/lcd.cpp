@@ -267,10 +267,13 @@ camera::Frame Lcd::snapshot() const {
   const std::vector<Rgb>& shown = auto_refresh_ ? canvas_.pixels() : frozen_;
   const std::vector<Rgb>& strip = soft_keys_.picture().pixels();
   const std::size_t covered = menu_shown_ ? shown.size() - strip.size() : shown.size();
-  frame.bytes.reserve(shown.size() * 3);
+  frame.bytes.resize(shown.size() * 3);
+  std::uint8_t* out = frame.bytes.data();
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const Rgb pixel = i < covered ? shown[i] : strip[i - covered];
-    frame.bytes.insert(frame.bytes.end(), {pixel.r, pixel.g, pixel.b});
+    *out++ = pixel.r;
+    *out++ = pixel.g;
+    *out++ = pixel.b;
   }
   return frame;
 }

@@ -12,8 +12,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!image) {
     return 0;
   }
+  const auto again = read_pnm(write_pnm(*image), "again");
   if (image->bytes.size() != image->size.pixels() * pnm_channels(image->kind) ||
-      image->bytes.size() > 8 * size || read_pnm(write_pnm(*image), "again") != image) {
+      image->bytes.size() > 8 * size || !again || *again != *image) {
     std::abort();
   }
   return 0;
