@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include "config/toml_guard.hpp"
 #include "config/values.hpp"
 
 namespace eyebridge::hal {
@@ -98,6 +99,7 @@ TomlEntry read_entry(const toml::key& key, const toml::node& node, const std::st
 }  // namespace
 
 std::vector<TomlEntry> read_toml(std::string_view text, const std::string& file) {
+  check_toml_text(text, file);
   toml::table table;
   try {
     table = toml::parse(text, file);

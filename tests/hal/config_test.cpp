@@ -174,6 +174,26 @@ TEST_F(ConfigTest, GivesThePlaceOfATomlSyntaxError) {
   EXPECT_NE(complaint(std::string("\x00\xFF\x7F", 3)), "");
 }
 
+TEST_F(ConfigTest, TakesCharactersBeyondAsciiInQuotesAndComments) {
+  const auto file =
+      write("eyebridge.toml", "\xEF\xBB\xBF# größe\nrobot = \"Mö\\\"ü\"  # ü\nkeys = 'ß'\n");
+  const Config config = Config::load({{}, {}, {file}});
+  EXPECT_EQ(config.text("robot"), "Mö\"ü");
+  EXPECT_EQ(config.text("keys"), "ß");
+}
+
+TEST_F(ConfigTest, RefusesCharactersBeyondAsciiElsewhere) {
+  EXPECT_THAT(complaint("seed = 1\nkeys = 'ü'ü\n"),
+              HasSubstr(":2:11: found a character beyond ASCII"));
+  EXPECT_THAT(complaint("wörld = 'a'\n"), HasSubstr(":1:2: found a character beyond ASCII"));
+}
+
+TEST_F(ConfigTest, RefusesTextsOfSeveralLines) {
+  EXPECT_THAT(complaint("robot = \"\"\"\nS4\"\"\"\n"), HasSubstr(":1:9: found three quotes"));
+  EXPECT_THAT(complaint("robot = '''S4'''\n"), HasSubstr(":1:9: found three quotes"));
+  EXPECT_EQ(complaint("keys = ''  # '''\n"), "");
+}
+
 TEST_F(ConfigTest, SkipsMissingFilesButNotUnreadableOnes) {
   EXPECT_EQ(complaint({{}, {}, {folder_ / "missing.toml"}}), "");
   EXPECT_EQ(complaint({{}, {}, {folder_}}),
