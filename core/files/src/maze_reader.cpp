@@ -78,6 +78,10 @@ class MazeReader {
     model_.width = grid_.columns * grid_.cell;
     model_.height = grid_.rows * grid_.cell;
     model_.walls = world::walls_of(grid_);
+    if (model_.walls.empty()) {
+      throw ConfigError({file_, rows_.front().line, 1},
+                        "no wall in the maze: expected '|' in odd and '_' in even columns");
+    }
     model_.maze = std::move(grid_);
     return std::move(model_);
   }
@@ -131,12 +135,6 @@ class MazeReader {
       throw ConfigError({file_, line, 1},
                         "no cell in the maze: expected at least two lines of two columns drawn "
                         "with '|' and '_'");
-    }
-    const bool drawn = std::any_of(rows_.begin(), rows_.end(), [](const Row& row) {
-      return row.text.find_first_of("|_") != std::string_view::npos;
-    });
-    if (!drawn) {
-      throw ConfigError({file_, line, 1}, "no wall in the maze: expected '|' and '_'");
     }
     if (columns * (rows_.size() - 1) > kMaxCells || columns > 32768 || rows_.size() > 32768) {
       throw ConfigError({file_, line, 1}, "maze of " + std::to_string(columns) + " x " +

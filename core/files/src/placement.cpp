@@ -19,7 +19,7 @@ double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
 
 std::string at(Vec2 p) {
   const auto mm = [](double metres) { return write_millimetres(std::round(metres * 1e4) / 1e4); };
-  return "(" + mm(p.x) + ", " + mm(p.y) + ") mm";
+  return std::string("(").append(mm(p.x)) + ", " + mm(p.y) + ") mm";
 }
 
 /// Places to try: the centres of a maze's cells, or a raster of at most about 10,000 points.

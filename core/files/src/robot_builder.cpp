@@ -94,7 +94,7 @@ void RobotBuilder::read_error(const Statement& s) {
   if (s.size() < 2) s.fail(1, "line ends: expected 'error' and one of " + one_of(kErrors));
   const std::string kind = lower(s.text(1));
   const auto expect = [&](std::size_t count, std::string_view form) {
-    s.expect_arguments(count + 1, "error " + std::string(form));
+    s.expect_arguments(count + 1, std::string("error ").append(form));
   };
   const auto fraction = [&](std::size_t i, std::string_view what) {
     return s.number(i, what, 0, 100) / 100;

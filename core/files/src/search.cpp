@@ -14,7 +14,7 @@ std::filesystem::path find_file(const std::string& written, const std::filesyste
   constexpr std::string_view kHome = "%sim%";
   if (lower(name).starts_with(kHome)) {
     if (places.eyesim_home.empty()) {
-      throw ConfigError(where, in_quotes(written) +
+      throw ConfigError(where, in_quotes(written, 300) +
                                    " found, but EYESIM_HOME is not set: expected it "
                                    "to name the folder that %sim% stands for");
     }
@@ -22,7 +22,6 @@ std::filesystem::path find_file(const std::string& written, const std::filesyste
     while (rest.starts_with('/')) rest.remove_prefix(1);
     name = (places.eyesim_home / rest).string();
   }
-  std::string tried;
   const auto found = [&](const std::filesystem::path& path) {
     std::error_code error;
     return std::filesystem::exists(path, error);
@@ -32,7 +31,7 @@ std::filesystem::path find_file(const std::string& written, const std::filesyste
   for (const auto& place : {directory, places.eyesim_home, places.worlds}) {
     if (!place.empty() && found(place / name)) return place / name;
   }
-  throw ConfigError(where, "no file " + in_quotes(written) +
+  throw ConfigError(where, "no file " + in_quotes(written, 300) +
                                ": expected it in the working folder, beside this file, in "
                                "EYESIM_HOME or among the built-in worlds");
 }

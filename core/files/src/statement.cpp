@@ -49,7 +49,14 @@ std::string shown(double value) {
   return {buffer, result.ptr};
 }
 
-std::string range_text(double low, double high) { return shown(low) + " to " + shown(high); }
+std::string plain(double value) {
+  char buffer[400];
+  const auto result =
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed);
+  return {buffer, result.ptr};
+}
+
+std::string range_text(double low, double high) { return plain(low) + " to " + plain(high); }
 
 }  // namespace
 
@@ -123,6 +130,7 @@ double Statement::degrees(std::size_t i, std::string_view what) const {
 }
 
 std::string write_millimetres(double metres) {
+  if (metres == 0) return "0";
   char buffer[64];
   const auto result =
       std::to_chars(buffer, buffer + sizeof buffer, metres, std::chars_format::scientific);

@@ -47,10 +47,10 @@ std::string_view without_bom(std::string_view text) {
   return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
 }
 
-std::string in_quotes(std::string_view word) {
+std::string in_quotes(std::string_view word, std::size_t most) {
   std::string out = "'";
-  for (const char c : word.substr(0, 40)) out += c >= 0x20 && c < 0x7F ? c : '?';
-  return out + (word.size() > 40 ? "...'" : "'");
+  for (const char c : word.substr(0, most)) out += c >= 0x20 && c < 0x7F ? c : '?';
+  return out + (word.size() > most ? "...'" : "'");
 }
 
 std::string lower(std::string_view word) {

@@ -21,8 +21,8 @@ void check_text(std::string_view text, const std::string& file);
 /// `text` without its byte order mark, if it has one.
 std::string_view without_bom(std::string_view text);
 
-/// `word` as messages show it: at most 40 bytes, unprintable bytes as '?', in quotes.
-std::string in_quotes(std::string_view word);
+/// `word` as messages show it: at most `most` bytes, unprintable bytes as '?', in quotes.
+std::string in_quotes(std::string_view word, std::size_t most = 40);
 
 /// ASCII only; other bytes stay as they are.
 std::string lower(std::string_view word);

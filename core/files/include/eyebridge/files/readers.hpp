@@ -16,14 +16,23 @@ namespace eyebridge::files {
 // reference/robios-classic.md section 7 (facts), worlds/README.md (our extensions).
 
 /// EyeSim / Saphira world (`.wld`): sizes, walls, push/pop, position, floor_texture.
+///
+/// Without a size the floor reaches to the farthest walls (a warning); nothing is ever shifted, so
+/// walls that all lie at negative coordinates are an error then.
 world::WorldModel read_world(std::string_view text, const std::string& file,
                              std::vector<Warning>& warnings);
 
-/// Maze drawn with `|` and `_` (`.maz`).
+/// Maze drawn with `|` and `_` (`.maz`). What stands off the grid is ignored with a warning; `O`
+/// and `X` are a ball and a crate with a wall below, as with the letters of starts.
 world::WorldModel read_maze(std::string_view text, const std::string& file,
                             std::vector<Warning>& warnings);
 
-/// Robot description (`.robi`), both dialects.
+/// Robot description (`.robi`), both dialects: the new one has `drive` as its first keyword, and
+/// its `wheel` gives half the wheel base.
+///
+/// Without `diameter` the body is the disc about the robot's centre that covers all colliders,
+/// without those twice the wheel base. Without `speed` and `turn` the wheels' top speed counts.
+/// PSDs with a negative or no id get one: 1 to 4 for PSD_FRONT, _LEFT, _RIGHT, _BACK, then 5 on.
 robot::RobotModel read_robi(std::string_view text, const std::string& file,
                             std::vector<Warning>& warnings);
 

@@ -1,0 +1,174 @@
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "reading.hpp"
+
+namespace eyebridge::files {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kRoom =
+    "floor 2000 2000\n0 0 2000 0\n2000 0 2000 2000\n2000 2000 0 2000\n"
+    "0 2000 0 0\n";
+
+std::string error(const std::filesystem::path& path, const std::string& robot = "S4") {
+  return error_of([&] { load_scenario(path, robot); });
+}
+
+TEST(Load, AWorldGetsOneRobotAtItsFirstPosition) {
+  const Folder folder;
+  const auto path = folder.write("a.wld", std::string(kRoom) + "position 400 500 90\n");
+  const auto scenario = load_scenario(path, "labbot");
+  ASSERT_EQ(scenario.robots.size(), 1u);
+  EXPECT_EQ(scenario.models.at(0).name, "LabBot");
+  EXPECT_EQ(scenario.robots[0].pose.position(), (Vec2{0.4, 0.5}));
+  EXPECT_EQ(scenario.directory, folder.path());
+}
+
+TEST(Load, AWorldWithoutPositionsGetsOneAtTheFreePlaceNearestToTheCentre) {
+  const Folder folder;
+  const auto free = load_scenario(folder.write("a.wld", kRoom));
+  EXPECT_EQ(free.robots.at(0).pose, (Pose{1, 1, 0}));
+  const auto blocked =
+      load_scenario(folder.write("b.wld", std::string(kRoom) + "1000 900 1000 1100\n"));
+  const Pose pose = blocked.robots.at(0).pose;
+  EXPECT_NE(pose, (Pose{1, 1, 0}));
+  EXPECT_LT(std::abs(pose.x - 1) + std::abs(pose.y - 1), 0.3);
+}
+
+TEST(Load, AMazeGetsOneRobotAtItsFirstLetterOnly) {
+  const Folder folder;
+  const auto scenario = load_scenario(folder.write("m.maz", " ___\n|u s|\n|___|\n"));
+  EXPECT_EQ(scenario.robots.size(), 1u);
+  EXPECT_EQ(scenario.world.starts.size(), 2u);
+  EXPECT_EQ(scenario.robots[0].pose, scenario.world.starts[0].pose);
+}
+
+TEST(Load, ARobotInAWallIsAnErrorAtTheLineThatPlacesIt) {
+  const Folder folder;
+  folder.write("a.wld", kRoom);
+  const auto path = folder.write("a.sim", "world a.wld\n  S4 50 1000 0\n");
+  EXPECT_EQ(error(path), path.string() +
+                             ":2:3: S4 (186 mm across) at (50, 1000) mm stands in the "
+                             "wall from (0, 2000) mm to (0, 0) mm: expected a free "
+                             "place");
+  const auto small = folder.write("m.maz", " _\n|S|\n100\n");
+  EXPECT_THAT(error(small), HasSubstr(small.string() + ": S4 (186 mm across)"));
+  EXPECT_EQ(error(folder.write("n.maz", " _\n|S|\n180\n"), "Mouse"), "no error");
+}
+
+TEST(Load, ARobotInAnotherOneOrInACanIsAnError) {
+  const Folder folder;
+  folder.write("a.wld", kRoom);
+  EXPECT_THAT(error(folder.write("a.sim", "world a.wld\nS4 500 500 0\nS4 600 500 0\n")),
+              HasSubstr("a.sim:3:1: S4 (186 mm across) at (600, 500) mm stands in the S4 at"));
+  EXPECT_THAT(error(folder.write("b.sim", "world a.wld\nS4 500 500 0\nCan 600 500 0\n")),
+              HasSubstr("b.sim:2:1: S4 (186 mm across) at (500, 500) mm stands in the can at"));
+}
+
+TEST(Load, ASimTakesLettersFromItsMaze) {
+  const Folder folder;
+  folder.write("m.maz", " _____\n|u r S|\n|_____|\n");
+  folder.write("b.robi", "name B\ndiameter 100\n");
+  const auto scenario =
+      load_scenario(folder.write("a.sim",
+                                 "world m.maz\nS4 U 0 one.x\nS4 s two.x\n"
+                                 "robi b.robi three.x\nsettings VIS\nmarker 1 2\n"));
+  ASSERT_EQ(scenario.robots.size(), 3u);
+  EXPECT_EQ(scenario.robots[0].pose, (Pose{0.18, 0.54, 0}));
+  EXPECT_EQ(scenario.robots[1].pose, scenario.world.starts[2].pose);
+  EXPECT_EQ(scenario.robots[2].pose, scenario.world.starts[1].pose);
+  EXPECT_EQ(scenario.models[scenario.robots[2].model].name, "B");
+  EXPECT_EQ(scenario.models[scenario.robots[0].model].name, "S4");
+  EXPECT_EQ(scenario.robots[1].program, "two.x");
+  EXPECT_TRUE(scenario.show_sensors);
+  EXPECT_EQ(scenario.world.markers.size(), 1u);
+}
+
+TEST(Load, CustomObjectsArePlacedLikeRobots) {
+  const Folder folder;
+  folder.write("cone.esObj", "obj cone.obj\nscale 10\ncollider capsule 0 10 0 5 20 y\n");
+  folder.write("a.wld", kRoom);
+  const auto scenario = load_scenario(
+      folder.write("a.sim", "world a.wld\nobject cone.esObj\nS4 500 500 0\nCone 1500 1500 0\n"));
+  ASSERT_EQ(scenario.world.objects.size(), 1u);
+  EXPECT_EQ(scenario.world.objects[0].name, "cone");
+  EXPECT_EQ(scenario.world.objects[0].kind, world::ObjectKind::Can);
+  EXPECT_DOUBLE_EQ(scenario.world.objects[0].radius, 0.05);
+  EXPECT_DOUBLE_EQ(scenario.world.objects[0].height, 0.2);
+  EXPECT_EQ(scenario.robots.size(), 1u);
+}
+
+TEST(Load, FilesAreSearchedBesideInTheHomeAndAmongOurWorlds) {
+  const Folder folder;
+  folder.write("sim/worlds/room.wld", kRoom);
+  const auto path = folder.write("a.sim", "world %SIM%\\worlds\\room.wld\nS4 500 500 0\n");
+  EXPECT_THAT(error(path),
+              HasSubstr("a.sim:1:7: '%SIM%\\worlds\\room.wld' found, but EYESIM_HOME"));
+  SearchPlaces places;
+  places.eyesim_home = folder.path() / "sim";
+  EXPECT_EQ(load_scenario(path, "S4", places).world.walls.size(), 4u);
+  const auto relative = folder.write("b.sim", "world worlds/room.wld\n");
+  EXPECT_EQ(load_scenario(relative, "S4", places).robots.size(), 1u);
+  EXPECT_EQ(load_scenario(folder.write("c.sim", "world empty-room.wld\n")).robots.size(), 1u);
+}
+
+TEST(Load, MissingFilesAndNamesAreErrorsAtTheirLine) {
+  const Folder folder;
+  EXPECT_THAT(
+      error(folder.write("a.sim", "world C:\\no\\such.wld\n")),
+      HasSubstr("a.sim:1:7: no file 'C:\\no\\such.wld': expected it in the working folder"));
+  EXPECT_THAT(error(folder.write("b.sim", "world empty-room.wld\nrobot no.robi\n")),
+              HasSubstr("b.sim:2:7: no file 'no.robi'"));
+  EXPECT_THAT(error(folder.write("c.sim", "S5 1 2 3\n")),
+              HasSubstr("c.sim:1:1: no robot or object 'S5': expected S4, LabBot or Mouse"));
+  EXPECT_THAT(error(folder.write("d.sim", "world maze-5.maz\nS4 L\n")),
+              HasSubstr("d.sim:2:1: no start 'L' left"));
+  EXPECT_EQ(error(folder.path() / "none.wld"),
+            (folder.path() / "none.wld").string() + ": no such file");
+  EXPECT_THAT(error(folder.write("e.txt", "x")), HasSubstr("unknown kind of file"));
+  EXPECT_EQ(error(folder.write("f.wld", kRoom), "R2D2"),
+            "default robot: no robot 'R2D2': expected S4, LabBot or Mouse");
+}
+
+TEST(Load, AParameterFileNamesItsWorldAndPauses) {
+  const Folder folder;
+  folder.write("a.wld", kRoom);
+  const auto scenario =
+      load_scenario(folder.write("eyesim.p", "name P\ndiameter 150\nworld a.wld\npause on\n"));
+  EXPECT_TRUE(scenario.start_paused);
+  EXPECT_EQ(scenario.models.at(0).name, "P");
+  EXPECT_EQ(scenario.world.walls.size(), 4u);
+}
+
+TEST(Load, ARobotFileStandsInAnEmptyRoom) {
+  const Folder folder;
+  const auto scenario = load_scenario(folder.write("r.robi", "name R\ndiameter 100\n"));
+  EXPECT_EQ(scenario.models.at(0).name, "R");
+  EXPECT_EQ(scenario.world.width, 2.0);
+}
+
+TEST(Load, TheDefaultIsAnS4InTheMiddleOfAnEmptyRoom) {
+  const auto scenario = default_scenario();
+  EXPECT_EQ(scenario.world.walls.size(), 4u);
+  EXPECT_EQ(scenario.models.at(0).name, "S4");
+  EXPECT_EQ(scenario.robots.at(0).pose.position(), (Vec2{1, 1}));
+  EXPECT_TRUE(scenario.warnings.empty());
+}
+
+TEST(Load, BuiltinRobotsHaveTheirPublishedMeasures) {
+  const auto* s4 = builtin_robot("s4");
+  ASSERT_NE(s4, nullptr);
+  EXPECT_EQ(s4->diameter, 0.186);
+  EXPECT_EQ(s4->drive.wheel_base, 0.09);
+  EXPECT_EQ(s4->range_sensors.size(), 4u);
+  EXPECT_TRUE(s4->camera);
+  ASSERT_NE(builtin_robot("LABBOT"), nullptr);
+  EXPECT_EQ(builtin_robot("LABBOT")->drive.wheel_base, 0.14);
+  EXPECT_EQ(builtin_robot("nobody"), nullptr);
+}
+
+}  // namespace
+}  // namespace eyebridge::files

@@ -1,0 +1,125 @@
+#include <gmock/gmock.h>
+
+#include "eyebridge/base/units.hpp"
+#include "reading.hpp"
+
+namespace eyebridge::files {
+namespace {
+
+std::vector<Warning> warnings;
+
+world::WorldModel read(const std::string& text) {
+  warnings.clear();
+  return read_maze(text, "m.maz", warnings);
+}
+
+std::string error(const std::string& text) {
+  return error_of([&] { read(text); });
+}
+
+// A 2 x 2 maze with a wall between its lower cells.
+const std::string kSmall = " ___\n|r  |\n|_|S|\n500\n";
+
+TEST(Maze, ReadsWallsAndStartsByTheColumnRule) {
+  const auto maze = read(kSmall);
+  EXPECT_EQ(maze.width, 1.0);
+  EXPECT_EQ(maze.height, 1.0);
+  ASSERT_TRUE(maze.maze);
+  EXPECT_EQ(maze.maze->south, (std::vector<char>{1, 1, 0, 0, 1, 1}));
+  EXPECT_EQ(maze.maze->west, (std::vector<char>{1, 1, 1, 1, 0, 1}));
+  EXPECT_EQ(maze.walls, world::walls_of(*maze.maze));
+  ASSERT_EQ(maze.starts.size(), 2u);
+  EXPECT_EQ(maze.starts[0], (world::StartPose{'r', {0.25, 0.75, 0}}));
+  EXPECT_EQ(maze.starts[1], (world::StartPose{'S', {0.75, 0.25, kPi / 2}}));
+  EXPECT_TRUE(warnings.empty());
+}
+
+TEST(Maze, ACellIs360MillimetresUnlessSaid) { EXPECT_EQ(read(" _\n|_|\n").maze->cell, 0.36); }
+
+TEST(Maze, ToleratesTheSizeOnTheFirstLineWithAWarning) {
+  EXPECT_EQ(read("720\n _\n|_|\n").maze->cell, 0.72);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].where.line, 1);
+}
+
+TEST(Maze, LettersFaceTheirWayAndOnlyUpperCaseHasAWall) {
+  const auto maze = read(" _________\n|u|D|L|r|s|\n");
+  ASSERT_EQ(maze.starts.size(), 5u);
+  const double angles[] = {kPi / 2, -kPi / 2, kPi, 0, kPi / 2};
+  for (std::size_t i = 0; i < 5; ++i) EXPECT_EQ(maze.starts[i].pose.theta, angles[i]) << i;
+  EXPECT_EQ(std::vector<char>(maze.maze->south.begin(), maze.maze->south.begin() + 5),
+            (std::vector<char>{0, 1, 1, 0, 0}));
+}
+
+TEST(Maze, PlacesBallsAndCrates) {
+  const auto maze = read(" ___\n|o|X|\n");
+  ASSERT_EQ(maze.objects.size(), 2u);
+  EXPECT_EQ(maze.objects[0].kind, world::ObjectKind::Ball);
+  EXPECT_EQ(maze.objects[0].name, "golf");
+  EXPECT_EQ(maze.objects[1].name, "crate");
+  EXPECT_EQ(maze.objects[1].pose, (Pose{0.54, 0.18, 0}));
+  EXPECT_EQ(maze.maze->south[0], 0);
+  EXPECT_EQ(maze.maze->south[1], 1);
+}
+
+TEST(Maze, WarnsOfMisalignedBarsAndDashes) {
+  const auto maze = read(" ___\n| | |\n|_ ||\n");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].str(),
+            "m.maz:3:4: warning: '|' in an even column is ignored: walls stand in odd columns");
+  EXPECT_EQ(maze.maze->west, (std::vector<char>{1, 0, 1, 1, 1, 1}));
+  read(" ___\n|   |\n| _ |\n");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].where.column, 3);
+}
+
+TEST(Maze, WarnsOfLettersWithoutMeaningButNotOfDots) {
+  read(" ___\n|.F.|\n|___|\n");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].where, (SourceLocation{"m.maz", 2, 3}));
+}
+
+TEST(Maze, EveryMistakeIsNamed) {
+  EXPECT_EQ(error(""), "m.maz:1:1: no maze in the file: expected one drawn with '|' and '_'");
+  EXPECT_EQ(error("360\n"), "m.maz:1:1: no maze in the file: expected one drawn with '|' and '_'");
+  EXPECT_EQ(error("hello\nworld\n"),
+            "m.maz:1:1: no wall in the maze: expected '|' in odd and '_' in even columns");
+  EXPECT_EQ(error(" _\n|\t|\n"),
+            "m.maz:2:2: tab found: expected blanks, a tab has no width in a drawing");
+  EXPECT_EQ(error(" _\n|_|\n0\n"), "m.maz:3:1: the size of a cell is 0: expected 10 to 100000");
+  EXPECT_EQ(error("|\n"),
+            "m.maz:1:1: no cell in the maze: expected at least two lines of two "
+            "columns drawn with '|' and '_'");
+}
+
+TEST(Maze, LimitsTheNumberOfCells) {
+  std::string text = std::string(60000, '_') + "\n";
+  for (int i = 0; i < 20; ++i) text += "|\n";
+  EXPECT_THAT(error(text), testing::HasSubstr("30000 x 20 cells: expected at most 262144 cells"));
+}
+
+TEST(Maze, ReadWriteReadIsTheIdentity) {
+  for (const std::string& text :
+       {kSmall, std::string("   _\n  |o|\n _| |_\n|X    l|\n 180.5\n"),
+        std::string(" ___ \n\n|_|\n"), std::string("  s\n|u  r\n  o  \n|\n_\n 7 \n36")}) {
+    const auto first = read(text);
+    const std::string written = write_maze(first);
+    EXPECT_EQ(read(written), first) << text << "became\n" << written;
+    EXPECT_EQ(write_maze(read(written)), written);
+  }
+}
+
+TEST(Maze, RefusesToDrawWhatAMazeCannotHold) {
+  auto maze = read(kSmall);
+  maze.starts[0].pose.x += 0.01;
+  EXPECT_THAT(error_of([&] { write_maze(maze); }), testing::HasSubstr("cannot draw all of it"));
+  maze = read(kSmall);
+  maze.maze.reset();
+  EXPECT_THAT(error_of([&] { write_maze(maze); }), testing::HasSubstr("it is no maze"));
+  maze = read(kSmall);
+  maze.starts.push_back(maze.starts[0]);
+  EXPECT_THAT(error_of([&] { write_maze(maze); }), testing::HasSubstr("two things"));
+}
+
+}  // namespace
+}  // namespace eyebridge::files

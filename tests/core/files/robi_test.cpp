@@ -1,0 +1,153 @@
+#include <gmock/gmock.h>
+
+#include "eyebridge/base/units.hpp"
+#include "reading.hpp"
+
+namespace eyebridge::files {
+namespace {
+
+std::vector<Warning> warnings;
+
+robot::RobotModel read(const std::string& text) {
+  warnings.clear();
+  return read_robi(text, "r.robi", warnings);
+}
+
+std::string error(const std::string& text) {
+  return error_of([&] { read(text); });
+}
+
+TEST(Robi, ReadsTheOldDialect) {
+  const auto robot = read(
+      "name My Bot \t# best\ndiameter 200\nspeed 500\nturn 90\n"
+      "psd PSD_LEFT 2 56 45 30 90\ncamera 62 0 60 0 -5 80 60\n"
+      "wheel 54 3600 1100 90\ndrive DIFFERENTIAL_DRIVE MOTOR_LEFT QUAD_LEFT\n"
+      "this line is prose\n");
+  EXPECT_EQ(robot.name, "My Bot");
+  EXPECT_EQ(robot.diameter, 0.2);
+  EXPECT_EQ(robot.drive.max_linear, 0.5);
+  EXPECT_EQ(robot.drive.max_angular, kPi / 2);
+  EXPECT_EQ(robot.drive.wheel_base, 0.09);
+  EXPECT_EQ(robot.drive.ticks_per_revolution, 1100);
+  ASSERT_EQ(robot.range_sensors.size(), 1u);
+  EXPECT_EQ(robot.range_sensors[0].id, 2);
+  EXPECT_EQ(robot.range_sensors[0].pose_in_robot, (Pose{0.056, 0.045, kPi / 2}));
+  EXPECT_EQ(robot.range_sensors[0].height, 0.03);
+  ASSERT_TRUE(robot.camera);
+  EXPECT_EQ(robot.camera->tilt, deg_to_rad(-5));
+  EXPECT_EQ(robot.camera->max_pan, deg_to_rad(90));  // 80 x 60 is the size of a picture
+  EXPECT_TRUE(warnings.empty());
+}
+
+TEST(Robi, ReadsTheNewDialect) {
+  const auto robot = read(
+      "drive DIFFERENTIAL_DRIVE\nname \"S 4\"\nmass 50 0 30 -30\n"
+      "collider box 60 74 80 0 46 0\naxis 22.7 10.8\n"
+      "psd 2 PSD_LEFT 10 20 30 0 90 0\ncamera 62 0 60 0 0 45 30\nfisheye 120\n"
+      "wheel 54 3600 1100 45\nlidar 180 -10\n");
+  EXPECT_EQ(robot.name, "S 4");
+  EXPECT_NEAR(robot.diameter, 0.1, 1e-12);  // a 60 x 80 rectangle's diagonal
+  EXPECT_EQ(robot.drive.wheel_base, 0.09);  // this dialect gives the half
+  EXPECT_EQ(robot.drive.max_wheel_speed, deg_to_rad(3600));
+  EXPECT_NEAR(robot.drive.max_linear, 20 * kPi * 0.027, 1e-12);
+  EXPECT_EQ(robot.range_sensors.at(0).pose_in_robot, (Pose{0.03, -0.01, kPi / 2}));
+  EXPECT_EQ(robot.range_sensors.at(0).height, 0.02);
+  EXPECT_EQ(robot.camera->max_tilt, deg_to_rad(30));
+  EXPECT_EQ(robot.camera->horizontal_field_of_view, deg_to_rad(120));
+  EXPECT_EQ(robot.lidar->points, 180);
+  EXPECT_EQ(robot.lidar->tilt, deg_to_rad(-10));
+  EXPECT_TRUE(warnings.empty());
+}
+
+TEST(Robi, NegativeAndMissingIdsBecomeThoseOfPrograms) {
+  const auto robot = read(
+      "name X\ndiameter 100\npsd PSD_BACK -212 -40 0 0 180\n"
+      "psd PSD_DIAG -203 5 8 0 0\npsd PSD_FRONT 60 20 30 0\n");
+  EXPECT_EQ(robot.range_sensors.at(0).id, 4);
+  EXPECT_EQ(robot.range_sensors.at(1).id, 5);
+  EXPECT_EQ(robot.range_sensors.at(2).id, 1);
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_THAT(warnings[0].text, testing::HasSubstr("PSD_BACK = 4, PSD_DIAG = 5, PSD_FRONT = 1"));
+}
+
+TEST(Robi, ReadsThrowsOfServosAsPanAndTilt) {
+  const auto robot = read("diameter 9\ncamera 45 0 72 SERVO1(-90,+90) SERVO2(-95,+85) 80 60\n");
+  EXPECT_EQ(robot.camera->pan, 0);
+  EXPECT_EQ(robot.camera->max_pan, deg_to_rad(90));
+  EXPECT_EQ(robot.camera->tilt, deg_to_rad(-5));
+  EXPECT_EQ(robot.camera->max_tilt, deg_to_rad(90));
+}
+
+TEST(Robi, AckermannTakesItsDrivenWheels) {
+  const auto robot = read(
+      "drive ACKERMANN_DRIVE\naxel drive 22.7 -94\naxel turn 12 66\n"
+      "wheel drive 40 7200 640 44.5\nwheel turn 28 7200 640 40\n");
+  EXPECT_EQ(robot.drive.kind, robot::DriveKind::Ackermann);
+  EXPECT_EQ(robot.drive.wheel_diameter, 0.04);
+  EXPECT_EQ(robot.drive.wheel_base, 0.089);
+  EXPECT_EQ(robot.diameter, 0.178);  // no collider: twice the wheel base
+}
+
+TEST(Robi, ReadsOurExtensionsAndAppliesThemToEarlierLines) {
+  const auto robot = read(
+      "error psd 4 2\ndiameter 99\npsd A 1 0 0 0 0\npsd_range 50 800\n"
+      "ir I 1 80 0 20 0 120\nbump B 1 -45 45\naccel 800 90\ncamera 1 2 3 4 5\n"
+      "lidar 9 0\nerror drive 3 4\nerror wheels 1 -2\nerror encoder quantised\n"
+      "error compass 90\nerror camera 5 6\nerror ir 7\nerror bump 8\n"
+      "error lidar 9 10\n");
+  EXPECT_EQ(robot.range_sensors[0].error.sigma, 0.004);
+  EXPECT_EQ(robot.range_sensors[0].error.sigma_relative, 0.02);
+  EXPECT_EQ(robot.range_sensors[0].min_range, 0.05);
+  EXPECT_EQ(robot.range_sensors[0].max_range, 0.8);
+  EXPECT_EQ(robot.proximity_sensors.at(0).threshold, 0.12);
+  EXPECT_EQ(robot.proximity_sensors.at(0).flip_probability, 0.07);
+  EXPECT_EQ(robot.bumpers.at(0).start, -kPi / 4);
+  EXPECT_EQ(robot.bumpers.at(0).miss_probability, 0.08);
+  EXPECT_EQ(robot.drive.linear_acceleration, 0.8);
+  EXPECT_EQ(robot.drive.angular_acceleration, kPi / 2);
+  EXPECT_EQ(robot.drive_error, (robot::DriveError{0.03, 0.04, 0.01, -0.02, 1}));
+  EXPECT_EQ(robot.compass_error.sigma, kPi / 2);
+  EXPECT_EQ(robot.camera->salt_and_pepper, 0.05);
+  EXPECT_EQ(robot.camera->sigma, 6);
+  EXPECT_EQ(robot.lidar->error.sigma, 0.009);
+  EXPECT_EQ(robot.lidar->error.sigma_relative, 0.1);
+}
+
+TEST(Robi, ErrorsAreOffUnlessAskedFor) {
+  const auto robot = read("diameter 99\npsd A 1 0 0 0 0\n");
+  EXPECT_TRUE(robot.range_sensors[0].error.perfect());
+  EXPECT_EQ(robot.drive_error, robot::DriveError{});
+}
+
+TEST(Robi, WarnsOfLikelyTyposOfKeywords) {
+  read("diameter 99\nspeeed 600\nanything else\n");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].str(),
+            "r.robi:2:1: warning: unknown keyword 'speeed' is ignored: is it 'speed'?");
+}
+
+TEST(Robi, EveryMistakeIsNamedWithItsPlace) {
+  const std::pair<const char*, const char*> cases[] = {
+      {"psd A 1 0 0 0 0\npsd B 1 0 0 0 0",
+       "r.robi:2:7: psd id 1 is given twice: expected every id "
+       "once"},
+      {"psd A 0 0 0 0 0", "r.robi:1:7: id 0 found: expected 1 or more"},
+      {"psd A 1.5 0 0 0 0", "r.robi:1:7: '1.5' found: expected the id, a whole number"},
+      {"drive HOVERCRAFT",
+       "r.robi:1:7: unknown drive 'HOVERCRAFT': expected DIFFERENTIAL_DRIVE, "
+       "ACKERMANN_DRIVE or OMNI_DRIVE"},
+      {"error psi 1 2", "r.robi:1:7: unknown error model 'psi': expected 'psd'?"},
+      {"error encoder rounded", "r.robi:1:15: 'rounded' found: expected 'quantised'"},
+      {"diameter -5", "r.robi:1:10: the diameter is -5: expected 1 to 10000"},
+      {"diameter nan", "r.robi:1:10: 'nan' found: expected the diameter, a number"},
+      {"fisheye 100", "r.robi: fisheye without camera: expected a 'camera' line"},
+      {"psd_range 80 20", "r.robi:1:14: the longest range is not above the shortest"},
+      {"collider cone 1", "r.robi:1:10: 'cone' found: expected box, sphere or capsule"},
+  };
+  for (const auto& [text, expected] : cases) EXPECT_EQ(error(text), expected) << text;
+  EXPECT_THAT(error(""), testing::HasSubstr("no keyword of a robot description"));
+  EXPECT_THAT(error("once upon a time"), testing::HasSubstr("no keyword of a robot description"));
+}
+
+}  // namespace
+}  // namespace eyebridge::files

@@ -1,0 +1,92 @@
+#include <gmock/gmock.h>
+
+#include "eyebridge/base/units.hpp"
+#include "reading.hpp"
+
+namespace eyebridge::files {
+namespace {
+
+std::vector<Warning> warnings;
+
+SimFile read(const std::string& text) {
+  warnings.clear();
+  return read_sim(text, "s.sim", warnings);
+}
+
+TEST(Sim, ReadsFilesAndSettings) {
+  const auto sim = read(
+      "maze \"a b.maz\"\nrobi x.robi\nROBOT y.robi\nobj o.esObj\n"
+      "object p.esObj\nsettings trace VIS # both");
+  EXPECT_EQ(sim.world, "a b.maz");
+  EXPECT_EQ(sim.world_where, (SourceLocation{"s.sim", 1, 6}));
+  ASSERT_EQ(sim.robot_files.size(), 2u);
+  EXPECT_EQ(sim.robot_files[1].first, "y.robi");
+  EXPECT_EQ(sim.object_files.size(), 2u);
+  EXPECT_TRUE(sim.show_sensors);
+  EXPECT_TRUE(sim.show_trail);
+}
+
+TEST(Sim, ReadsRobotsAtPosesAndLetters) {
+  const auto sim = read("LabBot 400 500 90 go.x a 'b c'\nS4 S 100 p.py\ns4 u q.x\nlabbot d\n");
+  ASSERT_EQ(sim.robots.size(), 4u);
+  EXPECT_EQ(sim.robots[0].pose, (Pose{0.4, 0.5, kPi / 2}));
+  EXPECT_EQ(sim.robots[0].program, "go.x");
+  EXPECT_EQ(sim.robots[0].arguments, (std::vector<std::string>{"a", "b c"}));
+  EXPECT_EQ(sim.robots[1].start, 'S');
+  EXPECT_EQ(sim.robots[1].pose->theta, deg_to_rad(100));
+  EXPECT_EQ(sim.robots[1].program, "p.py");
+  EXPECT_FALSE(sim.robots[2].pose);
+  EXPECT_EQ(sim.robots[2].program, "q.x");
+  EXPECT_EQ(sim.robots[3].start, 'd');
+  EXPECT_EQ(sim.robots[3].program, "");
+}
+
+TEST(Sim, ReadsTheOldFormThatNamesFileAndProgram) {
+  const auto sim = read(
+      "robi a/S4.robi drive.dll 600 500 0\nrobi a/S4.robi maze.dll\n"
+      "object 800 700 0 0.0 %sim%/objects/can/can.ms3d\n");
+  ASSERT_EQ(sim.robots.size(), 2u);
+  EXPECT_EQ(sim.robots[0].model, "a/S4.robi");
+  EXPECT_EQ(sim.robots[0].program, "drive.dll");
+  EXPECT_EQ(sim.robots[0].pose, (Pose{0.6, 0.5, 0}));
+  EXPECT_FALSE(sim.robots[1].pose);
+  ASSERT_EQ(sim.objects.size(), 1u);
+  EXPECT_EQ(sim.objects[0].name, "can");
+  EXPECT_EQ(sim.objects[0].pose, (Pose{0.8, 0.7, 0}));
+}
+
+TEST(Sim, ReadsObjectsAndMarkers) {
+  const auto sim = read(
+      "CAN 1 2 90\nSoccer 3 4 0\ngolf 5 6 0\nCrate 7 8 0\nmarker 9 10\n"
+      "marker 1 2 3 4 5\nmarker 1 2 3 4 5 255\n");
+  ASSERT_EQ(sim.objects.size(), 4u);
+  EXPECT_EQ(sim.objects[0].kind, world::ObjectKind::Can);
+  EXPECT_EQ(sim.objects[1].kind, world::ObjectKind::Ball);
+  EXPECT_EQ(sim.objects[3].name, "crate");
+  ASSERT_EQ(sim.markers.size(), 3u);
+  EXPECT_EQ(sim.markers[0].colour, (Rgb{255, 0, 0}));
+  EXPECT_EQ(sim.markers[2].colour, (Rgb{3, 4, 5}));
+}
+
+TEST(Sim, EveryMistakeIsNamed) {
+  const auto error = [](const std::string& text) { return error_of([&] { read(text); }); };
+  EXPECT_EQ(error(""), "s.sim:1:1: nothing in the file: expected 'world FILE' and robots");
+  EXPECT_EQ(error("wrold a.wld"), "s.sim:1:1: unknown keyword 'wrold': expected 'world'?");
+  EXPECT_EQ(error("world a.wld\nworld b.wld"),
+            "s.sim:2:1: a second world: expected one 'world' or 'maze' line");
+  EXPECT_EQ(error("S4 1 2"), "s.sim:1:7: line ends: expected phi");
+  EXPECT_EQ(error("S4 1 inf 3"), "s.sim:1:6: 'inf' found: expected y, a number");
+  EXPECT_EQ(error("marker 1 2 3"),
+            "s.sim:1:13: 'marker' with 3 arguments: expected 'marker x y "
+            "[red green blue [alpha]]'");
+  EXPECT_THAT(error("xyzzy"), testing::HasSubstr("s.sim:1:1: unknown keyword 'xyzzy': expected"));
+}
+
+TEST(Sim, WarnsOfUnknownSettings) {
+  read("settings VIS FLY");
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].where.column, 14);
+}
+
+}  // namespace
+}  // namespace eyebridge::files

@@ -1,0 +1,2 @@
+world a
+maze b
