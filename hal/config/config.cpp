@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <ranges>
 
 #include <fmt/format.h>
 
@@ -74,10 +73,10 @@ Config Config::load(const Sources& sources) {
   for (const Setting& setting : settings()) {
     put(values, setting, {std::string(setting.fallback), {"default"}});
   }
-  for (const auto& file : sources.toml_files | std::views::reverse) {
-    const auto text = read_toml_file(file);
+  for (auto file = sources.toml_files.rbegin(); file != sources.toml_files.rend(); ++file) {
+    const auto text = read_toml_file(*file);
     if (!text) continue;
-    for (TomlEntry& entry : read_toml(*text, file.string())) {
+    for (TomlEntry& entry : read_toml(*text, file->string())) {
       values.insert_or_assign(std::string(entry.setting->key), std::move(entry.value));
     }
   }

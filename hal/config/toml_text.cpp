@@ -5,14 +5,11 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include "config/toml_ascii.hpp"
 #include "config/values.hpp"
 
 namespace eyebridge::hal {
 namespace {
-
-SourceLocation place(const std::string& file, const toml::source_position& at) {
-  return {file, static_cast<int>(at.line), static_cast<int>(at.column)};
-}
 
 std::string_view expected_type(Setting::Kind kind) {
   switch (kind) {
@@ -78,34 +75,51 @@ std::string from_folder_of(const std::string& file, const std::string& path) {
                                : (std::filesystem::path(file).parent_path() / written).string();
 }
 
-TomlEntry read_entry(const toml::key& key, const toml::node& node, const std::string& file) {
-  const SourceLocation where = place(file, node.source().begin);
+/// A text that toml++ was given in ASCII, and its name.
+struct Source {
+  const std::string& ascii;
+  const std::string& file;
+
+  [[nodiscard]] SourceLocation place(const toml::source_position& at) const {
+    return original_place(ascii, {file, static_cast<int>(at.line), static_cast<int>(at.column)});
+  }
+};
+
+TomlEntry read_entry(const toml::key& key, const toml::node& node, const Source& source) {
+  const SourceLocation where = source.place(node.source().begin);
   const Setting* setting = find_setting(key.str());
   if (setting == nullptr) {
-    throw unknown_key(node.is_table() ? "table" : "key", key.str(),
-                      place(file, key.source().begin));
+    throw unknown_key(node.is_table() ? "table" : "key", from_ascii(key.str()),
+                      source.place(key.source().begin));
   }
-  std::optional<std::string> text = text_of(node, setting->kind);
-  if (!text) {
+  const std::optional<std::string> ascii = text_of(node, setting->kind);
+  if (!ascii) {
     throw ConfigError(where, fmt::format("found {} for '{}', expected {}", found_type(node),
                                          setting->key, expected_type(setting->kind)));
   }
-  check_value(*setting, {*text, where});
-  if (setting->kind == Setting::Kind::Path && !text->empty()) text = from_folder_of(file, *text);
-  return {setting, {*text, where}};
+  std::string text = from_ascii(*ascii);
+  check_value(*setting, {text, where});
+  if (setting->kind == Setting::Kind::Path && !text.empty()) {
+    text = from_folder_of(source.file, text);
+  }
+  return {setting, {text, where}};
 }
 
 }  // namespace
 
 std::vector<TomlEntry> read_toml(std::string_view text, const std::string& file) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  const std::string ascii = to_ascii(text, file);
+  const Source source{ascii, file};
   toml::table table;
   try {
-    table = toml::parse(text, file);
+    table = toml::parse(std::string_view(ascii), file);
   } catch (const toml::parse_error& error) {
-    throw ConfigError(place(file, error.source().begin), std::string(error.description()));
+    throw ConfigError(source.place(error.source().begin), from_ascii(error.description()));
   }
   std::vector<TomlEntry> entries;
-  for (const auto& [key, node] : table) entries.push_back(read_entry(key, node, file));
+  for (const auto& [key, node] : table) entries.push_back(read_entry(key, node, source));
   return entries;
 }
 

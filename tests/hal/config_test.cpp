@@ -174,6 +174,31 @@ TEST_F(ConfigTest, GivesThePlaceOfATomlSyntaxError) {
   EXPECT_NE(complaint(std::string("\x00\xFF\x7F", 3)), "");
 }
 
+TEST_F(ConfigTest, TakesCharactersBeyondAsciiInQuotesAndComments) {
+  const auto file =
+      write("eyebridge.toml", "\xEF\xBB\xBF# größe\nrobot = \"Mö\\\"ü\"  # ü\nkeys = 'ß'\n");
+  const Config config = Config::load({{}, {}, {file}});
+  EXPECT_EQ(config.text("robot"), "Mö\"ü");
+  EXPECT_EQ(config.text("keys"), "ß");
+}
+
+TEST_F(ConfigTest, RefusesCharactersBeyondAsciiElsewhere) {
+  EXPECT_THAT(complaint("seed = 1\nkeys = 'ü'ü\n"), HasSubstr("eyebridge.toml:2:11: "));
+  EXPECT_THAT(complaint("wörld = 'a'\n"), HasSubstr("eyebridge.toml:1:2: "));
+  EXPECT_NE(complaint("seed = 1ü\n"), "");
+  EXPECT_NE(complaint("seed =999'\xEF\xBB\xBB\n"), "");
+  EXPECT_THAT(complaint("'wörld' = 'a'\n"), HasSubstr("unknown key 'wörld'"));
+}
+
+TEST_F(ConfigTest, KeepsATilde) {
+  const auto file = write("eyebridge.toml", "keys = '~41~'\nrobot = '~'\n");
+  const Config config = Config::load({{}, {}, {file}});
+  EXPECT_EQ(config.text("keys"), "~41~");
+  EXPECT_EQ(config.text("robot"), "~");
+  EXPECT_THAT(complaint("seed = 1\nkeys = \"\\u007E41\"\n"),
+              HasSubstr(":2: found \\u007E, expected ~ as it is"));
+}
+
 TEST_F(ConfigTest, SkipsMissingFilesButNotUnreadableOnes) {
   EXPECT_EQ(complaint({{}, {}, {folder_ / "missing.toml"}}), "");
   EXPECT_EQ(complaint({{}, {}, {folder_}}),

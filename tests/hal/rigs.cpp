@@ -28,7 +28,7 @@ Rig make_sim(double wall, const std::map<std::string, std::string>& flags) {
 }
 
 Rig make_lockstep(double wall) { return make_sim(wall, {{"fast", "true"}}); }
-Rig make_real_time(double wall) { return make_sim(wall, {{"factor", "200"}}); }
+Rig make_real_time(double wall) { return make_sim(wall, {{"factor", "50"}}); }
 
 }  // namespace
 
