@@ -43,10 +43,13 @@ class Session {
   /// Waits until `deadline` on the robot's clock; timers run meanwhile.
   void wait_until(Time deadline);
 
+  /// Ends the program with exit code 1 and this message: it cannot go on in any sensible way.
+  [[noreturn]] void abort_run(const Error& error);
+
   /// Book-keeping of guarded().
   void succeeded(std::string_view call);
   void failed(std::string_view call, const Error& error);
-  /// The last failure on this thread's program, or "".
+  /// The last failure of any call, or "".
   [[nodiscard]] std::string last_error() const;
 
   /// Stops the motors and writes the results to --out. Idempotent; never throws.
@@ -55,6 +58,7 @@ class Session {
  private:
   Session();
   ~Session();
+  void check_limit();
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

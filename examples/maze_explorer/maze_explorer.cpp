@@ -1,0 +1,176 @@
+// Maps a maze with four distance sensors, then drives the shortest way from its start to its centre.
+//
+// It knows nothing of the maze but the contest's rules: square cells, and a start cell with a wall
+// to its left and to its right, from which it measures how big a cell is. It goes to the nearest
+// cell that it has not visited until there is none, returns to the start and runs to the centre.
+//
+// Usage: maze_explorer [distance of the PSDs from the robot's centre in mm, 20 by default]
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "eyebot++.h"
+#include "maze_map.hpp"
+
+namespace {
+
+constexpr int kPsdOf[4] = {PSD_FRONT, PSD_LEFT, PSD_BACK, PSD_RIGHT};  // by turns to the left
+constexpr int kSpeed = 400;                                            // mm/s
+constexpr int kTurnSpeed = 240;                                        // deg/s
+
+class Explorer {
+ public:
+  explicit Explorer(int psd_offset) : psd_offset_(psd_offset) {}
+
+  int run() {
+    LCDMenu("", "", "", "");
+    if (!measure_cell()) return 1;
+    explore();
+    if (!drive(map_.way(at_, heading_, [](Cell c) { return c == Cell{}; }))) return lost();
+    return run_to_centre();
+  }
+
+ private:
+  /// Range from the robot's centre, `turns` quarter turns to the left of its front.
+  int range(int turns) const { return PSDGet(kPsdOf[turns]) + psd_offset_; }
+
+  bool measure_cell() {
+    cell_ = range(1) + range(3);
+    if (cell_ > 1500) {
+      std::printf("the start cell needs a wall on its left and on its right\n");
+      return false;
+    }
+    std::printf("cells of %d mm\n", cell_);
+    return true;
+  }
+
+  void look_around() {
+    if (map_.visited(at_)) return;
+    map_.set_visited(at_);
+    for (int turns = 0; turns < 4; ++turns) {
+      map_.set_edge(at_, (heading_ + turns) % 4, range(turns) < cell_);
+    }
+    const int seen = map_.visited_count();
+    LCDSetPrintf(0, 0, "cells seen: %d", seen);
+    if (seen % 16 == 0) {
+      std::printf("%d cells seen after %.1f s\n", seen, OSGetCount() / 1000.0);
+      std::fflush(stdout);
+    }
+  }
+
+  void explore() {
+    look_around();
+    for (;;) {
+      const auto way = map_.way(at_, heading_, [this](Cell c) { return !map_.visited(c); });
+      if (way.empty() || !drive(way)) return;
+      look_around();
+    }
+  }
+
+  void turn_to(int direction) {
+    const int turns = (direction - heading_ + 4) % 4;
+    if (turns == 0) return;
+    VWTurn(turns == 3 ? -90 : 90 * turns, kTurnSpeed);
+    VWWait();
+    heading_ = direction;
+  }
+
+  /// Turns towards the middle between the walls beside the robot, where both are near.
+  void centre_between_walls() {
+    const int left = range(1);
+    const int right = range(3);
+    if (left >= cell_ || right >= cell_ || std::abs(left - right) < 6) return;
+    const int turn = static_cast<int>(std::lround(std::atan2((left - right) / 2.0, cell_) * 57.3));
+    VWTurn(turn, kTurnSpeed);
+    VWWait();
+  }
+
+  bool drive(const std::vector<int>& way) {
+    for (std::size_t i = 0; i < way.size();) {
+      std::size_t end = i;
+      while (end < way.size() && way[end] == way[i]) ++end;
+      const int cells = static_cast<int>(end - i);
+      turn_to(way[i]);
+      centre_between_walls();
+      VWStraight(cells * cell_, kSpeed);
+      if (VWWait() != 0) return false;
+      for (; i < end; ++i) at_ = neighbour(at_, way[i]);
+    }
+    return true;
+  }
+
+  int run_to_centre() {
+    const std::vector<Cell> centre = map_.centre();
+    const auto is_centre = [&](Cell c) {
+      for (const Cell& goal : centre) {
+        if (map_.visited(c) && c == goal) return true;
+      }
+      return false;
+    };
+    const auto way = map_.way(at_, heading_, is_centre);
+    draw_map(way);
+    const int start = OSGetCount();
+    if (way.empty() && !is_centre(at_)) {
+      std::printf("the centre cannot be reached\n");
+      return 1;
+    }
+    if (!drive(way)) return lost();
+    std::printf("cells seen: %d\n", map_.visited_count());
+    std::printf("path length: %d cells, %d mm\n", static_cast<int>(way.size()),
+                static_cast<int>(way.size()) * cell_);
+    std::printf("final run: %.2f s\n", (OSGetCount() - start) / 1000.0);
+    LCDSetPrintf(1, 0, "path: %d cells", static_cast<int>(way.size()));
+    std::printf("maze solved\n");
+    return 0;
+  }
+
+  int lost() const {
+    std::printf("stuck near cell %d, %d\n", at_.x, at_.y);
+    return 1;
+  }
+
+  void draw_map(const std::vector<int>& way) const {
+    int width = 0;
+    int height = 0;
+    LCDGetSize(&width, &height);
+    const auto [low, high] = map_.extent();
+    const int top = 40;
+    const int size = std::min(width / (high.x - low.x + 2), (height - top - 45) / (high.y - low.y + 2));
+    const auto left_of = [&, low = low](Cell c) { return size / 2 + (c.x - low.x) * size; };
+    const auto top_of = [&, high = high](Cell c) { return top + (high.y - c.y) * size; };
+    for (int y = low.y; y <= high.y; ++y) {
+      for (int x = low.x; x <= high.x; ++x) draw_cell({x, y}, left_of({x, y}), top_of({x, y}), size);
+    }
+    Cell cell = at_;
+    for (const int direction : way) {
+      const Cell next = neighbour(cell, direction);
+      LCDLine(left_of(cell) + size / 2, top_of(cell) + size / 2, left_of(next) + size / 2,
+              top_of(next) + size / 2, RED);
+      cell = next;
+    }
+  }
+
+  void draw_cell(Cell cell, int x, int y, int size) const {
+    const auto wall = [&](int direction) {
+      return map_.edge(cell, direction) == MazeMap::Edge::Wall;
+    };
+    if (wall(kNorth)) LCDLine(x, y, x + size, y, WHITE);
+    if (wall(kSouth)) LCDLine(x, y + size, x + size, y + size, WHITE);
+    if (wall(kWest)) LCDLine(x, y, x, y + size, WHITE);
+    if (wall(kEast)) LCDLine(x + size, y, x + size, y + size, WHITE);
+  }
+
+  int psd_offset_;
+  int cell_ = 0;
+  Cell at_;
+  int heading_ = kNorth;
+  MazeMap map_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return Explorer(argc > 1 ? std::atoi(argv[1]) : 20).run();
+}

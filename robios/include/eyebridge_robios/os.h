@@ -1,0 +1,41 @@
+/** OS: system, time and timers. Part of eyebot.h; do not include directly. */
+#ifndef EYEBRIDGE_ROBIOS_OS_H
+#define EYEBRIDGE_ROBIOS_OS_H
+
+/**
+ * Runs a shell command to its end and returns its output, which stays valid until the next call of
+ * the same thread; null on failure. (UNCERTAIN: one manual runs it in the background; another form
+ * has a second argument.)
+ */
+char* OSExecute(const char* command);
+/** Copies the version of RoBIOS to buf, at most 100 bytes with the closing zero. */
+int OSVersion(char* buf);
+/** Copies the version of the I/O board to buf, at most 100 bytes; 1 when there is no board. */
+int OSVersionIO(char* buf);
+/** Processor speed in Hz (one manual says MHz; the published constant is in Hz). */
+int OSMachineSpeed(void);
+/** VEHICLE, PLATFORM or WALKER. */
+int OSMachineType(void);
+/** Copies the robot's name to buf, at most 100 bytes with the closing zero. */
+int OSMachineName(char* buf);
+/** Number of this robot. */
+int OSMachineID(void);
+
+/** Waits n milliseconds on the robot's clock; timers go on. Below 0 counts as 0. */
+int OSWait(int n);
+/**
+ * Calls fct every `scale` milliseconds on the robot's clock until OSDetachTimer(). The function may
+ * call RoBIOS. Returns a handle, 0 on failure (null function, scale below 1).
+ */
+TIMER OSAttachTimer(int scale, void (*fct)(void));
+/** Ends a timer. 1 for an unknown handle. */
+int OSDetachTimer(TIMER t);
+/**
+ * Time of day: hours, minutes, seconds and thousandths of a second (one header says 1/100 s; every
+ * program counts in 1/1000 s). Null pointers are left out.
+ */
+int OSGetTime(int* hrs, int* mins, int* secs, int* ticks);
+/** Milliseconds since the program started (one header says 1/100 s). */
+int OSGetCount(void);
+
+#endif

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace eyebridge::robios {
+
+enum class FontFamily { Helvetica, Times, Courier };
+enum class FontStyle { Normal, Bold, Italics };
+
+/// One typeface in one size, as glyph bitmaps on a fixed grid: every glyph fills one cell.
+///
+/// Constant data baked at build time; copies refer to it. Any thread.
+class Font {
+ public:
+  /// `size` is one of font_sizes(); any other size is a mistake of ours.
+  Font(FontFamily family, FontStyle style, int size);
+
+  [[nodiscard]] int cell_width() const { return cell_width_; }    ///< Pixels.
+  [[nodiscard]] int cell_height() const { return cell_height_; }  ///< Pixels.
+  /// Coverage of `code` (Latin-1), 0 paper … 255 ink, row by row, cell_width x cell_height bytes.
+  /// Control codes give '?'.
+  [[nodiscard]] std::span<const std::uint8_t> glyph(std::uint8_t code) const;
+
+ private:
+  int cell_width_;
+  int cell_height_;
+  const std::uint8_t* glyphs_;
+};
+
+/// The sizes that LCDSetFontSize() accepts, ascending: 8, 10, 12, 14, 18, 24.
+std::span<const int> font_sizes();
+
+}  // namespace eyebridge::robios

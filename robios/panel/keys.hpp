@@ -1,0 +1,73 @@
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "eyebridge/base/clock.hpp"
+#include "eyebridge/base/result.hpp"
+#include "key_input.hpp"
+#include "key_script.hpp"
+
+namespace eyebridge::robios {
+
+/// The four keys and the touch screen of one robot: from a script, a terminal, a window.
+///
+/// A press is an event: it waits in a queue until one call has reported it. Any thread.
+class Keys {
+ public:
+  /// Waits until a moment on the robot's clock; may return late, and runs the robot's timers.
+  using WaitUntil = std::function<void(Time)>;
+
+  /// `clock` is lent for the object's life; `script` is sorted by time; `terminal` may be null.
+  Keys(Clock& clock, std::vector<ScriptedKey> script, std::unique_ptr<KeyInput> terminal);
+
+  /// The mask of the soft key under a screen pixel, or 0 (Lcd::key_at); none until set.
+  void set_touch_map(std::function<int(int x, int y)> key_at);
+  /// A window that will call press() or touch() is there, or gone: as long as it is, wait() waits.
+  void set_window(bool attached);
+
+  /// A key of the window or of a test; `key` is a mask of one key, anything else is ignored.
+  void press(int key);
+  /// A touch at LCD pixels. On a soft key it counts as that key as well.
+  void touch(int x, int y);
+
+  /// The oldest press not reported yet (1, 2, 4 or 8), or 0. Never waits.
+  int read();
+  /// Waits for a press of one of the keys in `mask` and returns it; presses of other keys are
+  /// dropped, presses not reported yet count. On a virtual clock time jumps to the next scripted
+  /// key, and stands still while a person is waited for. OutOfRange for a mask without a key;
+  /// Unsupported when no key can come any more.
+  Result<int> wait(int mask, const WaitUntil& wait_until);
+
+  /// The last touch not reported yet. Never waits.
+  std::optional<TouchPoint> read_touch();
+  /// As wait(), for a touch.
+  Result<TouchPoint> wait_touch(const WaitUntil& wait_until);
+
+ private:
+  template <class Take>
+  auto wait_for(const char* wanted, const WaitUntil& wait_until, Take take)
+      -> Result<typename decltype(take())::value_type>;
+  void take_script();
+  void take_terminal(std::chrono::milliseconds timeout);
+  void add_touch(TouchPoint point);
+
+  Clock& clock_;
+  std::mutex mutex_;
+  std::mutex terminal_mutex_;  // never taken while mutex_ is held
+  std::condition_variable pressed_;
+  std::vector<ScriptedKey> script_;
+  std::size_t next_ = 0;  // in script_
+  std::unique_ptr<KeyInput> terminal_;
+  std::function<int(int, int)> key_at_;
+  bool window_ = false;
+  std::deque<int> presses_;
+  std::optional<TouchPoint> last_touch_;
+};
+
+}  // namespace eyebridge::robios

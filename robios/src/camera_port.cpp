@@ -1,0 +1,52 @@
+#include "camera_port.hpp"
+
+namespace eyebridge::robios {
+namespace {
+
+// A camera that gives no frame for this long is lost.
+constexpr Time kPatience = std::chrono::seconds(2);
+
+}  // namespace
+
+CameraPort::CameraPort(std::string url, camera::SourceContext context)
+    : url_(std::move(url)), context_(context) {}
+
+CameraPort::~CameraPort() = default;
+
+Result<void> CameraPort::init(int width, int height) {
+  const std::lock_guard lock(mutex_);
+  if (url_ == "none") {
+    return fail(Errc::Unsupported, "this robot has no camera (--camera none)");
+  }
+  if (!source_) source_ = camera::open_source(url_, context_);
+  open_ = false;
+  if (const Result<void> sized = source_->set_size(width, height); !sized) return sized;
+  open_ = true;
+  return {};
+}
+
+void CameraPort::release() {
+  const std::lock_guard lock(mutex_);
+  source_.reset();
+  open_ = false;
+}
+
+bool CameraPort::is_open() const {
+  const std::lock_guard lock(mutex_);
+  return open_;
+}
+
+Result<camera::FramePtr> CameraPort::next() {
+  const std::lock_guard lock(mutex_);
+  if (!open_) return fail(Errc::Unsupported, "the camera is not initialised: call CAMInit first");
+  Result<camera::FramePtr> frame = source_->next(context_.clock->now() + kPatience);
+  if (frame && listener_) listener_(**frame);
+  return frame;
+}
+
+void CameraPort::on_frame(std::function<void(const camera::Frame&)> listener) {
+  const std::lock_guard lock(mutex_);
+  listener_ = std::move(listener);
+}
+
+}  // namespace eyebridge::robios

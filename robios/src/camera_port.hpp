@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+
+#include "eyebridge/base/clock.hpp"
+#include "eyebridge/base/result.hpp"
+#include "eyebridge/camera/source.hpp"
+
+namespace eyebridge::robios {
+
+/// The camera as CAM* calls see it: a source opened at the first init(), frames as RGB or grey.
+/// Any thread; one at a time gets a frame.
+class CameraPort {
+ public:
+  /// `url` as in --camera; "none" means that the robot has no camera.
+  CameraPort(std::string url, camera::SourceContext context);
+  ~CameraPort();
+
+  /// Frames of `width` x `height` pixels from now on; opens the source. Throws ConfigError when the
+  /// source cannot work here. Fails with Unsupported for "none".
+  Result<void> init(int width, int height);
+  void release();
+  [[nodiscard]] bool is_open() const;
+
+  /// The next frame, Rgb24, of the size of init(). Fails with Unsupported before init().
+  Result<camera::FramePtr> next();
+
+  /// Told of every frame that a program was given; set before the first.
+  void on_frame(std::function<void(const camera::Frame&)> listener);
+
+ private:
+  std::string url_;
+  camera::SourceContext context_;
+  mutable std::mutex mutex_;
+  std::unique_ptr<camera::Source> source_;
+  bool open_ = false;
+  std::function<void(const camera::Frame&)> listener_;
+};
+
+}  // namespace eyebridge::robios

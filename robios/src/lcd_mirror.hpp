@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "eyebridge/base/clock.hpp"
+
+namespace eyebridge::robios {
+
+class Lcd;
+
+/// The LCD's text in the terminal (`--mirror`): rows that changed, five times a second at most.
+class LcdMirror {
+ public:
+  explicit LcdMirror(Lcd& lcd) : lcd_(lcd) {}
+
+  /// Prints what changed to standard output. `now` on the robot's clock; `force` at the end of a run.
+  void update(Time now, bool force);
+
+ private:
+  Lcd& lcd_;
+  Time next_{0};
+  std::uint64_t revision_ = 0;
+  std::vector<std::string> shown_;
+};
+
+}  // namespace eyebridge::robios

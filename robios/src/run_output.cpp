@@ -1,0 +1,76 @@
+#include "run_output.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+#include <system_error>
+
+#include "eyebridge/base/config_error.hpp"
+#include "eyebridge/camera/png.hpp"
+
+namespace eyebridge::robios {
+namespace {
+
+constexpr Time kRowPeriod = std::chrono::milliseconds(50);
+constexpr double kTrailStep = 0.005;  // metres; finer does not show on the map
+constexpr Rgb kTrailColour{220, 40, 40};
+
+}  // namespace
+
+RunOutput::RunOutput(std::filesystem::path directory, long long frames_to_keep)
+    : directory_(std::move(directory)), frames_left_(frames_to_keep) {
+  trail_.colour = kTrailColour;
+  std::error_code error;
+  std::filesystem::create_directories(directory_, error);
+  const std::filesystem::path file = directory_ / "trace.csv";
+  trace_.reset(std::fopen(file.c_str(), "w"));
+  if (!trace_) {
+    throw ConfigError({"--out"}, fmt::format("cannot write {}: {}", file.string(),
+                                             std::strerror(error ? error.value() : errno)));
+  }
+}
+
+RunOutput::~RunOutput() = default;
+
+void RunOutput::point(const hal::TracePoint& p) {
+  const std::lock_guard lock(mutex_);
+  const Vec2 here = p.pose.position();
+  if (trail_.points.empty() || norm(here - trail_.points.back()) >= kTrailStep) {
+    trail_.points.push_back(here);
+  }
+  if (p.time < next_row_) return;
+  if (next_row_ == Time{0}) {
+    fmt::print(trace_.get(), "t,x,y,theta,linear,angular,odometry_x,odometry_y,odometry_theta");
+    for (std::size_t i = 0; i < p.ranges.size(); ++i) fmt::print(trace_.get(), ",range_{}", i + 1);
+    fmt::print(trace_.get(), "\n");
+  }
+  next_row_ = p.time + kRowPeriod;
+  fmt::print(trace_.get(), "{:.3f},{:.6f},{:.6f},{:.6f},{:.4f},{:.4f},{:.6f},{:.6f},{:.6f}",
+             to_seconds(p.time), p.pose.x, p.pose.y, p.pose.theta, p.twist.linear, p.twist.angular,
+             p.odometry.x, p.odometry.y, p.odometry.theta);
+  for (const double range : p.ranges) fmt::print(trace_.get(), ",{:.4f}", range);
+  fmt::print(trace_.get(), "\n");
+}
+
+void RunOutput::frame(const camera::Frame& frame) {
+  const std::lock_guard lock(mutex_);
+  if (frames_left_ <= 0) return;
+  --frames_left_;
+  std::filesystem::create_directories(directory_ / "frames");
+  camera::write_png(frame, directory_ / "frames" / fmt::format("{:04}.png", frames_written_++));
+}
+
+void RunOutput::finish(const world::Scene* scene, const camera::Frame& lcd) {
+  const std::lock_guard lock(mutex_);
+  if (std::fflush(trace_.get()) != 0 || std::ferror(trace_.get()) != 0) {
+    throw std::runtime_error((directory_ / "trace.csv").string() + ": " + std::strerror(errno));
+  }
+  camera::write_png(lcd, directory_ / "lcd.png");
+  if (scene != nullptr) {
+    camera::write_png(camera::draw_birdseye(*scene, {&trail_, 1}), directory_ / "map.png");
+  }
+}
+
+}  // namespace eyebridge::robios

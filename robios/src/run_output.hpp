@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "eyebridge/camera/birdseye.hpp"
+#include "eyebridge/camera/frame.hpp"
+#include "eyebridge/hal/trace.hpp"
+#include "eyebridge/world/scene.hpp"
+
+namespace eyebridge::robios {
+
+/// What `--out DIR` gets: trace.csv while the program runs; the trail on the map, the last LCD and
+/// the camera's frames as PNG. Any thread.
+class RunOutput final : public hal::TraceSink {
+ public:
+  /// Makes `directory`. Throws ConfigError{"--out"} when it cannot be written.
+  RunOutput(std::filesystem::path directory, long long frames_to_keep);
+  ~RunOutput() override;
+
+  /// One row of trace.csv every 50 ms of the robot's time.
+  void point(const hal::TracePoint& point) override;
+  /// Keeps the first frames as frames/0000.png …
+  void frame(const camera::Frame& frame);
+  /// Writes map.png and lcd.png. Throws std::runtime_error.
+  void finish(const world::Scene* scene, const camera::Frame& lcd);
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+
+  std::filesystem::path directory_;
+  long long frames_left_;
+  int frames_written_ = 0;
+  std::mutex mutex_;
+  std::unique_ptr<std::FILE, Close> trace_;
+  Time next_row_{0};
+  camera::Trail trail_;
+};
+
+}  // namespace eyebridge::robios

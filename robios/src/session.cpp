@@ -1,0 +1,228 @@
+#include "session.hpp"
+
+#include <fmt/format.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <mutex>
+#include <optional>
+#include <set>
+
+#include "camera_port.hpp"
+#include "costs.hpp"
+#include "eyebridge/camera/view.hpp"
+#include "eyebridge/hal/registry.hpp"
+#include "keys.hpp"
+#include "lcd.hpp"
+#include "lcd_mirror.hpp"
+#include "run_output.hpp"
+#include "signals.hpp"
+#include "stderr_log.hpp"
+#include "timers.hpp"
+
+namespace eyebridge::robios {
+namespace {
+
+Severity lowest_severity(const hal::Config& config) {
+  Severity severity = Severity::Warning;
+  if (!parse_severity(config.text("log"), severity)) {
+    throw ConfigError(config.value("log").where,
+                      fmt::format("'{}' is no log level; expected debug, info, warning or error",
+                                  config.text("log")));
+  }
+  return severity;
+}
+
+hal::Config read_config() {
+  std::error_code error;
+  return hal::Config::from_process(std::filesystem::read_symlink("/proc/self/exe", error));
+}
+
+std::unique_ptr<Lcd> make_lcd(const hal::Config& config) {
+  const hal::ConfigValue& value = config.value("lcd");
+  int width = 0;
+  int height = 0;
+  int used = 0;
+  if (std::sscanf(value.text.c_str(), "%dx%d%n", &width, &height, &used) != 2 ||
+      static_cast<std::size_t>(used) != value.text.size()) {
+    throw ConfigError(value.where,
+                      fmt::format("'{}' is no size of a display; expected WIDTHxHEIGHT in pixels, "
+                                  "such as 560x400",
+                                  value.text));
+  }
+  return std::make_unique<Lcd>(width, height);
+}
+
+std::unique_ptr<Keys> make_keys(const hal::Config& config, Clock& clock, Lcd& lcd) {
+  auto keys = std::make_unique<Keys>(clock, parse_key_script(config.text("keys")), terminal_keys());
+  keys->set_touch_map([&lcd](int x, int y) { return lcd.key_at(x, y); });
+  return keys;
+}
+
+}  // namespace
+
+struct Session::Impl {
+  Impl()
+      : config(read_config()),
+        log(lowest_severity(config)),
+        backend(hal::open_backend({config, log})),
+        clock(backend->clock()),
+        lcd(make_lcd(config)),
+        keys(make_keys(config, clock, *lcd)),
+        camera(config.text("camera"), {&clock, backend->camera_view()}),
+        timers(clock),
+        cost_scale(config.number("cost_scale")) {
+    if (config.is_set("time_limit")) limit = from_seconds(config.number("time_limit"));
+    if (config.boolean("mirror")) mirror.emplace(*lcd);
+    if (config.is_set("out")) {
+      output.emplace(config.path("out"), config.integer("save_frames"));
+      backend->trace_to(&*output);
+      camera.on_frame([this](const camera::Frame& frame) { output->frame(frame); });
+    }
+  }
+
+  hal::Config config;
+  StderrLog log;
+  std::unique_ptr<hal::Backend> backend;
+  Clock& clock;
+  std::unique_ptr<Lcd> lcd;
+  std::unique_ptr<Keys> keys;
+  CameraPort camera;
+  Timers timers;
+  double cost_scale;
+  std::optional<Time> limit;
+  std::optional<LcdMirror> mirror;
+  std::mutex mirror_mutex;
+  std::optional<RunOutput> output;
+  const std::chrono::steady_clock::time_point wall_start = std::chrono::steady_clock::now();
+  std::once_flag ended;
+
+  mutable std::mutex failure_mutex;
+  std::set<std::string, std::less<>> failing;  ///< Calls whose last outcome was a logged failure.
+  std::atomic<bool> any_failing = false;       ///< Spares succeeded() the lock.
+  std::string last_error;
+
+  void update_mirror(bool force) {
+    if (!mirror) return;
+    const std::lock_guard lock(mirror_mutex);
+    mirror->update(clock.now(), force);
+  }
+
+  void finish() {
+    const Time simulated = clock.now();
+    update_mirror(true);
+    if (!output) return;
+    camera::View* view = backend->camera_view();
+    std::optional<world::Scene> scene;
+    if (view != nullptr) scene = view->scene();
+    output->finish(scene ? &*scene : nullptr, lcd->snapshot());
+    const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_start;
+    fmt::print(stderr, "eyebridge: {:.2f} s on the robot's clock in {:.2f} s ({:.0f}x); results in {}\n",
+               to_seconds(simulated), wall.count(), to_seconds(simulated) / wall.count(),
+               config.path("out").string());
+  }
+};
+
+Session& Session::instance() {
+  // Never destroyed: threads and exit handlers of the program may still call. It ends by end().
+  static Session* const session = [] {
+    try {
+      auto* made = new Session;
+      std::atexit([] { instance().end(); });
+      watch_signals([](int) { instance().end(); });
+      return made;
+    } catch (const ConfigError& error) {
+      fmt::print(stderr, "eyebridge: {}\n", error.what());
+    }
+    std::exit(2);
+  }();
+  return *session;
+}
+
+Session::Session() : impl_(std::make_unique<Impl>()) {}
+Session::~Session() = default;
+
+const hal::Config& Session::config() const { return impl_->config; }
+hal::Backend& Session::backend() { return *impl_->backend; }
+Clock& Session::clock() { return impl_->clock; }
+Lcd& Session::lcd() { return *impl_->lcd; }
+Keys& Session::keys() { return *impl_->keys; }
+CameraPort& Session::camera() { return impl_->camera; }
+Timers& Session::timers() { return impl_->timers; }
+LogSink& Session::log() { return impl_->log; }
+
+void Session::charge(std::string_view call) {
+  if (impl_->clock.is_virtual()) {
+    const double cost = static_cast<double>(cost_of(call).count()) * impl_->cost_scale;
+    impl_->clock.spend(Time(static_cast<Time::rep>(cost)));
+    impl_->timers.run_due();
+  }
+  impl_->update_mirror(false);
+  check_limit();
+}
+
+void Session::wait_until(Time deadline) {
+  for (;;) {
+    const Time until = impl_->limit ? std::min(deadline, *impl_->limit) : deadline;
+    const std::optional<Time> timer = impl_->timers.next_due();
+    impl_->clock.wait_until(timer ? std::min(*timer, until) : until);
+    impl_->timers.run_due();
+    check_limit();
+    if (impl_->clock.now() >= deadline) return;
+  }
+}
+
+void Session::check_limit() {
+  if (!impl_->limit || impl_->clock.now() < *impl_->limit) return;
+  impl_->log.write(Severity::Info, fmt::format("the time limit of {} s is reached",
+                                               to_seconds(*impl_->limit)));
+  std::exit(0);
+}
+
+void Session::abort_run(const Error& error) {
+  impl_->log.write(Severity::Error, error.what);
+  std::exit(1);
+}
+
+void Session::succeeded(std::string_view call) {
+  if (!impl_->any_failing) return;
+  const std::lock_guard lock(impl_->failure_mutex);
+  const auto found = impl_->failing.find(call);
+  if (found != impl_->failing.end()) impl_->failing.erase(found);
+  impl_->any_failing = !impl_->failing.empty();
+}
+
+void Session::failed(std::string_view call, const Error& error) {
+  bool first = false;
+  {
+    const std::lock_guard lock(impl_->failure_mutex);
+    impl_->last_error = fmt::format("{}: {}", call, error.what);
+    first = impl_->failing.insert(std::string(call)).second;
+    impl_->any_failing = true;
+  }
+  if (first) impl_->log.write(Severity::Warning, fmt::format("{}: {}", call, error.what));
+}
+
+std::string Session::last_error() const {
+  const std::lock_guard lock(impl_->failure_mutex);
+  return impl_->last_error;
+}
+
+void Session::end() noexcept {
+  std::call_once(impl_->ended, [this] {
+    restore_terminal();
+    impl_->timers.stop();
+    impl_->backend->stop();
+    impl_->backend->trace_to(nullptr);
+    try {
+      impl_->finish();
+    } catch (const std::exception& error) {
+      impl_->log.write(Severity::Error, error.what());
+    }
+  });
+}
+
+}  // namespace eyebridge::robios

@@ -1,0 +1,59 @@
+#include "signals.hpp"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+#include <thread>
+
+namespace eyebridge::robios {
+namespace {
+
+// A handler may do next to nothing: it writes the signal's number into this pipe, a thread reads it.
+int wake_up[2] = {-1, -1};
+
+void on_signal(int signal) {
+  const int saved = errno;
+  const auto number = static_cast<unsigned char>(signal);
+  [[maybe_unused]] const ssize_t written = write(wake_up[1], &number, 1);
+  errno = saved;
+}
+
+void wait_for_signal(void (*stop)(int)) {
+  unsigned char number = 0;
+  while (read(wake_up[0], &number, 1) != 1) {
+    if (errno != EINTR) return;
+  }
+  stop(number);
+  ::signal(number, SIG_DFL);
+  kill(getpid(), number);
+}
+
+}  // namespace
+
+void watch_signals(void (*stop)(int signal)) {
+  if (pipe2(wake_up, O_CLOEXEC) != 0) {
+    throw std::system_error(errno, std::generic_category(), "pipe for signals");
+  }
+  // The thread itself takes no signal: handlers of the program run on the program's threads.
+  sigset_t all;
+  sigset_t before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  std::thread(wait_for_signal, stop).detach();
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction present {};
+    sigaction(signal, nullptr, &present);
+    if (present.sa_handler != SIG_DFL) continue;
+    struct sigaction ours {};
+    ours.sa_handler = on_signal;
+    ours.sa_flags = SA_RESTART;
+    sigaction(signal, &ours, nullptr);
+  }
+}
+
+}  // namespace eyebridge::robios

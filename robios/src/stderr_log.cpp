@@ -1,0 +1,32 @@
+#include "stderr_log.hpp"
+
+#include <array>
+#include <cstdio>
+
+namespace eyebridge::robios {
+namespace {
+
+constexpr std::array<std::string_view, 4> kNames = {"debug", "info", "warning", "error"};
+
+}  // namespace
+
+void StderrLog::write(Severity severity, std::string_view message) {
+  if (severity < lowest_) return;
+  const std::lock_guard lock(mutex_);
+  // Info speaks for itself; what went wrong says how bad it is.
+  const bool plain = severity == Severity::Info;
+  const std::string_view name = plain ? "" : kNames[static_cast<std::size_t>(severity)];
+  std::fprintf(stderr, "eyebridge: %.*s%s%.*s\n", static_cast<int>(name.size()), name.data(),
+               plain ? "" : ": ", static_cast<int>(message.size()), message.data());
+}
+
+bool parse_severity(std::string_view text, Severity& out) {
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (kNames[i] != text) continue;
+    out = static_cast<Severity>(i);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace eyebridge::robios

@@ -1,0 +1,106 @@
+#include "timers.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace eyebridge::robios {
+namespace {
+
+// A callback that calls the API must not start callbacks itself.
+thread_local bool in_callback = false;
+
+// How often the timer thread looks again: a timer attached meanwhile is late by this at most.
+constexpr Time kLookAgain = std::chrono::milliseconds(1);
+
+}  // namespace
+
+Timers::Timers(Clock& clock) : clock_(clock) {}
+
+Timers::~Timers() {
+  stop();
+  if (!thread_.joinable()) return;
+  if (thread_.get_id() == std::this_thread::get_id()) {
+    thread_.detach();  // a callback called exit(): this thread cannot wait for itself
+  } else {
+    thread_.join();
+  }
+}
+
+int Timers::attach(Time period, Callback callback) {
+  const std::lock_guard lock(mutex_);
+  const int handle = next_handle_++;
+  entries_.emplace(handle, Entry{period, clock_.now() + period, callback});
+  if (!clock_.is_virtual() && !thread_.joinable() && !stopping_) {
+    thread_ = std::thread([this] { run_thread(); });
+  }
+  changed_.notify_all();
+  return handle;
+}
+
+bool Timers::detach(int handle) {
+  const std::lock_guard lock(mutex_);
+  return entries_.erase(handle) != 0;
+}
+
+void Timers::stop() {
+  const std::lock_guard lock(mutex_);
+  stopping_ = true;
+  changed_.notify_all();
+}
+
+std::optional<Time> Timers::earliest() const {
+  std::optional<Time> first;
+  for (const auto& [handle, entry] : entries_) {
+    if (!first || entry.due < *first) first = entry.due;
+  }
+  return first;
+}
+
+std::optional<Time> Timers::next_due() const {
+  if (!clock_.is_virtual() || in_callback) return std::nullopt;
+  const std::lock_guard lock(mutex_);
+  return stopping_ ? std::nullopt : earliest();
+}
+
+void Timers::run_due() {
+  if (!clock_.is_virtual() || in_callback) return;
+  std::unique_lock lock(mutex_);
+  if (stopping_ || entries_.empty()) return;
+  call_due(clock_.now(), lock);
+}
+
+void Timers::call_due(Time now, std::unique_lock<std::mutex>& lock) {
+  std::vector<Callback> due;
+  for (auto& [handle, entry] : entries_) {
+    if (entry.due > now) continue;
+    due.push_back(entry.callback);
+    const auto missed = (now - entry.due) / entry.period;
+    entry.due += (missed + 1) * entry.period;
+  }
+  lock.unlock();
+  in_callback = true;
+  for (const Callback callback : due) callback();
+  in_callback = false;
+  lock.lock();
+}
+
+void Timers::run_thread() {
+  std::unique_lock lock(mutex_);
+  while (!stopping_) {
+    const std::optional<Time> due = earliest();
+    if (!due) {
+      changed_.wait(lock);
+      continue;
+    }
+    const Time now = clock_.now();
+    if (*due <= now) {
+      call_due(now, lock);
+      continue;
+    }
+    lock.unlock();
+    clock_.wait_until(std::min(*due, now + kLookAgain));
+    lock.lock();
+  }
+}
+
+}  // namespace eyebridge::robios

@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <memory>
+#include <string>
+
+#include "eyebot.h"
+#include "guarded.hpp"
+#include "timers.hpp"
+
+namespace {
+
+using namespace eyebridge;
+using robios::Session;
+using std::chrono::milliseconds;
+
+/// Milliseconds since midnight. A virtual clock starts at midnight, so that runs repeat.
+long long milliseconds_of_day(Session& session) {
+  const long long since_start = session.clock().now() / milliseconds(1);
+  long long start = 0;
+  if (!session.clock().is_virtual()) {
+    static const long long first_start = [&] {
+      const std::time_t now = std::time(nullptr);
+      std::tm local{};
+      localtime_r(&now, &local);
+      return ((local.tm_hour * 60LL + local.tm_min) * 60 + local.tm_sec) * 1000 - since_start;
+    }();
+    start = first_start;
+  }
+  constexpr long long kDay = 24LL * 60 * 60 * 1000;
+  return ((start + since_start) % kDay + kDay) % kDay;
+}
+
+}  // namespace
+
+int OSWait(int n) {
+  return robios::guarded("OSWait", 1, [&](Session& session) -> Result<int> {
+    if (n > 0) session.wait_until(session.clock().now() + milliseconds(n));
+    return 0;
+  });
+}
+
+TIMER OSAttachTimer(int scale, void (*fct)(void)) {
+  return robios::guarded("OSAttachTimer", 0, [&](Session& session) -> Result<int> {
+    if (scale <= 0 || fct == nullptr) {
+      return fail(Errc::OutOfRange,
+                  fmt::format("OSAttachTimer({}): a timer needs a function and at least 1 ms", scale));
+    }
+    return session.timers().attach(milliseconds(scale), fct);
+  });
+}
+
+int OSDetachTimer(TIMER t) {
+  return robios::guarded("OSDetachTimer", 1, [&](Session& session) -> Result<int> {
+    if (session.timers().detach(t)) return 0;
+    return fail(Errc::OutOfRange, fmt::format("there is no timer {}", t));
+  });
+}
+
+int OSGetTime(int* hrs, int* mins, int* secs, int* ticks) {
+  return robios::guarded("OSGetTime", 1, [&](Session& session) -> Result<int> {
+    const long long ms = milliseconds_of_day(session);
+    const auto put = [](int* out, long long value) {
+      if (out != nullptr) *out = static_cast<int>(value);
+    };
+    put(hrs, ms / 3'600'000);
+    put(mins, ms / 60'000 % 60);
+    put(secs, ms / 1000 % 60);
+    put(ticks, ms % 1000);
+    return 0;
+  });
+}
+
+int OSGetCount(void) {
+  return robios::guarded("OSGetCount", 0, [](Session& session) -> Result<int> {
+    return static_cast<int>(session.clock().now() / milliseconds(1));
+  });
+}
+
+char* OSExecute(const char* command) {
+  return robios::guarded("OSExecute", static_cast<char*>(nullptr), [&](Session&) -> Result<char*> {
+    struct Close {
+      void operator()(std::FILE* pipe) const { pclose(pipe); }
+    };
+    const std::unique_ptr<std::FILE, Close> pipe(popen(command, "r"));
+    if (!pipe) return fail(Errc::Unsupported, fmt::format("cannot run '{}'", command));
+    thread_local std::string output;
+    output.clear();
+    char chunk[4096];
+    for (std::size_t n = 0; (n = std::fread(chunk, 1, sizeof chunk, pipe.get())) > 0;) {
+      output.append(chunk, n);
+    }
+    return output.data();
+  });
+}
+
+int OSVersion(char* buf) {
+  return robios::guarded("OSVersion", 1, [&](Session&) -> Result<int> {
+    std::strcpy(buf, VERSION);
+    return 0;
+  });
+}
+
+int OSVersionIO(char* buf) {
+  return robios::guarded("OSVersionIO", 1, [&](Session&) -> Result<int> {
+    buf[0] = '\0';
+    return fail(Errc::Unsupported, "a simulated robot has no IO board");
+  });
+}
+
+int OSMachineSpeed(void) {
+  return robios::guarded("OSMachineSpeed", MACHINE_SPEED,
+                         [](Session&) -> Result<int> { return MACHINE_SPEED; });
+}
+
+int OSMachineType(void) {
+  return robios::guarded("OSMachineType", VEHICLE,
+                         [](Session&) -> Result<int> { return VEHICLE; });
+}
+
+int OSMachineName(char* buf) {
+  return robios::guarded("OSMachineName", 1, [&](Session&) -> Result<int> {
+    std::strcpy(buf, MACHINE_NAME);
+    return 0;
+  });
+}
+
+int OSMachineID(void) {
+  return robios::guarded("OSMachineID", 0,
+                         [](Session& session) -> Result<int> { return session.backend().robot_id(); });
+}

@@ -1,0 +1,31 @@
+#include <fmt/format.h>
+
+#include "convert.hpp"
+#include "eyebot.h"
+#include "guarded.hpp"
+
+namespace {
+
+using namespace eyebridge;
+
+Result<hal::RangeSensor*> find(robios::Session& session, int psd) {
+  hal::RangeSensor* sensor = session.backend().range_sensor(psd);
+  if (sensor == nullptr) return fail(Errc::OutOfRange, fmt::format("this robot has no PSD {}", psd));
+  return sensor;
+}
+
+}  // namespace
+
+int PSDGet(int psd) {
+  return robios::guarded("PSDGet", -1, [&](robios::Session& session) -> Result<int> {
+    return find(session, psd).and_then([](hal::RangeSensor* sensor) {
+      return sensor->read().map(robios::to_mm);
+    });
+  });
+}
+
+int PSDGetRaw(int psd) {
+  return robios::guarded("PSDGetRaw", -1, [&](robios::Session& session) -> Result<int> {
+    return find(session, psd).and_then([](hal::RangeSensor* sensor) { return sensor->read_raw(); });
+  });
+}

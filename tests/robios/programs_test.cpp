@@ -1,0 +1,137 @@
+// Real programs, compiled against eyebot.h, run as users run them: the C API from outside.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "run_program.hpp"
+
+namespace eyebridge {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::ProgramRun;
+using testing::ScratchFolder;
+
+ProgramRun run(const std::string& name, std::map<std::string, std::string> settings = {}) {
+  settings.emplace("EYEBRIDGE_FAST", "true");
+  return testing::run_program({{std::string(EYEBRIDGE_TEST_PROGRAMS) + "/" + name}, settings, ""});
+}
+
+TEST(Programs, ATextBookProgramDrivesSeesAndShows) {
+  const ProgramRun r = run("textbook", {{"EYEBRIDGE_KEYS", "KEY1@1s,KEY2@2s,KEY4@60s"}});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  EXPECT_THAT(r.out, HasSubstr("key 1\n"));
+  // The robot of the default world stands at (1, 1) m; after 300 mm and a left turn the north wall
+  // is 1000 mm from its centre, less the sensor's place on the robot.
+  EXPECT_THAT(r.out, HasSubstr("at 300 0 90, wall ahead at 9"));
+  EXPECT_THAT(r.out, HasSubstr("edges: some\n"));
+  EXPECT_THAT(r.out, HasSubstr("size 320 240 76800 230400\n"));
+}
+
+TEST(Programs, ClocksAndTimersFollowVirtualTimeExactly) {
+  const ProgramRun r = run("clocks");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("waited 1500\n"));
+  EXPECT_THAT(r.out, HasSubstr("handles differ\n"));
+  EXPECT_THAT(r.out, HasSubstr("fast 100 slow 6\n"));
+  EXPECT_THAT(r.out, HasSubstr("late 5\n"));
+  EXPECT_THAT(r.out, HasSubstr("detach twice 1, bad timer 0\n"));
+  EXPECT_THAT(r.out, HasSubstr("time 00:00:03\n"));
+}
+
+TEST(Programs, SettingWhatWasReadChangesNothing) {
+  const ProgramRun r = run("sim_calls");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("identity 1\n"));
+  EXPECT_THAT(r.out, HasSubstr("robots 1 objects 0\n"));
+  EXPECT_THAT(r.out, HasSubstr("unknown 1 1\nzeros 0 0 0\n"));
+  EXPECT_THAT(r.out, HasSubstr("odometry 0 0 0\n"));
+}
+
+TEST(Programs, SensorsReadWhatGeometrySays) {
+  const ProgramRun r = run("sensors");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("no such psd -1: PSDGet: this robot has no PSD 42\n"));
+  EXPECT_THAT(r.out, HasSubstr("lidar 500 1000 1500 1000\n"));
+  EXPECT_THAT(r.out, HasSubstr("part 1000 1500 1000\n"));
+  EXPECT_THAT(r.out, HasSubstr("laser scan 1, resolution 5, still 1500\n"));
+  EXPECT_THAT(r.out, HasSubstr("bad lidar 1 1\n"));
+}
+
+TEST(Programs, DrivingEndsWhereItShould) {
+  const ProgramRun r = run("driving");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("done 0 remain about half\ndone 1 remain 0\n"));
+  EXPECT_THAT(r.out, HasSubstr("straight 200 0 0\nback -200 0 0\nturn 0 0 -90\nturn 0 0 90\n"));
+  EXPECT_THAT(r.out, HasSubstr("curve 0 200 180\n"));
+  EXPECT_THAT(r.out, HasSubstr("not ahead 1\n"));
+  EXPECT_THAT(r.out, HasSubstr("drive 200 100 53\n"));
+  EXPECT_THAT(r.out, HasSubstr("nothing 0 0 0\n"));
+  EXPECT_THAT(r.out, HasSubstr("speed 100 0\n"));
+  EXPECT_THAT(r.out, HasSubstr("stuck 1 done -1 stalled 3\n"));
+}
+
+TEST(Programs, MotorsAndServosAnswerByNumber) {
+  const ProgramRun r = run("motors");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("ticks fine\nreset 0\n"));
+  EXPECT_THAT(r.out, HasSubstr("no motor 1, no encoder 1\n"));
+  EXPECT_THAT(r.out, HasSubstr("servo 0 1 1\n"));
+}
+
+TEST(Programs, ThreadsMayCallTogetherAndOutliveMain) {
+  for (const char* fast : {"true", "false"}) {
+    const ProgramRun r = run("threads", {{"EYEBRIDGE_FAST", fast}, {"EYEBRIDGE_FACTOR", "20"}});
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    EXPECT_THAT(r.out, HasSubstr("drove\n"));
+  }
+}
+
+TEST(Programs, ATimeLimitEndsAnEndlessProgram) {
+  const ProgramRun r = run("endless", {{"EYEBRIDGE_TIME_LIMIT", "5s"}, {"EYEBRIDGE_LOG", "info"}});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.err, HasSubstr("time limit of 5 s"));
+}
+
+TEST(Programs, WaitingForAKeyThatCannotComeIsAnError) {
+  const ProgramRun r = run("textbook");
+  EXPECT_EQ(r.exit_code, 1);
+  EXPECT_THAT(r.err, HasSubstr("--keys"));
+}
+
+TEST(Programs, ResultsGoWhereTheyAreAskedFor) {
+  const ScratchFolder folder;
+  const ProgramRun r =
+      run("textbook", {{"EYEBRIDGE_KEYS", "KEY1@0s,KEY4@60s"}, {"EYEBRIDGE_OUT", folder.path()}});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  for (const char* name : {"map.png", "lcd.png", "frames/0000.png", "trace.csv"}) {
+    EXPECT_GT(std::filesystem::file_size(folder.path() + "/" + name), 100U) << name;
+  }
+  const std::string trace = testing::file_text(folder.path() + "/trace.csv");
+  EXPECT_THAT(trace, ::testing::StartsWith("t,x,y,theta,linear,angular,odometry_x,odometry_y,"
+                                           "odometry_theta,range_1,range_2,range_3"));
+}
+
+TEST(Programs, TheSameRunGivesTheSameTrace) {
+  const ScratchFolder a;
+  const ScratchFolder b;
+  for (const ScratchFolder* folder : {&a, &b}) {
+    ASSERT_EQ(run("driving", {{"EYEBRIDGE_OUT", folder->path()}}).exit_code, 0);
+  }
+  const std::string first = testing::file_text(a.path() + "/trace.csv");
+  EXPECT_GT(first.size(), 1000U);
+  EXPECT_EQ(first, testing::file_text(b.path() + "/trace.csv"));
+}
+
+TEST(Programs, ABadSettingEndsTheProgramBeforeItsFirstCallReturns) {
+  const ProgramRun r = run("clocks", {{"EYEBRIDGE_HAL", "simm"}});
+  EXPECT_EQ(r.exit_code, 2);
+  EXPECT_THAT(r.err, HasSubstr("EYEBRIDGE_HAL"));
+  EXPECT_THAT(r.err, HasSubstr("simm"));
+  EXPECT_EQ(r.out, "");
+}
+
+}  // namespace
+}  // namespace eyebridge

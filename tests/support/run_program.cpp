@@ -1,0 +1,109 @@
+#include "run_program.hpp"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace eyebridge::testing {
+namespace {
+
+constexpr auto kPatience = std::chrono::minutes(1);
+
+/// Reads both pipes until both are closed; false when `deadline` passes first.
+bool collect(const std::array<int, 2>& pipes, ProgramRun& run,
+             std::chrono::steady_clock::time_point deadline) {
+  std::array<pollfd, 2> waiting{pollfd{pipes[0], POLLIN, 0}, pollfd{pipes[1], POLLIN, 0}};
+  int open = 2;
+  while (open > 0) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
+        deadline - std::chrono::steady_clock::now());
+    if (left.count() <= 0) return false;
+    poll(waiting.data(), waiting.size(), static_cast<int>(left.count()));
+    for (std::size_t i = 0; i < waiting.size(); ++i) {
+      if (waiting[i].fd < 0 || waiting[i].revents == 0) continue;
+      std::array<char, 65536> chunk{};
+      const ssize_t n = read(waiting[i].fd, chunk.data(), chunk.size());
+      if (n > 0) {
+        (i == 0 ? run.out : run.err).append(chunk.data(), static_cast<std::size_t>(n));
+      } else {
+        waiting[i].fd = -1;
+        --open;
+      }
+    }
+  }
+  return true;
+}
+
+[[noreturn]] void become(const ProgramStart& start, int out, int err) {
+  const int nothing = open("/dev/null", O_RDONLY);
+  dup2(nothing, 0);
+  dup2(out, 1);
+  dup2(err, 2);
+  if (!start.directory.empty() && chdir(start.directory.c_str()) != 0) _exit(127);
+  for (const auto& [name, value] : start.environment) setenv(name.c_str(), value.c_str(), 1);
+  std::vector<char*> argv;
+  for (const std::string& word : start.command) argv.push_back(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+  execvp(argv[0], argv.data());
+  _exit(127);
+}
+
+}  // namespace
+
+ProgramRun run_program(const ProgramStart& start) {
+  std::array<int, 2> out{};
+  std::array<int, 2> err{};
+  if (pipe2(out.data(), O_CLOEXEC) != 0 || pipe2(err.data(), O_CLOEXEC) != 0) {
+    throw std::runtime_error("pipe");
+  }
+  const pid_t child = fork();
+  if (child == 0) become(start, out[1], err[1]);
+  close(out[1]);
+  close(err[1]);
+  ProgramRun run;
+  if (!collect({out[0], err[0]}, run, std::chrono::steady_clock::now() + kPatience)) {
+    kill(child, SIGKILL);
+    run.err += "\n(killed: still running after a minute)\n";
+  }
+  close(out[0]);
+  close(err[0]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return run;
+}
+
+ScratchFolder::ScratchFolder() {
+  std::string name = (std::filesystem::temp_directory_path() / "eyebridge-test-XXXXXX").string();
+  if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("mkdtemp " + name);
+  path_ = name;
+}
+
+ScratchFolder::~ScratchFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+std::string ScratchFolder::write(const std::string& name, const std::string& text) const {
+  std::string path = path_ + "/" + name;
+  std::ofstream(path, std::ios::binary) << text;
+  return path;
+}
+
+std::string file_text(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+}  // namespace eyebridge::testing
