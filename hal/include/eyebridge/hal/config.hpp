@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -21,12 +22,23 @@ struct Setting {
   Kind kind;
   std::string_view fallback;  ///< Value when nobody says anything; "" means unset.
   std::string_view help;      ///< One line.
+  double minimum = -std::numeric_limits<double>::infinity();  ///< Of an Integer, Number, Duration.
+  double maximum = std::numeric_limits<double>::infinity();   ///< Likewise; seconds for Durations.
+  std::string_view choices = {};  ///< Of a Text: "a|b|c" when nothing else is allowed.
 };
 
 /// All settings, in the order they are shown.
 std::span<const Setting> settings();
 
+/// The row of `key`, or null when there is none.
+const Setting* find_setting(std::string_view key);
+
+/// The key in settings() that `key` was most likely meant to be (fewest edits; the first of
+/// equals).
+std::string_view nearest_key(std::string_view key);
+
 /// A value and where it came from: "--world", "EYEBRIDGE_WORLD", "eyebridge.toml:3:9", "default".
+/// An empty text is "unset", allowed for settings whose fallback is empty.
 struct ConfigValue {
   std::string text;
   SourceLocation where;
@@ -38,14 +50,17 @@ class Config {
  public:
   /// Where to look; all explicit, so that tests need no real environment.
   struct Sources {
-    std::map<std::string, std::string> flags;        ///< key -> value, from the command line.
+    std::map<std::string, std::string>
+        flags;  ///< Key -> value, from the command line; they win over EYEBRIDGE_FLAGS.
     std::map<std::string, std::string> environment;  ///< All variables of the process.
     std::vector<std::filesystem::path>
         toml_files;  ///< Highest precedence first; missing ones skipped.
   };
 
   /// Throws ConfigError: unknown key (with line and column, and the nearest known one), or a value
-  /// that is not of the setting's kind.
+  /// that is not of the setting's kind, out of its range or not one of its choices. Every source is
+  /// checked whole, also where another one wins. Variables that start with EYEBRIDGE_ count as
+  /// keys, but for EYEBRIDGE_FLAGS, EYEBRIDGE_DATA and EYEBRIDGE_TEST_*.
   static Config load(const Sources& sources);
   /// From this process: EYEBRIDGE_* and EYEBRIDGE_FLAGS (set by `eyebridge run`), and the three
   /// usual places of eyebridge.toml.
@@ -62,11 +77,22 @@ class Config {
   /// working folder).
   [[nodiscard]] std::filesystem::path path(std::string_view key) const;
 
+  /// How `key` is spelled as a flag: "--time-limit".
+  static std::string flag_name(std::string_view key);
+  /// How `key` is spelled as an environment variable: "EYEBRIDGE_TIME_LIMIT".
+  static std::string variable_name(std::string_view key);
+  /// What EYEBRIDGE_FLAGS must hold to hand `flags` on to a robot program: lines "key=value".
+  /// Throws ConfigError when a value holds a line end, which such a line cannot carry.
+  static std::string flags_variable(const std::map<std::string, std::string>& flags);
+  /// All settings as lines "key = value  # where", in the order of settings().
+  [[nodiscard]] std::string describe() const;
+
  private:
   std::map<std::string, ConfigValue, std::less<>> values_;
 };
 
-/// "2s", "250ms", "1.5 min", or a bare number of seconds. Throws ConfigError at `where`.
+/// Seconds of "2s", "250ms", "1.5 min", or a bare number of seconds; units us, ms, s, min, h.
+/// 0 … 1e9 s. Throws ConfigError at `where`.
 double parse_duration(std::string_view text, const SourceLocation& where);
 
 }  // namespace eyebridge::hal

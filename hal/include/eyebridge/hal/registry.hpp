@@ -9,6 +9,7 @@
 #include "eyebridge/base/log.hpp"
 #include "eyebridge/hal/backend.hpp"
 #include "eyebridge/hal/config.hpp"
+#include "eyebridge/hal/url.hpp"
 
 namespace eyebridge::hal {
 
@@ -22,7 +23,8 @@ struct BackendContext {
 struct BackendFactory {
   std::string_view scheme;   ///< "sim", "serial", "can"
   std::string_view summary;  ///< One line for `eyebridge doctor` and error messages.
-  std::unique_ptr<Backend> (*open)(std::string_view rest, const BackendContext& context);
+  /// Throws ConfigError for a rest or an option that the backend does not take.
+  std::unique_ptr<Backend> (*open)(const BackendUrl& url, const BackendContext& context);
 };
 
 /// All backends, in order of preference.

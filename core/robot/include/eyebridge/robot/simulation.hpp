@@ -38,6 +38,9 @@ struct CollisionEvent {
   Pose pose;  ///< Of the robot.
 };
 
+/// How many servos a robot has room for.
+inline constexpr unsigned kServoCount = 16;
+
 /// Settings of a simulation.
 struct SimulationSettings {
   double step = 0.01;          ///< Seconds; fixed.
@@ -49,8 +52,9 @@ struct SimulationSettings {
 ///
 /// Pipeline of a robot, each step: v-omega commands -> ramps -> wheel targets (PID) -> motors ->
 /// wheels -> arc -> collision -> pose; encoders and odometry come from the wheels. "Perfect" and
-/// "with errors" are the same code with other parameters. Same calls, same seed: same bits.
-/// Not thread-safe. Robot indices are checked by assert only.
+/// "with errors" are the same code with other parameters. Every kind of drive moves as a
+/// differential one for now: Ackermann and Omni have no kinematics of their own yet. Same calls,
+/// same seed: same bits. Not thread-safe. Robot indices are checked by assert only.
 class Simulation {
  public:
   Simulation(std::shared_ptr<const world::WorldModel> model, const SimulationSettings& settings);
@@ -78,15 +82,18 @@ class Simulation {
   // v-omega driving. Speeds and accelerations are clamped to the model's limits.
   void set_speed(RobotIndex robot, const Twist& twist);  ///< Until the next command.
   /// Replaces whatever is under way; the ramp starts from the speed the robot has. A goal of zero
-  /// length, or with speed 0, is done at once and stops the robot.
+  /// length, or with speed 0, is done at once and stops the robot. Ends exactly by odometry. A
+  /// turn only slows down the way the robot had before, a straight the turn: neither is undone.
   void drive(RobotIndex robot, const DriveGoal& goal);
   [[nodiscard]] DriveState drive_state(RobotIndex robot) const;
   [[nodiscard]] double remaining(
       RobotIndex robot) const;  ///< Distance to go, metres, >= 0; turns: 0.
-  [[nodiscard]] unsigned stalled(RobotIndex robot) const;  ///< StallMask.
-  void stop(RobotIndex robot);                             ///< At once, without a ramp.
+  /// StallMask. A stall ends when the robot moves again or with a new command; after a goal that
+  /// failed it stays until then.
+  [[nodiscard]] unsigned stalled(RobotIndex robot) const;
+  void stop(RobotIndex robot);  ///< Motors off at once, without a ramp; lagging ones run down.
 
-  // Odometry, from the wheels.
+  // Odometry, from the wheels. Starts at (0, 0, 0) where the robot is placed.
   [[nodiscard]] Pose odometry(RobotIndex robot) const;
   void set_odometry(RobotIndex robot, const Pose& pose);
   [[nodiscard]] Twist measured_twist(RobotIndex robot) const;
@@ -110,11 +117,16 @@ class Simulation {
   /// left-most ray clockwise to the right-most. A full circle starts straight behind and does not
   /// repeat its first ray. Ray i looks along bearing fov/2 - i * fov/points (full circle), or
   /// fov/2 - i * fov/(points - 1).
+  /// Tilted as the model says. Walls and bodies count as high enough for every ray; a ray that is
+  /// tilted down (positive) ends on the floor.
   void read_lidar(RobotIndex robot, double field_of_view, std::span<double> ranges);
+  /// The same with another tilt, radians, |tilt| < pi/2.
+  void read_lidar(RobotIndex robot, double field_of_view, double tilt, std::span<double> ranges);
   /// Heading in the world, radians counter-clockwise from +x, with the model's error.
   [[nodiscard]] double read_compass(RobotIndex robot);
 
-  // Servos: position 0 … 1, 0.5 is the middle. 0 is pan (1 = left), 1 is tilt (1 = up).
+  // Servos: position 0 … 1 (clamped), 0.5 is the middle and the start. 0 is pan (1 = left), 1 is
+  // tilt (1 = up); servo < kServoCount.
   void set_servo(RobotIndex robot, unsigned servo, double position);
   [[nodiscard]] double servo(RobotIndex robot, unsigned servo) const;
 

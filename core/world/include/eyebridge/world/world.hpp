@@ -17,6 +17,10 @@ namespace eyebridge::world {
 using BodyId = std::uint32_t;
 inline constexpr BodyId kNoBody = ~BodyId{0};
 
+/// A driven body stops this far from what it meets, metres: room for rounding, so that bodies never
+/// overlap a wall or each other, and too little for any sensor to see.
+inline constexpr double kContactGap = 1e-7;
+
 /// A motion over one step: an exact arc in the body's own frame.
 struct Arc {
   Vec2 displacement;  ///< Chord, in the frame of the body at the start of the step, metres.
@@ -61,7 +65,13 @@ class World {
   /// Puts a body somewhere, at rest. No check: a person may put it into a wall.
   void set_pose(BodyId id, const Pose& pose);
 
-  /// Drives `id` along `arc`, up to the first contact that does not give way.
+  /// Drives `id` along the chord of `arc`, up to the first contact that does not give way.
+  ///
+  /// A motion away from what the body touches, or parallel to it, is free; so is a turn on the
+  /// spot. The heading turns by the fraction of `arc.turn` that was driven. Within a wall (a person
+  /// put it there) only motions that lead out are possible. Balls and cans on the way are pushed
+  /// along the line of centres; `dt` is the duration of the step in seconds, from which balls get
+  /// their speed. `arc` is finite.
   MoveResult move(BodyId id, const Arc& arc, double dt);
   /// Rolls balls and settles cans for `dt` seconds; called once a step, after the robots moved.
   void step_objects(double dt);
@@ -74,7 +84,8 @@ class World {
                 std::span<double> ranges) const;
 
   /// Appends the contacts of `id` as unit vectors from its centre in the world: walls and bodies
-  /// nearer than `reach` metres to its rim.
+  /// nearer than `reach` metres to its rim. What stopped it counts even with `reach` 0. Walls come
+  /// first, then bodies in order of id; each direction once.
   void contacts(BodyId id, double reach, std::vector<Vec2>& out) const;
 
   /// True when a disc of `radius` at `centre` touches neither wall nor body (other than `ignore`).

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "eyebridge/world/world.hpp"
+
+namespace eyebridge::robot {
+
+/// How far each wheel (or the robot's centre and heading) went in one step.
+struct WheelTravel {
+  double left = 0.0;   ///< Along the ground, metres.
+  double right = 0.0;  ///< Along the ground, metres.
+};
+
+/// Path of the robot's centre over one step: a circular arc.
+struct PathStep {
+  double distance = 0.0;  ///< Along the arc, metres; negative is backwards.
+  double angle = 0.0;     ///< Change of heading, radians; positive is counter-clockwise.
+};
+
+/// What a differential drive does when its wheels travel so far; `wheel_base` in metres.
+constexpr PathStep path_of(const WheelTravel& wheels, double wheel_base) {
+  return {(wheels.left + wheels.right) / 2, (wheels.right - wheels.left) / wheel_base};
+}
+
+/// The exact chord and turn of a circular arc. Same bits on every machine.
+world::Arc arc_of(const PathStep& path);
+
+}  // namespace eyebridge::robot

@@ -1,0 +1,125 @@
+#include "drive_controller.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace eyebridge::robot {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kRounding = 1.0 + 1e-9;
+
+/// Narrows [low, high] to the factors f for which f * amount is one step of speed from `speed`.
+void narrow(double amount, double speed, double speed_step, double& low, double& high) {
+  if (amount == 0.0) {
+    if (std::abs(speed) > speed_step) high = -kInfinity;  // no factor does it
+    return;
+  }
+  const double a = (speed - speed_step) / amount;
+  const double b = (speed + speed_step) / amount;
+  low = std::max(low, std::min(a, b));
+  high = std::min(high, std::max(a, b));
+}
+
+}  // namespace
+
+void DriveController::Part::set(double amount) {
+  open = amount != 0.0;
+  left = amount;
+  side = amount;
+}
+
+void DriveController::Part::advance(double travelled, double speed, double speed_step, double end) {
+  if (!open) return;
+  left -= travelled;
+  // A start too fast for a short goal runs past it and comes back: only slow passing counts.
+  const bool slow = std::abs(speed) <= speed_step * kRounding;
+  if (slow && (std::abs(left) <= end || left * side < 0.0)) open = false;
+  if (left != 0.0) side = left < 0.0 ? -1.0 : 1.0;
+}
+
+void DriveController::set_speed(const Twist& target, const Twist& present) {
+  target_ = clamp_twist(target, limits_);
+  twist_ = present;
+  distance_.set(0.0);
+  angle_.set(0.0);
+  state_ = DriveState::Idle;
+}
+
+void DriveController::start(const DriveGoal& goal, const Twist& present) {
+  const double speed = std::abs(goal.speed);
+  if (speed == 0.0 || (goal.distance == 0.0 && goal.angle == 0.0)) {
+    stop();
+    return;
+  }
+  const bool on_the_spot = goal.distance == 0.0;
+  linear_top_ = on_the_spot ? limits_.linear : std::min(speed, limits_.linear);
+  angular_top_ = on_the_spot ? std::min(speed, limits_.angular) : limits_.angular;
+  distance_.set(goal.distance);
+  angle_.set(goal.angle);
+  target_ = {};
+  twist_ = present;
+  state_ = DriveState::Driving;
+}
+
+void DriveController::stop() {
+  target_ = {};
+  twist_ = {};
+  distance_.set(0.0);
+  angle_.set(0.0);
+  state_ = DriveState::Idle;
+}
+
+void DriveController::fail() {
+  stop();
+  state_ = DriveState::Failed;
+}
+
+Twist DriveController::next(const PathStep& rolling) {
+  if (state_ == DriveState::Driving) {
+    twist_ = towards_goal(distance_.open ? distance_.left - rolling.distance : 0.0,
+                          angle_.open ? angle_.left - rolling.angle : 0.0);
+  } else {
+    twist_ = approach(twist_, target_, limits_);
+  }
+  return twist_;
+}
+
+Twist DriveController::towards_goal(double distance, double angle) const {
+  if (distance == 0.0 && angle == 0.0) return approach(twist_, {}, limits_);
+  // Both parts go on in proportion, so that they end together and a curve is one arc: everything
+  // is a factor f (per second) with which the remaining distance and angle become the twist.
+  const double d = std::abs(distance);
+  const double a = std::abs(angle);
+  const double share = limits_.dt * std::min(limits_.linear_step / d, limits_.angular_step / a);
+  const double top =
+      std::min({linear_top_ / d, angular_top_ / a, limits_.wheel / (d + a * limits_.half_base)});
+  double factor = std::min(stopping_share(share) / limits_.dt, top);
+  double low = -kInfinity;
+  double high = kInfinity;
+  narrow(distance, twist_.linear, limits_.linear_step, low, high);
+  narrow(angle, twist_.angular, limits_.angular_step, low, high);
+  if (low <= high) factor = std::clamp(factor, low, high);
+  return approach(twist_, {factor * distance, factor * angle}, limits_);
+}
+
+void DriveController::advance(const PathStep& measured) {
+  if (state_ != DriveState::Driving) return;
+  distance_.advance(measured.distance, twist_.linear, limits_.linear_step, limits_.distance_end);
+  angle_.advance(measured.angle, twist_.angular, limits_.angular_step, limits_.angle_end);
+  const bool can_stand = std::abs(twist_.linear) <= limits_.linear_step * kRounding &&
+                         std::abs(twist_.angular) <= limits_.angular_step * kRounding;
+  if (!distance_.open && !angle_.open && can_stand) state_ = DriveState::Idle;
+}
+
+void DriveController::hold(const PathStep& measured) {
+  twist_ = {};
+  advance(measured);
+}
+
+double DriveController::remaining() const {
+  return distance_.open ? std::abs(distance_.left) : 0.0;
+}
+
+}  // namespace eyebridge::robot

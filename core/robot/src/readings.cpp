@@ -1,0 +1,92 @@
+#include <algorithm>
+
+#include "simulation_impl.hpp"
+
+namespace eyebridge::robot {
+namespace {
+
+constexpr double kBumperReach = 2e-3;  // metres: the play of a bumper plate
+
+}  // namespace
+
+double Simulation::read_range(RobotIndex robot, std::size_t sensor) {
+  RobotDevices& devices = impl_->devices_of(robot);
+  assert(sensor < devices.ranges.size());
+  const RangeSensorModel& model = devices.model.range_sensors[sensor];
+  RayDevice& device = devices.ranges[sensor];
+  const world::World& world = impl_->world;
+  const world::BodyId self = body(robot);
+  const Sight sight = device.sight.in_world(world.position(self), world.heading(self));
+  const double range = world.cast_ray(sight.origin, sight.heading.forward(), model.max_range, self);
+  return range_reading(range, model, device.noise);
+}
+
+bool Simulation::read_proximity(RobotIndex robot, std::size_t sensor) {
+  RobotDevices& devices = impl_->devices_of(robot);
+  assert(sensor < devices.proximities.size());
+  const ProximityModel& model = devices.model.proximity_sensors[sensor];
+  RayDevice& device = devices.proximities[sensor];
+  const world::World& world = impl_->world;
+  const world::BodyId self = body(robot);
+  const Sight sight = device.sight.in_world(world.position(self), world.heading(self));
+  const bool near = world.cast_ray(sight.origin, sight.heading.forward(), model.threshold, self) <
+                    model.threshold;
+  const bool flipped = model.flip_probability > 0.0 && device.noise.chance(model.flip_probability);
+  return near != flipped;
+}
+
+bool Simulation::read_bumper(RobotIndex robot, std::size_t bumper) {
+  RobotDevices& devices = impl_->devices_of(robot);
+  assert(bumper < devices.bumpers.size());
+  const BumperModel& model = devices.model.bumpers[bumper];
+  const world::BodyId self = body(robot);
+  const Heading heading = impl_->world.heading(self);
+  impl_->contacts.clear();
+  impl_->world.contacts(self, kBumperReach, impl_->contacts);
+  const bool touched =
+      std::any_of(impl_->contacts.begin(), impl_->contacts.end(), [&](Vec2 contact) {
+        const double bearing =
+            arc_tan2(cross(heading.forward(), contact), dot(heading.forward(), contact));
+        return in_sector(bearing, model.start, model.end);
+      });
+  if (!touched) return false;
+  return model.miss_probability <= 0.0 || !devices.bumpers[bumper].chance(model.miss_probability);
+}
+
+void Simulation::read_lidar(RobotIndex robot, double field_of_view, std::span<double> ranges) {
+  const auto& lidar = model(robot).lidar;
+  assert(lidar.has_value());
+  read_lidar(robot, field_of_view, lidar->tilt, ranges);
+}
+
+void Simulation::read_lidar(RobotIndex robot, double field_of_view, double tilt,
+                            std::span<double> ranges) {
+  RobotDevices& devices = impl_->devices_of(robot);
+  assert(devices.model.lidar.has_value());
+  const LidarModel& model = *devices.model.lidar;
+  const world::World& world = impl_->world;
+  const world::BodyId self = body(robot);
+  const Sight sight =
+      Sight(model.pose_in_robot).in_world(world.position(self), world.heading(self));
+  const std::vector<Vec2>& bearings = devices.scan.directions(field_of_view, ranges.size());
+  devices.scan_directions.resize(bearings.size());
+  std::transform(bearings.begin(), bearings.end(), devices.scan_directions.begin(),
+                 [&](Vec2 bearing) { return sight.heading.rotate(bearing); });
+  const SlantedBeam beam(model, tilt);
+  world.cast_fan(sight.origin, devices.scan_directions, beam.level_reach(), self, ranges);
+  for (double& range : ranges) {
+    range = beam.range(range);
+    if (model.error.perfect() || range >= model.max_range) continue;
+    range = std::clamp(with_error(range, model.error, devices.lidar), 0.0, model.max_range);
+  }
+}
+
+double Simulation::read_compass(RobotIndex robot) {
+  RobotDevices& devices = impl_->devices_of(robot);
+  const double heading = impl_->world.heading(body(robot)).angle();
+  const GaussianError& error = devices.model.compass_error;
+  if (error.perfect()) return heading;
+  return wrap_angle(with_error(heading, error, devices.compass));
+}
+
+}  // namespace eyebridge::robot

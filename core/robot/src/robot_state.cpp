@@ -1,0 +1,110 @@
+#include "robot_state.hpp"
+
+namespace eyebridge::robot {
+namespace {
+
+// A goal counts as reached this near. Without lag only rounding is left; with it the last bit of
+// the way is an ever slower creep that no robot drives.
+constexpr double kExact = 1e-10;         // metres, radians
+constexpr double kCreepDistance = 1e-4;  // metres
+constexpr double kCreepAngle = 1e-3;     // radians
+
+MotorModel motor_of(const DriveModel& drive, double dt) {
+  MotorModel motor;
+  motor.dt = dt;
+  motor.top = drive.max_wheel_speed * drive.wheel_diameter / 2;
+  motor.time_constant = drive.motor_time_constant;
+  if (drive.motor_time_constant > 0.0) {
+    motor.decay = decay_of(dt / drive.motor_time_constant);
+    motor.lag = drive.motor_time_constant * (1.0 - motor.decay);
+  }
+  motor.ticks_per_metre = drive.ticks_per_revolution / (kPi * drive.wheel_diameter);
+  return motor;
+}
+
+DriveLimits limits_of(const RobotModel& model, double dt) {
+  const DriveModel& drive = model.drive;
+  DriveLimits limits;
+  limits.dt = dt;
+  limits.linear = drive.max_linear;
+  limits.angular = drive.max_angular;
+  limits.linear_step = drive.linear_acceleration * dt;
+  limits.angular_step = drive.angular_acceleration * dt;
+  limits.wheel = drive.max_wheel_speed * drive.wheel_diameter / 2;
+  limits.half_base = drive.wheel_base / 2;
+  const bool lags = drive.motor_time_constant > 0.0;
+  limits.distance_end = lags ? kCreepDistance : kExact;
+  limits.angle_end = lags ? kCreepAngle : kExact;
+  if (model.drive_error.encoder_quantised != 0.0) {
+    // A goal between two ticks is reached at either of them.
+    const double tick = kPi * drive.wheel_diameter / drive.ticks_per_revolution;
+    limits.distance_end += tick;
+    limits.angle_end += tick / drive.wheel_base;
+  }
+  return limits;
+}
+
+std::vector<RayDevice> ray_devices(const auto& models, std::uint64_t seed, std::uint32_t robot,
+                                   NoiseSource source) {
+  std::vector<RayDevice> devices;
+  for (const auto& model : models) {
+    devices.push_back(
+        {Sight(model.pose_in_robot), noise_stream(seed, robot, source, devices.size())});
+  }
+  return devices;
+}
+
+}  // namespace
+
+RobotState::RobotState(const RobotModel& model, const SimulationSettings& settings,
+                       world::BodyId body_id, Random drive_noise)
+    : body(body_id),
+      wheel_base(model.drive.wheel_base),
+      motor(motor_of(model.drive, settings.step)),
+      controller(limits_of(model, settings.step)),
+      error(model.drive_error),
+      noise(drive_noise) {}
+
+Twist RobotState::present() const {
+  if (!by_motors) return controller.twist();
+  const double left = wheels[0].speed();
+  const double right = wheels[1].speed();
+  return {(left + right) / 2, (right - left) / wheel_base};
+}
+
+PathStep RobotState::rolling() const {
+  return path_of({motor.time_constant * wheels[0].speed(), motor.time_constant * wheels[1].speed()},
+                 wheel_base);
+}
+
+void RobotState::use_motors() {
+  clear_stall();
+  if (by_motors) return;
+  controller.stop();
+  by_motors = true;
+  commands = {};
+}
+
+void RobotState::use_controller() {
+  clear_stall();
+  by_motors = false;
+}
+
+void RobotState::clear_stall() {
+  stalled = kStallNone;
+  stalled_steps = 0;
+}
+
+RobotDevices::RobotDevices(const RobotModel& robot_model, std::uint64_t seed, std::uint32_t robot)
+    : model(robot_model),
+      ranges(ray_devices(robot_model.range_sensors, seed, robot, NoiseSource::Range)),
+      proximities(ray_devices(robot_model.proximity_sensors, seed, robot, NoiseSource::Proximity)),
+      compass(noise_stream(seed, robot, NoiseSource::Compass, 0)),
+      lidar(noise_stream(seed, robot, NoiseSource::Lidar, 0)) {
+  for (std::size_t i = 0; i < model.bumpers.size(); ++i) {
+    bumpers.push_back(noise_stream(seed, robot, NoiseSource::Bumper, i));
+  }
+  servos.fill(0.5);
+}
+
+}  // namespace eyebridge::robot

@@ -1,0 +1,65 @@
+#include "sensing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "errors.hpp"
+#include "eyebridge/base/math.hpp"
+
+namespace eyebridge::robot {
+namespace {
+
+constexpr double kTurn = 2 * kPi;
+// Sectors are written in whole degrees; their ends must not depend on the last bit.
+constexpr double kBearingSlack = 1e-9;
+
+double to_full_turn(double angle) {  // into [0, 2 pi)
+  const double wrapped = wrap_angle(angle);
+  return wrapped < 0.0 ? wrapped + kTurn : wrapped;
+}
+
+}  // namespace
+
+bool in_sector(double bearing, double start, double end) {
+  if (end - start >= kTurn - kBearingSlack) return true;
+  const double from_start = to_full_turn(bearing - start);
+  return from_start <= to_full_turn(end - start) + kBearingSlack ||
+         from_start >= kTurn - kBearingSlack;
+}
+
+const std::vector<Vec2>& ScanShape::directions(double field_of_view, std::size_t points) {
+  if (field_of_view == field_of_view_ && points == directions_.size()) return directions_;
+  field_of_view_ = field_of_view;
+  directions_.resize(points);
+  const bool full_circle = field_of_view >= kTurn - kBearingSlack;
+  const double gaps =
+      static_cast<double>(full_circle ? points : std::max<std::size_t>(points, 2) - 1);
+  for (std::size_t i = 0; i < points; ++i) {
+    const double bearing = field_of_view / 2 - static_cast<double>(i) * field_of_view / gaps;
+    const bool single = points == 1 && !full_circle;
+    directions_[i] = Heading::from_angle(single ? 0.0 : bearing).forward();
+  }
+  return directions_;
+}
+
+double range_reading(double range, const RangeSensorModel& model, Random& random) {
+  if (range < model.min_range || range >= model.max_range) return model.out_of_range;
+  return std::clamp(with_error(range, model.error, random), 0.0, model.max_range);
+}
+
+SlantedBeam::SlantedBeam(const LidarModel& model, double tilt)
+    : max_range_(model.max_range), level_reach_(model.max_range), miss_(model.max_range) {
+  const SinCos slant = sin_cos(tilt);
+  cosine_ = slant.cos;
+  level_reach_ = max_range_ * cosine_;
+  if (slant.sin > 0.0 && model.height < max_range_ * slant.sin) {
+    miss_ = model.height / slant.sin;
+    level_reach_ = miss_ * cosine_;
+  }
+}
+
+double SlantedBeam::range(double level) const {
+  return level >= level_reach_ ? miss_ : level / cosine_;
+}
+
+}  // namespace eyebridge::robot

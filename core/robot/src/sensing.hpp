@@ -1,0 +1,65 @@
+#pragma once
+
+#include <vector>
+
+#include "eyebridge/base/pose.hpp"
+#include "eyebridge/base/random.hpp"
+#include "eyebridge/robot/robot_model.hpp"
+
+namespace eyebridge::robot {
+
+/// True when `bearing` lies in the sector that goes counter-clockwise from `start` to `end`, both
+/// ends included; radians, any number of turns. `end` a whole turn or more beyond `start` is the
+/// full circle; `end` at `start` is that one bearing.
+bool in_sector(double bearing, double start, double end);
+
+/// Where a device looks from and to, once its pose in the robot is known.
+struct Sight {
+  Vec2 origin;
+  Heading heading;
+
+  explicit Sight(const Pose& pose)
+      : origin(pose.position()), heading(Heading::from_angle(pose.theta)) {}
+  Sight(Vec2 from, Heading towards) : origin(from), heading(towards) {}
+
+  /// This sight, of a robot that stands at `position` with `robot_heading`.
+  [[nodiscard]] Sight in_world(Vec2 position, Heading robot_heading) const {
+    return {position + robot_heading.rotate(origin), robot_heading.turned(heading)};
+  }
+};
+
+/// Bearings of a scan in the lidar's frame, in the order of Simulation::read_lidar(). Remembers
+/// the last shape, so that trigonometry is paid only when the shape changes.
+class ScanShape {
+ public:
+  /// Unit vectors of `points` rays over `field_of_view` radians.
+  const std::vector<Vec2>& directions(double field_of_view, std::size_t points);
+
+ private:
+  double field_of_view_ = 0.0;
+  std::vector<Vec2> directions_;
+};
+
+/// The reading of a range sensor whose ray meets something after `range` metres; `range` at or
+/// beyond the sensor's reach is nothing met. Draws from `random` only for a reading with error.
+double range_reading(double range, const RangeSensorModel& model, Random& random);
+
+/// A lidar tilted down by `tilt` radians measures along its slanted rays.
+class SlantedBeam {
+ public:
+  SlantedBeam(const LidarModel& model, double tilt);
+
+  /// How far a level ray has to look, metres over the floor.
+  [[nodiscard]] double level_reach() const { return level_reach_; }
+  /// The range along the beam for something met `level` metres away over the floor: the floor
+  /// itself where the beam ends there, the lidar's reach where nothing is met.
+  [[nodiscard]] double range(double level) const;
+
+ private:
+  double max_range_;
+  double level_reach_;
+  double miss_;  // what a beam reads that meets no wall
+  double cosine_;
+};
+
+}  // namespace eyebridge::robot

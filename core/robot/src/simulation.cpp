@@ -1,0 +1,174 @@
+#include "eyebridge/robot/simulation.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "simulation_impl.hpp"
+
+namespace eyebridge::robot {
+namespace {
+
+constexpr Rgb kBodyColours[] = {{60, 110, 220}, {220, 70, 60},  {60, 170, 80},
+                                {230, 180, 40}, {150, 80, 190}, {40, 170, 180}};
+
+}  // namespace
+
+Simulation::Simulation(std::shared_ptr<const world::WorldModel> model,
+                       const SimulationSettings& settings)
+    : impl_(std::make_unique<Impl>(std::move(model), settings)) {}
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+RobotIndex Simulation::add_robot(const RobotModel& model, const Pose& pose) {
+  const auto robot = static_cast<RobotIndex>(robot_count());
+  const Rgb colour = kBodyColours[robot % std::size(kBodyColours)];
+  const world::BodyId body = impl_->world.add_robot(pose, model.radius(), model.height, colour);
+  const std::uint64_t seed = impl_->settings.seed;
+  impl_->states.emplace_back(model, impl_->settings, body,
+                             noise_stream(seed, robot, NoiseSource::Drive, 0));
+  impl_->devices.emplace_back(model, seed, robot);
+  return robot;
+}
+
+std::size_t Simulation::robot_count() const { return impl_->states.size(); }
+const RobotModel& Simulation::model(RobotIndex robot) const {
+  return impl_->devices_of(robot).model;
+}
+world::BodyId Simulation::body(RobotIndex robot) const { return impl_->at(robot).body; }
+
+void Simulation::step() {
+  const auto count = static_cast<RobotIndex>(robot_count());
+  for (RobotIndex robot = 0; robot < count; ++robot) impl_->step_robot(robot);
+  impl_->world.step_objects(impl_->settings.step);
+  ++impl_->steps;
+}
+
+double Simulation::time() const { return static_cast<double>(impl_->steps) * impl_->settings.step; }
+const SimulationSettings& Simulation::settings() const { return impl_->settings; }
+
+Pose Simulation::pose(RobotIndex robot) const { return impl_->world.pose(body(robot)); }
+
+void Simulation::set_pose(RobotIndex robot, const Pose& pose) {
+  RobotState& state = impl_->at(robot);
+  impl_->world.set_pose(state.body, pose);
+  for (Wheel& wheel : state.wheels) wheel.halt();
+  state.controller.hold({});
+  state.driven = {};
+  state.measured = {};
+  state.touching = false;
+  state.clear_stall();
+}
+
+Twist Simulation::twist(RobotIndex robot) const { return impl_->at(robot).driven; }
+
+void Simulation::set_speed(RobotIndex robot, const Twist& twist) {
+  RobotState& state = impl_->at(robot);
+  const Twist present = state.present();
+  state.use_controller();
+  state.controller.set_speed(twist, present);
+}
+
+void Simulation::drive(RobotIndex robot, const DriveGoal& goal) {
+  RobotState& state = impl_->at(robot);
+  const Twist present = state.present();
+  state.use_controller();
+  state.controller.start(goal, present);
+}
+
+DriveState Simulation::drive_state(RobotIndex robot) const {
+  return impl_->at(robot).controller.state();
+}
+double Simulation::remaining(RobotIndex robot) const {
+  return impl_->at(robot).controller.remaining();
+}
+unsigned Simulation::stalled(RobotIndex robot) const { return impl_->at(robot).stalled; }
+
+void Simulation::stop(RobotIndex robot) {
+  RobotState& state = impl_->at(robot);
+  state.use_controller();
+  state.controller.stop();
+}
+
+Pose Simulation::odometry(RobotIndex robot) const { return impl_->at(robot).odometry.pose(); }
+void Simulation::set_odometry(RobotIndex robot, const Pose& pose) {
+  impl_->at(robot).odometry.set(pose);
+}
+Twist Simulation::measured_twist(RobotIndex robot) const { return impl_->at(robot).measured; }
+
+void Simulation::set_motor_duty(RobotIndex robot, unsigned motor, double duty) {
+  RobotState& state = impl_->at(robot);
+  assert(motor < state.commands.size());
+  state.use_motors();
+  state.commands[motor] = {std::clamp(duty, -1.0, 1.0) * state.motor.top, false};
+}
+
+void Simulation::set_motor_speed(RobotIndex robot, unsigned motor, double ticks_per_second) {
+  RobotState& state = impl_->at(robot);
+  assert(motor < state.commands.size());
+  state.use_motors();
+  const double speed = ticks_per_second / state.motor.ticks_per_metre;
+  state.commands[motor] = {std::clamp(speed, -state.motor.top, state.motor.top), true};
+}
+
+void Simulation::set_motor_pid(RobotIndex robot, unsigned motor, int p, int i, int d) {
+  RobotState& state = impl_->at(robot);
+  assert(motor < state.wheels.size());
+  state.wheels[motor].set_gains(
+      {std::clamp(p, 0, 255), std::clamp(i, 0, 255), std::clamp(d, 0, 255)});
+}
+
+std::int64_t Simulation::encoder_ticks(RobotIndex robot, unsigned motor) const {
+  const RobotState& state = impl_->at(robot);
+  assert(motor < state.wheels.size());
+  return state.wheels[motor].ticks(state.motor);
+}
+
+void Simulation::reset_encoder(RobotIndex robot, unsigned motor) {
+  RobotState& state = impl_->at(robot);
+  assert(motor < state.wheels.size());
+  state.wheels[motor].reset_ticks(state.motor);
+}
+
+void Simulation::set_servo(RobotIndex robot, unsigned servo, double position) {
+  assert(servo < kServoCount);
+  impl_->devices_of(robot).servos[servo] = std::clamp(position, 0.0, 1.0);
+}
+
+double Simulation::servo(RobotIndex robot, unsigned servo) const {
+  assert(servo < kServoCount);
+  return impl_->devices_of(robot).servos[servo];
+}
+
+void Simulation::on_collision(std::function<void(const CollisionEvent&)> listener) {
+  impl_->listener = std::move(listener);
+}
+
+const world::World& Simulation::world() const { return impl_->world; }
+world::World& Simulation::world() { return impl_->world; }
+
+std::uint64_t Simulation::state_hash() const {
+  StateHash hash;
+  hash.add(impl_->steps);
+  impl_->world.add_to(hash);
+  for (const RobotState& state : impl_->states) {
+    const Twist command = state.controller.twist();
+    for (const double value : {state.odometry.position().x, state.odometry.position().y,
+                               state.odometry.heading().cos, state.odometry.heading().sin,
+                               command.linear, command.angular, state.controller.remaining()}) {
+      hash.add(value);
+    }
+    for (const Wheel& wheel : state.wheels) {
+      hash.add(wheel.speed());
+      hash.add(wheel.travel());
+    }
+    hash.add(static_cast<std::uint64_t>(state.controller.state()));
+    hash.add(std::uint64_t{state.stalled});
+  }
+  for (const RobotDevices& devices : impl_->devices) {
+    for (const double position : devices.servos) hash.add(position);
+  }
+  return hash.value();
+}
+
+}  // namespace eyebridge::robot

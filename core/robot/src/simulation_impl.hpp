@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cassert>
+
+#include "eyebridge/robot/simulation.hpp"
+#include "robot_state.hpp"
+
+namespace eyebridge::robot {
+
+struct Simulation::Impl {
+  Impl(std::shared_ptr<const world::WorldModel> model, const SimulationSettings& given);
+
+  [[nodiscard]] RobotState& at(RobotIndex robot) {
+    assert(robot < states.size());
+    return states[robot];
+  }
+  [[nodiscard]] RobotDevices& devices_of(RobotIndex robot) {
+    assert(robot < devices.size());
+    return devices[robot];
+  }
+  /// One step of one robot: from command to pose.
+  void step_robot(RobotIndex robot);
+  /// Keeps account of stalls and contacts after a move.
+  void account(RobotIndex robot, RobotState& state, const world::MoveResult& result);
+
+  SimulationSettings settings;
+  world::World world;
+  std::uint64_t steps = 0;
+  std::uint32_t stall_timeout_steps;
+  std::vector<RobotState> states;
+  std::vector<RobotDevices> devices;
+  std::function<void(const CollisionEvent&)> listener;
+  std::vector<Vec2> contacts;  // of the reading at hand; kept for its memory
+};
+
+}  // namespace eyebridge::robot

@@ -1,0 +1,126 @@
+#include <algorithm>
+#include <cmath>
+
+#include "simulation_impl.hpp"
+
+namespace eyebridge::robot {
+namespace {
+
+constexpr double kStanding = 1e-9;    // metres per second: a lagging motor has run down
+constexpr double kContactGap = 1e-3;  // metres: free again after a contact
+
+bool nothing_to_do(RobotState& state) {
+  const bool commanded = state.by_motors
+                             ? state.commands[0].speed != 0.0 || state.commands[1].speed != 0.0
+                             : !state.controller.at_rest();
+  if (commanded) return false;
+  for (const Wheel& wheel : state.wheels) {
+    if (std::abs(wheel.speed()) > kStanding) return false;
+  }
+  for (Wheel& wheel : state.wheels) wheel.halt();
+  state.driven = {};
+  state.measured = {};
+  return true;
+}
+
+WheelTravel drive_wheels(RobotState& state) {
+  auto& [left, right] = state.wheels;
+  if (state.by_motors) {
+    const auto run = [&](Wheel& wheel, const MotorCommand& command) {
+      return command.controlled ? wheel.drive_controlled(command.speed, state.motor)
+                                : wheel.drive(command.speed, state.motor);
+    };
+    return {run(left, state.commands[0]), run(right, state.commands[1])};
+  }
+  const Twist twist = state.controller.next(state.rolling());
+  const double turning = twist.angular * state.controller.limits().half_base;
+  return {left.drive_controlled(twist.linear - turning, state.motor),
+          right.drive_controlled(twist.linear + turning, state.motor)};
+}
+
+/// What the ground makes of the wheels' travel.
+PathStep true_path(RobotState& state, const WheelTravel& wheels) {
+  const DriveError& error = state.error;
+  PathStep path =
+      path_of({wheels.left * (1.0 + error.left_scale), wheels.right * (1.0 + error.right_scale)},
+              state.wheel_base);
+  if (error.linear_sigma != 0.0) path.distance *= 1.0 + error.linear_sigma * state.noise.gaussian();
+  if (error.angular_sigma != 0.0) path.angle *= 1.0 + error.angular_sigma * state.noise.gaussian();
+  return path;
+}
+
+/// What odometry sees of the wheels' travel.
+PathStep measured_path(RobotState& state, const WheelTravel& wheels) {
+  if (state.error.encoder_quantised == 0.0) return path_of(wheels, state.wheel_base);
+  double travel[2];
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::int64_t ticks = state.wheels[i].raw_ticks(state.motor);
+    travel[i] = static_cast<double>(ticks - state.seen_ticks[i]) / state.motor.ticks_per_metre;
+    state.seen_ticks[i] = ticks;
+  }
+  return path_of({travel[0], travel[1]}, state.wheel_base);
+}
+
+}  // namespace
+
+Simulation::Impl::Impl(std::shared_ptr<const world::WorldModel> model,
+                       const SimulationSettings& given)
+    : settings(given),
+      world(std::move(model)),
+      stall_timeout_steps(static_cast<std::uint32_t>(
+          std::max(1.0, std::ceil(given.stall_timeout / given.step - 1e-9)))) {}
+
+void Simulation::Impl::step_robot(RobotIndex robot) {
+  RobotState& state = states[robot];
+  if (nothing_to_do(state)) return;
+  WheelTravel wheels = drive_wheels(state);
+  const PathStep path = true_path(state, wheels);
+  world::MoveResult result;
+  if (path.distance != 0.0 || path.angle != 0.0) {
+    result = world.move(state.body, arc_of(path), settings.step);
+  }
+  const bool held = result.blocked();
+  wheels.left *= result.fraction;
+  wheels.right *= result.fraction;
+  state.wheels[0].turn(wheels.left, held);
+  state.wheels[1].turn(wheels.right, held);
+  const PathStep measured = measured_path(state, wheels);
+  state.odometry.add(measured);
+  const double dt = settings.step;
+  state.driven = {path.distance * result.fraction / dt, path.angle * result.fraction / dt};
+  state.measured = {measured.distance / dt, measured.angle / dt};
+  if (!state.by_motors) {
+    if (held) {
+      state.controller.hold(measured);
+    } else {
+      state.controller.advance(measured);
+    }
+  }
+  account(robot, state, result);
+}
+
+void Simulation::Impl::account(RobotIndex robot, RobotState& state,
+                               const world::MoveResult& result) {
+  if (!result.blocked()) {
+    state.clear_stall();
+    if (state.touching) {
+      const double clear = world.radius(state.body) + kContactGap;
+      state.touching = !world.is_free(world.position(state.body), clear, state.body);
+    }
+    return;
+  }
+  state.stalled = kStallBoth;
+  ++state.stalled_steps;
+  if (!state.by_motors && state.controller.state() == DriveState::Driving &&
+      state.stalled_steps >= stall_timeout_steps) {
+    state.controller.fail();
+  }
+  if (state.touching) return;
+  state.touching = true;
+  if (listener) {
+    listener({static_cast<double>(steps + 1) * settings.step, robot, result.hit_wall,
+              result.hit_body, world.pose(state.body)});
+  }
+}
+
+}  // namespace eyebridge::robot

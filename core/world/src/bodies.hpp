@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "eyebridge/base/colour.hpp"
+#include "eyebridge/base/pose.hpp"
+#include "eyebridge/world/scene.hpp"
+#include "eyebridge/world/world.hpp"
+
+namespace eyebridge::world {
+
+/// The discs of a world, struct-of-arrays, and who is near a place.
+///
+/// From kGridFrom bodies on, a uniform grid of linked lists answers instead of a loop over all.
+/// Both visit a superset of what is near; callers pick by value and id, never by order of visits,
+/// so the results do not depend on which of them answered.
+class Bodies {
+ public:
+  static constexpr std::size_t kGridFrom = 16;
+
+  /// The grid covers the floor, `width` x `height` metres; bodies outside belong to its rim.
+  Bodies(double width, double height) : extent_{width, height} {}
+
+  BodyId add(BodyShape shape, Vec2 position, Heading heading, double radius, double height,
+             Rgb colour);
+  void move_to(BodyId id, Vec2 position);
+
+  [[nodiscard]] std::size_t size() const { return x_.size(); }
+  [[nodiscard]] Vec2 position(BodyId id) const { return {x_[id], y_[id]}; }
+  [[nodiscard]] Vec2 velocity(BodyId id) const { return {vx_[id], vy_[id]}; }
+  void set_velocity(BodyId id, Vec2 v) {
+    vx_[id] = v.x;
+    vy_[id] = v.y;
+  }
+
+  /// Calls visit(id) once for each body whose centre may lie in the box, and maybe for others.
+  template <class Visit>
+  void each_in_box(Vec2 low, Vec2 high, Visit visit) const {
+    if (heads_.empty()) {
+      for (BodyId id = 0; id < size(); ++id) visit(id);
+      return;
+    }
+    const std::size_t last_column = cell_of(high.x, columns_);
+    const std::size_t last_row = cell_of(high.y, rows_);
+    for (std::size_t row = cell_of(low.y, rows_); row <= last_row; ++row) {
+      for (std::size_t column = cell_of(low.x, columns_); column <= last_column; ++column) {
+        for (BodyId id = heads_[row * columns_ + column]; id != kNoBody; id = next_[id]) visit(id);
+      }
+    }
+  }
+  /// Same for bodies that may come within `reach` of a disc's rim on its way along `motion`.
+  template <class Visit>
+  void each_on_way(Vec2 from, Vec2 motion, double reach, Visit visit) const {
+    const double margin = reach + largest_radius_;
+    const Vec2 to = from + motion;
+    each_in_box(
+        {(from.x < to.x ? from.x : to.x) - margin, (from.y < to.y ? from.y : to.y) - margin},
+        {(from.x < to.x ? to.x : from.x) + margin, (from.y < to.y ? to.y : from.y) + margin},
+        visit);
+  }
+
+  // Read by everyone, written by the owner of the state.
+  std::vector<double> cos_, sin_;  ///< Headings.
+  std::vector<double> radius_;     ///< Metres.
+  std::vector<double> height_;     ///< Metres.
+  std::vector<double> clearance_;  ///< Metres the body may surely travel without meeting a wall.
+  std::vector<BodyShape> shape_;
+  std::vector<Rgb> colour_;
+
+ private:
+  /// Places outside, and NaNs, belong to the rim.
+  [[nodiscard]] std::size_t cell_of(double coordinate, std::size_t count) const {
+    const double index = coordinate * per_cell_;
+    if (!(index > 0.0)) return 0;
+    return index < static_cast<double>(count) ? static_cast<std::size_t>(index) : count - 1;
+  }
+  [[nodiscard]] std::size_t cell_at(Vec2 p) const {
+    return cell_of(p.y, rows_) * columns_ + cell_of(p.x, columns_);
+  }
+  void rebuild_grid();
+  void link(BodyId id, std::size_t cell);
+  void unlink(BodyId id);
+
+  std::vector<double> x_, y_;    ///< Centres, metres.
+  std::vector<double> vx_, vy_;  ///< Metres per second; balls only.
+  Vec2 extent_;
+  double largest_radius_ = 0.0;
+  double per_cell_ = 1.0;
+  std::size_t columns_ = 1;
+  std::size_t rows_ = 1;
+  std::vector<BodyId> heads_;  ///< Cell -> its first body; empty while there is no grid.
+  std::vector<BodyId> next_;   ///< Body -> next one of its cell.
+  std::vector<BodyId> previous_;
+  std::vector<std::size_t> cell_;
+};
+
+}  // namespace eyebridge::world

@@ -1,0 +1,152 @@
+#include <array>
+
+#include "world_impl.hpp"
+
+namespace eyebridge::world {
+namespace {
+
+/// How many pushed bodies a robot can meet in one step, and how many can push each other in a row.
+constexpr int kMaxPushes = 8;
+
+/// A pushed body goes this much farther than its pusher, so that rounding does not let them touch
+/// again within the step, metres. Far below kContactGap.
+constexpr double kPushLead = 1e-9;
+
+/// A ball leaves what hits it at this fraction of the speed of approach.
+constexpr double kKickRestitution = 0.5;
+
+}  // namespace
+
+World::Impl::Obstacle World::Impl::first_wall(BodyId id, Vec2 motion) {
+  const double length = norm(motion);
+  double& clearance = bodies.clearance_[id];
+  if (length < clearance) return {};
+  const Vec2 from = bodies.position(id);
+  const double reach = bodies.radius_[id] + kContactGap;
+  // Looking two steps ahead pays off: in the open the walls are asked only now and then.
+  const double horizon = reach + 2 * length + bodies.radius_[id];
+  const double distance = walls.distance(from, horizon);
+  clearance = distance - reach - kPushLead;
+  if (length < clearance) return {};
+  const WallIndex::Contact contact = walls.first_contact(from, motion, reach);
+  return {contact.fraction, true, contact.segment, kNoBody};
+}
+
+World::Impl::Obstacle World::Impl::first_obstacle(BodyId id, Vec2 motion) {
+  const Obstacle wall = first_wall(id, motion);
+  const Obstacle body = first_body(id, motion, [](BodyId) { return true; });
+  return body.fraction < wall.fraction ? body : wall;
+}
+
+void World::Impl::travel(BodyId id, Vec2 motion) {
+  bodies.move_to(id, bodies.position(id) + motion);
+  // The factor is more than the rounding of the length.
+  bodies.clearance_[id] -= norm(motion) * (1.0 + 1e-12);
+}
+
+Vec2 World::Impl::towards(const Obstacle& obstacle, BodyId id) const {
+  const Vec2 p = bodies.position(id);
+  const Vec2 target = obstacle.wall ? closest_point(walls.segments()[obstacle.segment], p)
+                                    : bodies.position(obstacle.body);
+  const Vec2 way = target - p;
+  const double distance = norm(way);
+  return distance > 0.0 ? Vec2{way.x / distance, way.y / distance} : Vec2{};
+}
+
+void World::Impl::kick(BodyId ball, Vec2 velocity, Vec2 normal) {
+  const Vec2 own = bodies.velocity(ball);
+  const double approach = dot(velocity - own, normal);
+  if (approach > 0.0) {
+    bodies.set_velocity(ball, own + (1.0 + kKickRestitution) * approach * normal);
+  }
+}
+
+double World::Impl::shift(BodyId id, Vec2 motion, double dt, int depth) {
+  const Obstacle first = first_obstacle(id, motion);
+  if (!first.met()) {
+    travel(id, motion);
+    return 1.0;
+  }
+  const double before = first.fraction;
+  travel(id, before * motion);
+  if (first.wall || !gives_way(first.body) || depth == 0) return before;
+  // The next one gives way along the line of centres; this one follows as far as it went.
+  const Vec2 rest = (1.0 - before) * motion;
+  const Vec2 normal = towards(first, id);
+  const double push = dot(rest, normal);
+  if (bodies.shape_[first.body] == BodyShape::Ball && dt > 0.0) {
+    kick(first.body, (1.0 / dt) * motion, normal);
+  }
+  if (shift(first.body, (push + kPushLead) * normal, dt, depth - 1) < 1.0) return before;
+  const Obstacle again = first_obstacle(id, rest);
+  const double after = again.met() ? again.fraction : 1.0;
+  travel(id, after * rest);
+  return again.met() ? before + after * (1.0 - before) : 1.0;
+}
+
+MoveResult World::Impl::drive(BodyId id, Vec2 motion, double dt) {
+  double done = 0.0;
+  Vec2 rest = motion;
+  std::array<BodyId, kMaxPushes> stuck{};
+  std::size_t stuck_count = 0;
+  const auto is_stuck = [&](BodyId other) {
+    for (std::size_t i = 0; i < stuck_count; ++i) {
+      if (stuck[i] == other) return true;
+    }
+    return false;
+  };
+  const auto blocks = [&](BodyId other) { return !gives_way(other) || is_stuck(other); };
+
+  for (int pushes = 0;; ++pushes) {
+    Obstacle end = first_wall(id, rest);
+    const Obstacle blocker =
+        first_body(id, rest, [&](BodyId other) { return pushes >= kMaxPushes || blocks(other); });
+    if (blocker.fraction < end.fraction) end = blocker;
+    const Obstacle pushed =
+        first_body(id, rest, [&](BodyId other) { return pushes < kMaxPushes && !blocks(other); });
+    if (pushed.met() && pushed.fraction < end.fraction) {
+      const double way = end.met() ? end.fraction : 1.0;
+      const Vec2 push_motion = (way - pushed.fraction) * rest;
+      travel(id, pushed.fraction * rest);
+      done += pushed.fraction * (1.0 - done);
+      rest = (1.0 - pushed.fraction) * rest;
+      const Vec2 normal = towards(pushed, id);
+      if (bodies.shape_[pushed.body] == BodyShape::Ball && dt > 0.0) {
+        kick(pushed.body, (1.0 / dt) * motion, normal);
+      }
+      const double push = dot(push_motion, normal) + kPushLead;
+      if (shift(pushed.body, push * normal, dt, kMaxPushes) < 1.0)
+        stuck[stuck_count++] = pushed.body;
+      continue;
+    }
+    if (!end.met()) {
+      travel(id, rest);
+      return {};
+    }
+    travel(id, end.fraction * rest);
+    MoveResult result;
+    result.fraction = done + end.fraction * (1.0 - done);
+    result.hit_wall = end.wall;
+    result.hit_body = end.body;
+    result.contact = towards(end, id);
+    return result;
+  }
+}
+
+MoveResult World::move(BodyId id, const Arc& arc, double dt) {
+  Bodies& bodies = impl_->bodies;
+  const Heading before{bodies.cos_[id], bodies.sin_[id]};
+  MoveResult result;
+  if (arc.displacement != Vec2{}) result = impl_->drive(id, before.rotate(arc.displacement), dt);
+  if (result.fraction == 0.0) return result;
+  Heading turn = arc.turn;
+  if (result.fraction < 1.0) turn = Heading::from_angle(result.fraction * arc.turn.angle());
+  const Heading after = before.turned(turn);
+  // One step of Newton's method for 1/sqrt keeps the length at 1 without a root.
+  const double scale = 1.5 - 0.5 * (after.cos * after.cos + after.sin * after.sin);
+  bodies.cos_[id] = scale * after.cos;
+  bodies.sin_[id] = scale * after.sin;
+  return result;
+}
+
+}  // namespace eyebridge::world

@@ -1,0 +1,87 @@
+#include <algorithm>
+
+#include "world_impl.hpp"
+
+namespace eyebridge::world {
+namespace {
+
+/// Directions nearer to each other than this (radians) are one contact: two walls meet there.
+constexpr double kSameDirection = 1e-6;
+
+void add_once(Vec2 direction, std::size_t first, std::vector<Vec2>& out) {
+  for (std::size_t i = first; i < out.size(); ++i) {
+    if (norm_squared(out[i] - direction) < kSameDirection * kSameDirection) return;
+  }
+  out.push_back(direction);
+}
+
+}  // namespace
+
+double World::cast_ray(Vec2 origin, Vec2 direction, double max_range, BodyId ignore) const {
+  double range = 0.0;
+  cast_fan(origin, {&direction, 1}, max_range, ignore, {&range, 1});
+  return range;
+}
+
+void World::cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_range, BodyId ignore,
+                     std::span<double> ranges) const {
+  impl_->rays.cast_fan(origin, directions, max_range, ranges);
+  const double farthest = ranges.empty() ? 0.0 : *std::max_element(ranges.begin(), ranges.end());
+  const Bodies& bodies = impl_->bodies;
+  for (BodyId id = 0; id < bodies.size(); ++id) {
+    const Vec2 centre = bodies.position(id);
+    const double radius = bodies.radius_[id];
+    const double reach = farthest + radius;
+    if (id == ignore || norm_squared(centre - origin) >= reach * reach) continue;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      ranges[i] = nearer_disc_hit(centre, radius, origin, directions[i], ranges[i]);
+    }
+  }
+}
+
+void World::contacts(BodyId id, double reach, std::vector<Vec2>& out) const {
+  const Bodies& bodies = impl_->bodies;
+  const Vec2 p = bodies.position(id);
+  const double limit = bodies.radius_[id] + reach + 2 * kContactGap;
+  const std::size_t first = out.size();
+
+  struct Touch {
+    std::uint32_t index;
+    Impl::Obstacle obstacle;
+  };
+  std::vector<Touch> touches;
+  impl_->walls.each_near(p, limit, [&](std::uint32_t segment, double) {
+    touches.push_back({segment, {0.0, true, segment, kNoBody}});
+  });
+  const std::size_t walls = touches.size();
+  bodies.each_on_way(p, {}, limit, [&](BodyId other) {
+    if (other == id || norm(bodies.position(other) - p) >= limit + bodies.radius_[other]) return;
+    touches.push_back({other, {0.0, false, 0, other}});
+  });
+  // The grids do not promise an order.
+  const auto by_index = [](const Touch& a, const Touch& b) { return a.index < b.index; };
+  const auto split = touches.begin() + static_cast<std::ptrdiff_t>(walls);
+  std::sort(touches.begin(), split, by_index);
+  std::sort(split, touches.end(), by_index);
+  for (const Touch& touch : touches) {
+    const Vec2 direction = impl_->towards(touch.obstacle, id);
+    if (direction != Vec2{}) add_once(direction, first, out);
+  }
+}
+
+bool World::is_free(Vec2 centre, double radius, BodyId ignore) const {
+  if (impl_->walls.distance(centre, radius + kContactGap) <= radius ||
+      impl_->walls.inside_thick(centre)) {
+    return false;
+  }
+  bool free = true;
+  impl_->bodies.each_on_way(centre, {}, radius, [&](BodyId id) {
+    const double touching = radius + impl_->bodies.radius_[id];
+    if (id != ignore && norm_squared(impl_->bodies.position(id) - centre) <= touching * touching) {
+      free = false;
+    }
+  });
+  return free;
+}
+
+}  // namespace eyebridge::world

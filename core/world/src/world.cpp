@@ -1,0 +1,96 @@
+#include "eyebridge/world/world.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "world_impl.hpp"
+
+namespace eyebridge::world {
+
+World::Impl::Impl(std::shared_ptr<const WorldModel> world_model)
+    : model(std::move(world_model)),
+      walls(model->walls),
+      rays(*model),
+      bodies(model->width, model->height) {
+  for (const ObjectSpec& object : model->objects) {
+    bodies.add(object.kind == ObjectKind::Ball ? BodyShape::Ball : BodyShape::Can,
+               object.pose.position(), Heading::from_angle(object.pose.theta), object.radius,
+               object.height, object.colour);
+  }
+}
+
+World::World(std::shared_ptr<const WorldModel> model)
+    : impl_(std::make_unique<Impl>(std::move(model))) {}
+World::~World() = default;
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+
+BodyId World::add_robot(const Pose& pose, double radius, double height, Rgb colour) {
+  Bodies& bodies = impl_->bodies;
+  const Vec2 centre = pose.position();
+  const double gap = impl_->walls.distance(centre, radius);
+  if (gap < radius || impl_->walls.inside_thick(centre)) {
+    const double depth = impl_->walls.inside_thick(centre) ? radius + gap : radius - gap;
+    throw std::invalid_argument(
+        fmt::format("robot of radius {:.3f} m at ({:.3f}, {:.3f}) stands {:.4f} m deep in a wall",
+                    radius, centre.x, centre.y, depth));
+  }
+  for (BodyId other = 0; other < bodies.size(); ++other) {
+    const double overlap = radius + bodies.radius_[other] - norm(centre - bodies.position(other));
+    if (overlap > 0.0) {
+      throw std::invalid_argument(fmt::format(
+          "robot of radius {:.3f} m at ({:.3f}, {:.3f}) overlaps body {} at ({:.3f}, {:.3f}) by "
+          "{:.4f} m",
+          radius, centre.x, centre.y, other, bodies.position(other).x, bodies.position(other).y,
+          overlap));
+    }
+  }
+  return bodies.add(BodyShape::Robot, centre, Heading::from_angle(pose.theta), radius, height,
+                    colour);
+}
+
+std::size_t World::body_count() const { return impl_->bodies.size(); }
+std::size_t World::object_count() const { return impl_->model->objects.size(); }
+
+Pose World::pose(BodyId id) const {
+  const Vec2 p = position(id);
+  return {p.x, p.y, heading(id).angle()};
+}
+Vec2 World::position(BodyId id) const { return impl_->bodies.position(id); }
+Heading World::heading(BodyId id) const { return {impl_->bodies.cos_[id], impl_->bodies.sin_[id]}; }
+double World::radius(BodyId id) const { return impl_->bodies.radius_[id]; }
+
+void World::set_pose(BodyId id, const Pose& pose) {
+  Bodies& bodies = impl_->bodies;
+  bodies.move_to(id, pose.position());
+  const Heading heading = Heading::from_angle(pose.theta);
+  bodies.cos_[id] = heading.cos;
+  bodies.sin_[id] = heading.sin;
+  bodies.set_velocity(id, {});
+  bodies.clearance_[id] = 0.0;
+}
+
+const WorldModel& World::model() const { return *impl_->model; }
+
+Scene World::scene(double time) const {
+  Scene scene{impl_->model, {}, time};
+  scene.bodies.reserve(body_count());
+  for (BodyId id = 0; id < body_count(); ++id) {
+    scene.bodies.push_back({id, impl_->bodies.shape_[id], pose(id), impl_->bodies.radius_[id],
+                            impl_->bodies.height_[id], impl_->bodies.colour_[id]});
+  }
+  return scene;
+}
+
+void World::add_to(StateHash& hash) const {
+  for (BodyId id = 0; id < body_count(); ++id) {
+    const Vec2 p = position(id);
+    const Vec2 v = impl_->bodies.velocity(id);
+    const Heading h = heading(id);
+    for (const double value : {p.x, p.y, h.cos, h.sin, v.x, v.y}) hash.add(value);
+  }
+}
+
+}  // namespace eyebridge::world

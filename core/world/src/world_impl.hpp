@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+
+#include "bodies.hpp"
+#include "eyebridge/world/world.hpp"
+#include "wall_index.hpp"
+
+namespace eyebridge::world {
+
+struct World::Impl {
+  explicit Impl(std::shared_ptr<const WorldModel> world_model);
+
+  /// What a body's way ends at.
+  struct Obstacle {
+    double fraction = kNoContact;
+    bool wall = false;
+    std::uint32_t segment = 0;  ///< Of `walls`, when `wall`.
+    BodyId body = kNoBody;      ///< Otherwise.
+
+    [[nodiscard]] bool met() const { return fraction <= 1.0; }
+  };
+
+  // motion.cpp
+  MoveResult drive(BodyId id, Vec2 motion, double dt);
+  /// First wall on the way of `id` along `motion`. Keeps the clearance; the caller must go on to
+  /// travelled() for the way that the body really goes.
+  Obstacle first_wall(BodyId id, Vec2 motion);
+  /// First body on the way for which `counts(other)` holds; the lowest id of equally near ones.
+  template <class Counts>
+  [[nodiscard]] Obstacle first_body(BodyId id, Vec2 motion, Counts counts) const;
+  /// First wall or body of any kind on the way.
+  Obstacle first_obstacle(BodyId id, Vec2 motion);
+  /// Moves `id`, and takes the way off its clearance.
+  void travel(BodyId id, Vec2 motion);
+  /// Shifts a ball or can by `motion`, and what it pushes before it; how much of it was possible.
+  double shift(BodyId id, Vec2 motion, double dt, int depth);
+  /// Unit vector from `id` to the obstacle that it touches.
+  [[nodiscard]] Vec2 towards(const Obstacle& obstacle, BodyId id) const;
+  /// Gives a ball the speed that a hit by something moving at `velocity` along `normal` gives.
+  void kick(BodyId ball, Vec2 velocity, Vec2 normal);
+
+  // balls.cpp
+  void roll(BodyId ball, double dt);
+  void bounce_off(BodyId ball, const Obstacle& end);
+
+  [[nodiscard]] bool gives_way(BodyId id) const { return bodies.shape_[id] != BodyShape::Robot; }
+
+  std::shared_ptr<const WorldModel> model;
+  WallIndex walls;
+  RayCaster rays;
+  Bodies bodies;
+};
+
+template <class Counts>
+World::Impl::Obstacle World::Impl::first_body(BodyId id, Vec2 motion, Counts counts) const {
+  Obstacle best;
+  const Vec2 from = bodies.position(id);
+  const double reach = bodies.radius_[id] + kContactGap;
+  bodies.each_on_way(from, motion, reach, [&](BodyId other) {
+    if (other == id || !counts(other)) return;
+    const double fraction =
+        disc_contact(from - bodies.position(other), motion, reach + bodies.radius_[other]);
+    if (fraction < best.fraction || (fraction == best.fraction && other < best.body)) {
+      if (fraction <= 1.0) best = {fraction, false, 0, other};
+    }
+  });
+  return best;
+}
+
+}  // namespace eyebridge::world

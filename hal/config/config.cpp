@@ -1,0 +1,158 @@
+#include "eyebridge/hal/config.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <ranges>
+
+#include <fmt/format.h>
+
+#include "config/toml_text.hpp"
+#include "config/values.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+constexpr std::string_view kPrefix = "EYEBRIDGE_";
+constexpr std::string_view kFlagsVariable = "EYEBRIDGE_FLAGS";
+
+using Values = std::map<std::string, ConfigValue, std::less<>>;
+
+bool is_no_setting(std::string_view variable) {
+  return variable == kFlagsVariable || variable == "EYEBRIDGE_DATA" ||
+         variable.starts_with("EYEBRIDGE_TEST_");
+}
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+
+void put(Values& values, const Setting& setting, ConfigValue value) {
+  check_value(setting, value);
+  values.insert_or_assign(std::string(setting.key), std::move(value));
+}
+
+void put_flag(Values& values, std::string_view key, const std::string& text,
+              const std::string& origin) {
+  const Setting* setting = find_setting(key);
+  if (setting == nullptr) throw unknown_key("setting", key, {origin});
+  put(values, *setting, {text, {Config::flag_name(key)}});
+}
+
+void put_variable(Values& values, const std::string& name, const std::string& text) {
+  std::string key = name.substr(kPrefix.size());
+  std::ranges::transform(key, key.begin(), lower);
+  const Setting* setting = find_setting(key);
+  if (setting == nullptr || name != Config::variable_name(key)) {
+    throw ConfigError({name}, fmt::format("unknown variable, the nearest one is {}",
+                                          Config::variable_name(nearest_key(key))));
+  }
+  put(values, *setting, {text, {name}});
+}
+
+void put_flags_variable(Values& values, std::string_view text) {
+  int line = 0;
+  while (!text.empty()) {
+    ++line;
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view entry = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (entry.empty()) continue;
+    const std::size_t equals = entry.find('=');
+    if (equals == std::string_view::npos) {
+      throw ConfigError({std::string(kFlagsVariable), line},
+                        fmt::format("found {}, expected key=value", in_quotes(entry)));
+    }
+    put_flag(values, entry.substr(0, equals), std::string(entry.substr(equals + 1)),
+             std::string(kFlagsVariable));
+  }
+}
+
+}  // namespace
+
+Config Config::load(const Sources& sources) {
+  Config config;
+  Values& values = config.values_;
+  for (const Setting& setting : settings()) {
+    put(values, setting, {std::string(setting.fallback), {"default"}});
+  }
+  for (const auto& file : sources.toml_files | std::views::reverse) {
+    const auto text = read_toml_file(file);
+    if (!text) continue;
+    for (TomlEntry& entry : read_toml(*text, file.string())) {
+      values.insert_or_assign(std::string(entry.setting->key), std::move(entry.value));
+    }
+  }
+  for (const auto& [name, text] : sources.environment) {
+    if (name.starts_with(kPrefix) && !is_no_setting(name)) put_variable(values, name, text);
+  }
+  const auto handed_on = sources.environment.find(std::string(kFlagsVariable));
+  if (handed_on != sources.environment.end()) put_flags_variable(values, handed_on->second);
+  for (const auto& [key, text] : sources.flags) put_flag(values, key, text, flag_name(key));
+  return config;
+}
+
+const ConfigValue& Config::value(std::string_view key) const {
+  const auto found = values_.find(key);
+  assert(found != values_.end());
+  return found->second;
+}
+
+bool Config::is_set(std::string_view key) const { return !value(key).text.empty(); }
+
+std::string Config::text(std::string_view key) const { return value(key).text; }
+
+bool Config::boolean(std::string_view key) const {
+  return parse_boolean(value(key).text, value(key).where);
+}
+
+long long Config::integer(std::string_view key) const {
+  return parse_integer(value(key).text, value(key).where);
+}
+
+double Config::number(std::string_view key) const {
+  return find_setting(key)->kind == Setting::Kind::Duration
+             ? parse_duration(value(key).text, value(key).where)
+             : parse_number(value(key).text, value(key).where);
+}
+
+std::filesystem::path Config::path(std::string_view key) const { return value(key).text; }
+
+std::string Config::flag_name(std::string_view key) {
+  std::string out = "--";
+  for (const char c : key) out += c == '_' ? '-' : c;
+  return out;
+}
+
+std::string Config::variable_name(std::string_view key) {
+  std::string out(kPrefix);
+  for (const char c : key) out += upper(c);
+  return out;
+}
+
+std::string Config::flags_variable(const std::map<std::string, std::string>& flags) {
+  std::string out;
+  for (const auto& [key, text] : flags) {
+    if (text.find('\n') != std::string::npos) {
+      throw ConfigError({flag_name(key)}, "found a line end in the value, expected one line");
+    }
+    out += key + '=' + text + '\n';
+  }
+  return out;
+}
+
+std::string Config::describe() const {
+  std::size_t widest_key = 0;
+  std::size_t widest_value = 0;
+  for (const Setting& setting : settings()) {
+    widest_key = std::max(widest_key, setting.key.size());
+    widest_value = std::max(widest_value, value(setting.key).text.size());
+  }
+  std::string out;
+  for (const Setting& setting : settings()) {
+    const ConfigValue& read = value(setting.key);
+    out += fmt::format("{:<{}} = {:<{}}  # {}\n", setting.key, widest_key, read.text, widest_value,
+                       read.where.str());
+  }
+  return out;
+}
+
+}  // namespace eyebridge::hal

@@ -1,0 +1,70 @@
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <vector>
+
+#include "eyebridge/hal/config.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+using Kind = Setting::Kind;
+
+constexpr auto kSettings = std::to_array<Setting>({
+    {"hal", Kind::Text, "sim", "how the robot is reached: a backend's URL"},
+    {"world", Kind::Path, "", "world to drive in: .wld .maz .sim .robi .p; unset: an empty room"},
+    {"robot", Kind::Text, "S4", "type of the robot where the world places none"},
+    {"camera", Kind::Text, "render", "where frames come from: a source's URL, or none"},
+    {"fast", Kind::Boolean, "false", "virtual time: run as fast as the machine can"},
+    {"factor", Kind::Number, "1", "simulated seconds per second of real time", 0.001, 1e6},
+    {"seed", Kind::Integer, "1", "of all noise", 0},
+    {"step", Kind::Duration, "10ms", "of the simulation", 0.0001, 1.0},
+    {"time_limit", Kind::Duration, "", "the run ends after this long on the robot's clock"},
+    {"stall_timeout", Kind::Duration, "2s", "a movement stalled this long has failed"},
+    {"cost_scale", Kind::Number, "1", "factor on the time that API calls cost", 0.0, 1000.0},
+    {"keys", Kind::Text, "", "key presses: KEY1@2s,KEY4@10s; unset: the terminal"},
+    {"lcd", Kind::Text, "480x400", "size of the LCD, pixels"},
+    {"mirror", Kind::Boolean, "false", "write the LCD's text to the terminal"},
+    {"out", Kind::Path, "", "folder for pictures and trace; unset: none are written"},
+    {"save_frames", Kind::Integer, "20", "how many camera frames are kept in --out", 0, 1e6},
+    {"log", Kind::Text, "warning", "least severity of the messages that are shown",
+     -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+     "debug|info|warning|error"},
+});
+
+/// Levenshtein distance.
+std::size_t edits_between(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0U : 1U);
+      row[j] = std::min({above + 1, row[j - 1] + 1, replaced});
+      diagonal = above;
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::span<const Setting> settings() { return kSettings; }
+
+const Setting* find_setting(std::string_view key) {
+  const auto* found = std::ranges::find(kSettings, key, &Setting::key);
+  return found == kSettings.end() ? nullptr : found;
+}
+
+std::string_view nearest_key(std::string_view key) {
+  // A key is short: what follows its first letters cannot make another one nearer.
+  const std::string_view head = key.substr(0, 64);
+  return std::ranges::min_element(
+             kSettings, {},
+             [&](const Setting& setting) { return edits_between(head, setting.key); })
+      ->key;
+}
+
+}  // namespace eyebridge::hal

@@ -1,0 +1,132 @@
+#include "config/toml_text.hpp"
+
+#include <fstream>
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include "config/values.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+SourceLocation place(const std::string& file, const toml::source_position& at) {
+  return {file, static_cast<int>(at.line), static_cast<int>(at.column)};
+}
+
+std::string_view expected_type(Setting::Kind kind) {
+  switch (kind) {
+    case Setting::Kind::Text:
+    case Setting::Kind::Path:
+      return "a text in quotes";
+    case Setting::Kind::Boolean:
+      return "true or false";
+    case Setting::Kind::Integer:
+      return "a whole number";
+    case Setting::Kind::Number:
+      return "a number";
+    case Setting::Kind::Duration:
+      return "a duration such as \"250ms\", or a number of seconds";
+  }
+  return "";
+}
+
+std::string_view found_type(const toml::node& node) {
+  switch (node.type()) {
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "a list";
+    case toml::node_type::string:
+      return "a text";
+    case toml::node_type::integer:
+      return "a whole number";
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "true or false";
+    default:
+      return "a date or time";
+  }
+}
+
+/// `node` as text, when it is of a TOML type that `kind` takes.
+std::optional<std::string> text_of(const toml::node& node, Setting::Kind kind) {
+  const bool is_number = kind == Setting::Kind::Number || kind == Setting::Kind::Duration;
+  if (const auto* text = node.as_string()) {
+    if (kind == Setting::Kind::Text || kind == Setting::Kind::Path ||
+        kind == Setting::Kind::Duration) {
+      return text->get();
+    }
+  }
+  if (const auto* flag = node.as_boolean(); flag != nullptr && kind == Setting::Kind::Boolean) {
+    return flag->get() ? "true" : "false";
+  }
+  if (const auto* whole = node.as_integer();
+      whole != nullptr && (is_number || kind == Setting::Kind::Integer)) {
+    return fmt::format("{}", whole->get());
+  }
+  if (const auto* number = node.as_floating_point(); number != nullptr && is_number) {
+    return fmt::format("{}", number->get());
+  }
+  return std::nullopt;
+}
+
+std::string from_folder_of(const std::string& file, const std::string& path) {
+  const std::filesystem::path written(path);
+  return written.is_absolute() ? path
+                               : (std::filesystem::path(file).parent_path() / written).string();
+}
+
+TomlEntry read_entry(const toml::key& key, const toml::node& node, const std::string& file) {
+  const SourceLocation where = place(file, node.source().begin);
+  const Setting* setting = find_setting(key.str());
+  if (setting == nullptr) {
+    throw unknown_key(node.is_table() ? "table" : "key", key.str(),
+                      place(file, key.source().begin));
+  }
+  std::optional<std::string> text = text_of(node, setting->kind);
+  if (!text) {
+    throw ConfigError(where, fmt::format("found {} for '{}', expected {}", found_type(node),
+                                         setting->key, expected_type(setting->kind)));
+  }
+  check_value(*setting, {*text, where});
+  if (setting->kind == Setting::Kind::Path && !text->empty()) text = from_folder_of(file, *text);
+  return {setting, {*text, where}};
+}
+
+}  // namespace
+
+std::vector<TomlEntry> read_toml(std::string_view text, const std::string& file) {
+  toml::table table;
+  try {
+    table = toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    throw ConfigError(place(file, error.source().begin), std::string(error.description()));
+  }
+  std::vector<TomlEntry> entries;
+  for (const auto& [key, node] : table) entries.push_back(read_entry(key, node, file));
+  return entries;
+}
+
+std::optional<std::string> read_toml_file(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::not_found) return std::nullopt;
+  const SourceLocation where{path.string()};
+  if (!std::filesystem::is_regular_file(status)) {
+    throw ConfigError(where, error ? fmt::format("cannot be reached: {}", error.message())
+                                   : std::string("found no ordinary file, expected a TOML file"));
+  }
+  std::ifstream in(path, std::ios::binary);
+  std::string text(kMaxTomlSize + 1, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!in.is_open() || in.bad()) throw ConfigError(where, "cannot be read");
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  if (text.size() > kMaxTomlSize) {
+    throw ConfigError(where, fmt::format("is too big, expected at most {} bytes", kMaxTomlSize));
+  }
+  return text;
+}
+
+}  // namespace eyebridge::hal

@@ -1,0 +1,155 @@
+#include "config/values.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace eyebridge::hal {
+namespace {
+
+constexpr double kLongestDuration = 1e9;  // seconds; from_seconds() holds for 9e9
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+/// Takes a number off the front of `text`; false when there is none that is finite.
+template <class Number>
+bool take_number(std::string_view& text, Number& value) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{}) return false;
+  if constexpr (std::is_floating_point_v<Number>) {
+    if (!std::isfinite(value)) return false;
+  }
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return true;
+}
+
+struct Unit {
+  std::string_view name;
+  double seconds;
+};
+constexpr auto kUnits = std::to_array<Unit>(
+    {{"", 1.0}, {"us", 1e-6}, {"ms", 1e-3}, {"s", 1.0}, {"min", 60.0}, {"h", 3600.0}});
+
+bool is_choice(std::string_view choices, std::string_view text) {
+  while (!choices.empty()) {
+    const std::size_t bar = std::min(choices.find('|'), choices.size());
+    if (choices.substr(0, bar) == text) return true;
+    choices.remove_prefix(std::min(bar + 1, choices.size()));
+  }
+  return false;
+}
+
+void check_range(const Setting& setting, double value, const ConfigValue& read) {
+  if (value >= setting.minimum && value <= setting.maximum) return;
+  const std::string_view unit = setting.kind == Setting::Kind::Duration ? " s" : "";
+  const std::string expected =
+      std::isinf(setting.maximum)
+          ? fmt::format("at least {}{}", setting.minimum, unit)
+          : fmt::format("{} … {}{}", setting.minimum, setting.maximum, unit);
+  throw ConfigError(read.where, fmt::format("found {} for '{}', expected {}", in_quotes(read.text),
+                                            setting.key, expected));
+}
+
+}  // namespace
+
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t kLongest = 60;
+  std::string out = "'";
+  for (const char c : text.substr(0, kLongest)) {
+    const auto byte = static_cast<unsigned char>(c);
+    out += byte < 0x20 || byte == 0x7F ? '?' : c;
+  }
+  return out + (text.size() > kLongest ? "…'" : "'");
+}
+
+bool parse_boolean(std::string_view text, const SourceLocation& where) {
+  const std::string_view word = trimmed(text);
+  for (const std::string_view yes : {"true", "yes", "on", "1"}) {
+    if (word == yes) return true;
+  }
+  for (const std::string_view no : {"false", "no", "off", "0"}) {
+    if (word == no) return false;
+  }
+  throw ConfigError(where, fmt::format("found {}, expected true or false", in_quotes(text)));
+}
+
+long long parse_integer(std::string_view text, const SourceLocation& where) {
+  std::string_view rest = trimmed(text);
+  long long value = 0;
+  if (take_number(rest, value) && rest.empty()) return value;
+  throw ConfigError(where, fmt::format("found {}, expected a whole number", in_quotes(text)));
+}
+
+double parse_number(std::string_view text, const SourceLocation& where) {
+  std::string_view rest = trimmed(text);
+  double value = 0.0;
+  if (take_number(rest, value) && rest.empty()) return value;
+  throw ConfigError(where, fmt::format("found {}, expected a number", in_quotes(text)));
+}
+
+double parse_duration(std::string_view text, const SourceLocation& where) {
+  std::string_view rest = trimmed(text);
+  double value = 0.0;
+  if (take_number(rest, value)) {
+    const auto* unit = std::ranges::find(kUnits, trimmed(rest), &Unit::name);
+    if (unit != kUnits.end()) {
+      const double seconds = value * unit->seconds;
+      if (seconds >= 0.0 && seconds <= kLongestDuration) return seconds;
+      throw ConfigError(where, fmt::format("found {}, expected a duration of 0 … {} s",
+                                           in_quotes(text), kLongestDuration));
+    }
+  }
+  throw ConfigError(
+      where, fmt::format("found {}, expected a duration such as 2s, 250ms, 1.5 min or 2 (seconds)",
+                         in_quotes(text)));
+}
+
+void check_value(const Setting& setting, const ConfigValue& value) {
+  if (value.text.empty() && setting.fallback.empty()) return;
+  switch (setting.kind) {
+    case Setting::Kind::Text:
+    case Setting::Kind::Path:
+      if (value.text.empty()) {
+        throw ConfigError(value.where, fmt::format("found nothing for '{}', expected {}",
+                                                   setting.key, setting.help));
+      }
+      if (value.text.find('\0') != std::string::npos) {
+        throw ConfigError(value.where, fmt::format("found a zero byte in the value of '{}', "
+                                                   "expected text",
+                                                   setting.key));
+      }
+      if (!setting.choices.empty() && !is_choice(setting.choices, value.text)) {
+        throw ConfigError(
+            value.where, fmt::format("found {} for '{}', expected one of {}", in_quotes(value.text),
+                                     setting.key, setting.choices));
+      }
+      break;
+    case Setting::Kind::Boolean:
+      parse_boolean(value.text, value.where);
+      break;
+    case Setting::Kind::Integer:
+      check_range(setting, static_cast<double>(parse_integer(value.text, value.where)), value);
+      break;
+    case Setting::Kind::Number:
+      check_range(setting, parse_number(value.text, value.where), value);
+      break;
+    case Setting::Kind::Duration:
+      check_range(setting, parse_duration(value.text, value.where), value);
+      break;
+  }
+}
+
+ConfigError unknown_key(std::string_view what, std::string_view key, const SourceLocation& where) {
+  return {where, fmt::format("unknown {} {}, the nearest setting is '{}'", what, in_quotes(key),
+                             nearest_key(key))};
+}
+
+}  // namespace eyebridge::hal

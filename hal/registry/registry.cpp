@@ -1,0 +1,36 @@
+#include "eyebridge/hal/registry.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "sim/open_sim.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+constexpr auto kBackends = std::to_array<BackendFactory>({
+    {"sim", "a simulated robot in the world that --world names", open_sim},
+});
+
+}  // namespace
+
+std::span<const BackendFactory> backend_table() { return kBackends; }
+
+std::unique_ptr<Backend> open_backend(const BackendContext& context) {
+  const ConfigValue& hal = context.config.value("hal");
+  const BackendUrl url = parse_backend_url(hal.text, hal.where);
+  const auto* row = std::ranges::find(kBackends, url.scheme, &BackendFactory::scheme);
+  if (row != kBackends.end()) return row->open(url, context);
+
+  std::string known;
+  for (const BackendFactory& backend : kBackends) {
+    known += known.empty() ? "" : ", ";
+    known += backend.scheme;
+  }
+  throw ConfigError(hal.where,
+                    fmt::format("unknown backend '{}', expected one of: {}", url.scheme, known));
+}
+
+}  // namespace eyebridge::hal

@@ -1,0 +1,41 @@
+#include "sim/open_sim.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "eyebridge/files/load.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+/// An empty room with the robot that was asked for.
+files::Scenario empty_room(const Config& config) {
+  files::Scenario scenario = files::default_scenario();
+  const std::string name = config.text("robot");
+  const robot::RobotModel* model = files::builtin_robot(name);
+  if (model == nullptr) {
+    throw ConfigError(config.value("robot").where,
+                      fmt::format("unknown robot '{}', expected a built-in one such as S4", name));
+  }
+  scenario.models.at(scenario.robots.at(0).model) = *model;
+  return scenario;
+}
+
+}  // namespace
+
+std::unique_ptr<Backend> open_sim(const BackendUrl& url, const BackendContext& context) {
+  const Config& config = context.config;
+  if (!url.rest.empty() || !url.options.empty()) {
+    throw ConfigError(
+        config.value("hal").where,
+        fmt::format("found '{}', expected sim alone: --world names the world", config.text("hal")));
+  }
+  if (!config.is_set("world")) {
+    return open_scenario(empty_room(config), {"the empty room"}, context);
+  }
+  const auto path = config.path("world");
+  return open_scenario(files::load_scenario(path, config.text("robot")), {path.string()}, context);
+}
+
+}  // namespace eyebridge::hal

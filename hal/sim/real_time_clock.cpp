@@ -1,0 +1,125 @@
+#include "sim/real_time_clock.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace eyebridge::hal {
+namespace {
+
+// Short enough not to be felt when time slips, long enough for what a desktop's scheduler does.
+constexpr std::chrono::duration<double, std::nano> kLongestWallLag{100e6};
+constexpr int kFewestLagSteps = 10;
+
+Time longest_lag(Time step, double factor) {
+  const auto lag = std::chrono::duration_cast<Time>(kLongestWallLag * factor);
+  return std::max(lag, kFewestLagSteps * step);
+}
+
+}  // namespace
+
+RealTimeClock::RealTimeClock(Time step, double factor, std::function<void()> step_world)
+    : step_(step),
+      factor_(factor),
+      longest_lag_(longest_lag(step, factor)),
+      step_world_(std::move(step_world)),
+      anchor_wall_(Wall::now()) {
+  thread_ = std::thread([this] { run(); });
+}
+
+RealTimeClock::~RealTimeClock() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+Time RealTimeClock::now() const {
+  const std::lock_guard lock(mutex_);
+  return shown();
+}
+
+void RealTimeClock::wait_until(Time deadline) {
+  std::unique_lock lock(mutex_);
+  if (shown() >= deadline) return;
+  const auto mine = deadlines_.insert(deadline);
+  while (shown() < deadline) {
+    if (paused_ || latest() < deadline) {
+      stepped_.wait(lock);
+    } else {
+      stepped_.wait_until(lock, wall_of(deadline));
+    }
+  }
+  deadlines_.erase(mine);
+}
+
+void RealTimeClock::pause() {
+  const std::lock_guard lock(mutex_);
+  if (paused_) return;
+  anchor(shown());
+  paused_ = true;
+}
+
+void RealTimeClock::resume() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!paused_) return;
+    anchor(anchor_time_);
+    paused_ = false;
+  }
+  changed_.notify_all();
+  stepped_.notify_all();
+}
+
+std::uint64_t RealTimeClock::overruns() const {
+  const std::lock_guard lock(mutex_);
+  return overruns_;
+}
+
+void RealTimeClock::run() {
+  std::unique_lock lock(mutex_);
+  while (!ending_) {
+    const Time due = world_time_ + step_;
+    if (scaled() < due) {
+      if (paused_) {
+        changed_.wait(lock);
+      } else {
+        changed_.wait_until(lock, wall_of(due));
+      }
+      continue;
+    }
+    if (scaled() - world_time_ > longest_lag_) {
+      anchor(due);
+      ++overruns_;
+    }
+    lock.unlock();
+    step_world_();
+    lock.lock();
+    world_time_ = due;
+    if (!deadlines_.empty() && *deadlines_.begin() <= latest()) stepped_.notify_all();
+  }
+}
+
+Time RealTimeClock::scaled() const {
+  if (paused_) return anchor_time_;
+  const std::chrono::duration<double, std::nano> passed = Wall::now() - anchor_wall_;
+  return anchor_time_ + std::chrono::duration_cast<Time>(passed * factor_);
+}
+
+Time RealTimeClock::latest() const { return world_time_ + step_ - Time(1); }
+
+Time RealTimeClock::shown() const { return std::min(scaled(), latest()); }
+
+RealTimeClock::Wall::time_point RealTimeClock::wall_of(Time time) const {
+  const std::chrono::duration<double, std::nano> ahead = (time - anchor_time_) / factor_;
+  // Rounded up, so that the moment has come when the wait ends.
+  return anchor_wall_ + std::chrono::ceil<Wall::duration>(ahead);
+}
+
+void RealTimeClock::anchor(Time time) {
+  anchor_time_ = time;
+  anchor_wall_ = Wall::now();
+}
+
+}  // namespace eyebridge::hal

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include "eyebridge/base/clock.hpp"
+
+namespace eyebridge::hal {
+
+/// Wall time, scaled, and the thread that steps a world along with it. Any thread.
+///
+/// The clock never runs ahead of the world: now() stays below the end of the step that is due. When
+/// the machine cannot keep up, time slips instead of steps being heaped up, and the slip is
+/// counted.
+class RealTimeClock final : public Clock {
+ public:
+  /// Starts at once. `factor` > 0: seconds of this clock in a second of wall time. `step_world` is
+  /// called from the clock's thread, once for each `step` of time; it must not call the clock.
+  RealTimeClock(Time step, double factor, std::function<void()> step_world);
+  /// Ends the thread. Nobody may be waiting.
+  ~RealTimeClock() override;
+  RealTimeClock(const RealTimeClock&) = delete;
+  RealTimeClock& operator=(const RealTimeClock&) = delete;
+
+  [[nodiscard]] Time now() const override;
+  void wait_until(Time deadline) override;
+  void spend(Time) override {}
+  [[nodiscard]] bool is_virtual() const override { return false; }
+
+  /// Time stands still until resume(); whoever waits goes on waiting.
+  void pause();
+  void resume();
+  /// How often time slipped because the world fell too far behind.
+  [[nodiscard]] std::uint64_t overruns() const;
+
+ private:
+  using Wall = std::chrono::steady_clock;
+
+  void run();
+  // The rest: mutex_ is held.
+  [[nodiscard]] Time scaled() const;
+  [[nodiscard]] Time latest() const;
+  [[nodiscard]] Time shown() const;
+  [[nodiscard]] Wall::time_point wall_of(Time time) const;
+  void anchor(Time time);
+
+  const Time step_;
+  const double factor_;
+  const Time longest_lag_;
+  const std::function<void()> step_world_;
+
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;  ///< For the world's thread: resumed, or ending.
+  std::condition_variable stepped_;  ///< For those who wait: the first deadline may have come.
+  std::multiset<Time> deadlines_;
+  Wall::time_point anchor_wall_;  ///< The moment at which scaled() was anchor_time_.
+  Time anchor_time_{0};
+  Time world_time_{0};
+  std::uint64_t overruns_ = 0;
+  bool paused_ = false;
+  bool ending_ = false;
+  std::thread thread_;
+};
+
+}  // namespace eyebridge::hal

@@ -1,0 +1,64 @@
+#include "sim/sim_backend.hpp"
+
+#include <utility>
+
+namespace eyebridge::hal {
+namespace {
+
+template <class Device>
+Device* find(std::map<int, Device>& devices, int id) {
+  const auto found = devices.find(id);
+  return found == devices.end() ? nullptr : &found->second;
+}
+
+/// One device for each of `models`, under the id that programs ask for.
+template <class Device, class Model>
+std::map<int, Device> make_devices(SimWorld& world, robot::RobotIndex robot,
+                                   const std::vector<Model>& models) {
+  std::map<int, Device> out;
+  for (std::size_t i = 0; i < models.size(); ++i) out.try_emplace(models[i].id, world, robot, i);
+  return out;
+}
+
+/// Devices 1 and 2: left and right, or pan and tilt.
+template <class Device>
+std::map<int, Device> make_pair_of(SimWorld& world, robot::RobotIndex robot) {
+  std::map<int, Device> out;
+  for (const unsigned i : {0U, 1U}) out.try_emplace(static_cast<int>(i) + 1, world, robot, i);
+  return out;
+}
+
+}  // namespace
+
+SimBackend::SimBackend(std::unique_ptr<SimWorld> world, std::unique_ptr<Clock> clock,
+                       robot::RobotIndex robot)
+    : world_(std::move(world)),
+      clock_(std::move(clock)),
+      robot_(robot),
+      drive_(*world_, robot),
+      compass_(*world_, robot),
+      control_(*world_, robot),
+      range_sensors_(
+          make_devices<SimRangeSensor>(*world_, robot, world_->model(robot).range_sensors)),
+      proximity_sensors_(
+          make_devices<SimProximity>(*world_, robot, world_->model(robot).proximity_sensors)),
+      bumpers_(make_devices<SimBumper>(*world_, robot, world_->model(robot).bumpers)),
+      motors_(make_pair_of<SimMotor>(*world_, robot)),
+      encoders_(make_pair_of<SimEncoder>(*world_, robot)),
+      servos_(make_pair_of<SimServo>(*world_, robot)) {
+  if (world_->model(robot).lidar) lidar_.emplace(*world_, robot);
+  if (world_->model(robot).camera) view_.emplace(*world_, robot);
+}
+
+RangeSensor* SimBackend::range_sensor(int id) { return find(range_sensors_, id); }
+SwitchSensor* SimBackend::proximity(int id) { return find(proximity_sensors_, id); }
+SwitchSensor* SimBackend::bumper(int id) { return find(bumpers_, id); }
+Motor* SimBackend::motor(int id) { return find(motors_, id); }
+Encoder* SimBackend::encoder(int id) { return find(encoders_, id); }
+Servo* SimBackend::servo(int id) { return find(servos_, id); }
+
+void SimBackend::stop() noexcept {
+  world_->locked([&](auto& sim) { sim.stop(robot_); });
+}
+
+}  // namespace eyebridge::hal

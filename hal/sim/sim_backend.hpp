@@ -1,0 +1,62 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "eyebridge/hal/backend.hpp"
+#include "sim/sim_camera_view.hpp"
+#include "sim/sim_compass.hpp"
+#include "sim/sim_drive.hpp"
+#include "sim/sim_lidar.hpp"
+#include "sim/sim_motor.hpp"
+#include "sim/sim_range_sensor.hpp"
+#include "sim/sim_servo.hpp"
+#include "sim/sim_switch_sensor.hpp"
+#include "sim/sim_world.hpp"
+#include "sim/sim_world_control.hpp"
+
+namespace eyebridge::hal {
+
+/// One robot of a simulated world.
+class SimBackend final : public Backend {
+ public:
+  /// `clock` steps `world`. The robot has the devices of its model, a compass, two motors with
+  /// encoders (1 left, 2 right) and two servos (1 pan, 2 tilt).
+  SimBackend(std::unique_ptr<SimWorld> world, std::unique_ptr<Clock> clock,
+             robot::RobotIndex robot);
+
+  Clock& clock() override { return *clock_; }
+  [[nodiscard]] int robot_id() const override { return static_cast<int>(robot_) + 1; }
+  Drive* drive() override { return &drive_; }
+  RangeSensor* range_sensor(int id) override;
+  SwitchSensor* proximity(int id) override;
+  SwitchSensor* bumper(int id) override;
+  Lidar* lidar() override { return lidar_ ? &*lidar_ : nullptr; }
+  Compass* compass() override { return &compass_; }
+  Motor* motor(int id) override;
+  Encoder* encoder(int id) override;
+  Servo* servo(int id) override;
+  WorldControl* world() override { return &control_; }
+  camera::View* camera_view() override { return view_ ? &*view_ : nullptr; }
+  void trace_to(TraceSink* sink) override { world_->trace_to(sink, robot_); }
+  void stop() noexcept override;
+
+ private:
+  std::unique_ptr<SimWorld> world_;
+  std::unique_ptr<Clock> clock_;  ///< After the world that it steps: it must end first.
+  const robot::RobotIndex robot_;
+  SimDrive drive_;
+  SimCompass compass_;
+  SimWorldControl control_;
+  std::map<int, SimRangeSensor> range_sensors_;
+  std::map<int, SimProximity> proximity_sensors_;
+  std::map<int, SimBumper> bumpers_;
+  std::map<int, SimMotor> motors_;
+  std::map<int, SimEncoder> encoders_;
+  std::map<int, SimServo> servos_;
+  std::optional<SimLidar> lidar_;
+  std::optional<SimCameraView> view_;
+};
+
+}  // namespace eyebridge::hal

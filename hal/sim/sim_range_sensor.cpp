@@ -1,0 +1,22 @@
+#include "sim/sim_range_sensor.hpp"
+
+#include "eyebridge/base/units.hpp"
+
+namespace eyebridge::hal {
+
+SimRangeSensor::SimRangeSensor(SimWorld& world, robot::RobotIndex robot, std::size_t index)
+    : SimDevice(world, robot), index_(index) {}
+
+Result<double> SimRangeSensor::read() {
+  return world_.locked([&](auto& sim) { return sim.read_range(robot_, index_); });
+}
+
+Result<int> SimRangeSensor::read_raw() {
+  return read().map([](double range) { return static_cast<int>(std::lround(m_to_mm(range))); });
+}
+
+double SimRangeSensor::out_of_range() const {
+  return world_.model(robot_).range_sensors[index_].out_of_range;
+}
+
+}  // namespace eyebridge::hal

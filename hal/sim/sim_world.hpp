@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "eyebridge/base/clock.hpp"
+#include "eyebridge/base/log.hpp"
+#include "eyebridge/files/scenario.hpp"
+#include "eyebridge/hal/trace.hpp"
+#include "eyebridge/robot/simulation.hpp"
+
+namespace eyebridge::hal {
+
+/// A scenario that runs: the simulation, the lock around it, and who is told of its steps.
+/// Any thread.
+class SimWorld {
+ public:
+  /// Adds all robots of `scenario`. `log` outlives the world. Throws std::invalid_argument when one
+  /// would stand in something.
+  SimWorld(files::Scenario scenario, const robot::SimulationSettings& settings, LogSink& log);
+  SimWorld(const SimWorld&) = delete;
+  SimWorld& operator=(const SimWorld&) = delete;
+
+  /// Runs `body(simulation)` while nobody else can touch it.
+  template <class Body>
+  auto locked(Body&& body) {
+    const std::lock_guard lock(mutex_);
+    return std::forward<Body>(body)(simulation_);
+  }
+
+  /// One step, and its trace point.
+  void step();
+  /// Tells `sink` of `robot` after every step from now on; null ends it.
+  void trace_to(TraceSink* sink, robot::RobotIndex robot);
+
+  /// Never changes; needs no lock.
+  [[nodiscard]] const robot::RobotModel& model(robot::RobotIndex robot) const;
+  [[nodiscard]] const std::string& directory() const { return directory_; }
+  [[nodiscard]] std::uint64_t seed() const { return seed_; }
+
+ private:
+  void trace();
+
+  const std::string directory_;
+  const std::uint64_t seed_;
+  const Time step_length_;
+  std::mutex mutex_;
+  robot::Simulation simulation_;
+  std::uint64_t steps_ = 0;
+  TraceSink* sink_ = nullptr;
+  robot::RobotIndex traced_ = 0;
+  std::vector<const robot::RangeSensorModel*> traced_sensors_;  ///< In order of id.
+  std::vector<double> ranges_;
+};
+
+}  // namespace eyebridge::hal

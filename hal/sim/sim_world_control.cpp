@@ -1,0 +1,62 @@
+#include "sim/sim_world_control.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+Error unknown(const char* kind, int id, int count) {
+  return {Errc::OutOfRange, std::string("no ") + kind + ' ' + std::to_string(id) +
+                                ", the world has " + std::to_string(count)};
+}
+
+bool is_finite(const Pose& pose) { return std::isfinite(pose.x + pose.y + pose.theta); }
+
+}  // namespace
+
+int SimWorldControl::robot_count() const {
+  return world_.locked([](auto& sim) { return static_cast<int>(sim.robot_count()); });
+}
+
+int SimWorldControl::object_count() const {
+  return world_.locked([](auto& sim) { return static_cast<int>(sim.world().object_count()); });
+}
+
+Result<robot::RobotIndex> SimWorldControl::robot_index(int id) const {
+  if (id == 0) return robot_;
+  const int count = robot_count();
+  if (id < 0 || id > count) return tl::unexpected(unknown("robot", id, count));
+  return static_cast<robot::RobotIndex>(id - 1);
+}
+
+Result<world::BodyId> SimWorldControl::object_index(int id) const {
+  const int count = object_count();
+  if (id < 1 || id > count) return tl::unexpected(unknown("object", id, count));
+  return static_cast<world::BodyId>(id - 1);
+}
+
+Result<Pose> SimWorldControl::robot_pose(int id) const {
+  return robot_index(id).map([&](robot::RobotIndex index) {
+    return world_.locked([&](auto& sim) { return sim.pose(index); });
+  });
+}
+
+Result<void> SimWorldControl::set_robot_pose(int id, const Pose& pose) {
+  if (!is_finite(pose)) return fail(Errc::OutOfRange, "set robot: expected a finite pose");
+  return robot_index(id).map([&](robot::RobotIndex index) {
+    world_.locked([&](auto& sim) { sim.set_pose(index, pose); });
+  });
+}
+
+Result<Pose> SimWorldControl::object_pose(int id) const {
+  return object_index(id).map([&](world::BodyId index) {
+    return world_.locked([&](auto& sim) { return sim.world().pose(index); });
+  });
+}
+
+Result<void> SimWorldControl::set_object_pose(int id, const Pose& pose) {
+  if (!is_finite(pose)) return fail(Errc::OutOfRange, "set object: expected a finite pose");
+  return object_index(id).map([&](world::BodyId index) {
+    world_.locked([&](auto& sim) { sim.world().set_pose(index, pose); });
+  });
+}
+
+}  // namespace eyebridge::hal

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "eyebridge/hal/world_control.hpp"
+#include "sim/sim_device.hpp"
+
+namespace eyebridge::hal {
+
+/// The hand of God over a simulated world. Unknown ids and poses that are not finite are
+/// OutOfRange.
+class SimWorldControl final : public WorldControl, private SimDevice {
+ public:
+  using SimDevice::SimDevice;
+
+  [[nodiscard]] int robot_count() const override;
+  [[nodiscard]] int object_count() const override;
+  [[nodiscard]] Result<Pose> robot_pose(int id) const override;
+  Result<void> set_robot_pose(int id, const Pose& pose) override;
+  [[nodiscard]] Result<Pose> object_pose(int id) const override;
+  Result<void> set_object_pose(int id, const Pose& pose) override;
+
+ private:
+  [[nodiscard]] Result<robot::RobotIndex> robot_index(int id) const;
+  [[nodiscard]] Result<world::BodyId> object_index(int id) const;
+};
+
+}  // namespace eyebridge::hal

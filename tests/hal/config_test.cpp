@@ -1,0 +1,228 @@
+#include "eyebridge/hal/config.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace eyebridge::hal {
+namespace {
+
+using testing::HasSubstr;
+
+/// A folder of its own for each test, gone afterwards.
+class ConfigTest : public testing::Test {
+ protected:
+  ConfigTest() {
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(testing::TempDir()) / (std::string("config_") + info->name());
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  ~ConfigTest() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path write(const std::string& name, const std::string& text) {
+    const auto path = folder_ / name;
+    std::ofstream(path, std::ios::binary) << text;
+    return path;
+  }
+
+  /// What load() says of `text` in an eyebridge.toml; "" when it takes it.
+  std::string complaint(const std::string& text) {
+    return complaint(Config::Sources{{}, {}, {write("eyebridge.toml", text)}});
+  }
+  static std::string complaint(const Config::Sources& sources) {
+    try {
+      Config::load(sources);
+      return "";
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+  }
+
+  std::filesystem::path folder_;
+};
+
+TEST_F(ConfigTest, HoldsTheFallbacksWhenNobodySaysAnything) {
+  const Config config = Config::load({});
+  EXPECT_EQ(config.text("hal"), "sim");
+  EXPECT_FALSE(config.boolean("fast"));
+  EXPECT_EQ(config.integer("seed"), 1);
+  EXPECT_DOUBLE_EQ(config.number("step"), 0.01);
+  EXPECT_FALSE(config.is_set("world"));
+  EXPECT_EQ(config.value("hal").where.str(), "default");
+}
+
+TEST_F(ConfigTest, PrefersFlagsToVariablesToFilesToDefaults) {
+  const auto near = write("near.toml", "seed = 2\nfactor = 2\nrobot = 'near'\nlcd = 'near'\n");
+  const auto far = write("far.toml", "seed = 1\nfactor = 1\nrobot = 'far'\nkeys = 'far'\n");
+  const Config config = Config::load(
+      {{{"seed", "4"}}, {{"EYEBRIDGE_SEED", "3"}, {"EYEBRIDGE_FACTOR", "3"}}, {near, far}});
+  EXPECT_EQ(config.integer("seed"), 4);
+  EXPECT_DOUBLE_EQ(config.number("factor"), 3.0);
+  EXPECT_EQ(config.text("robot"), "near");
+  EXPECT_EQ(config.text("keys"), "far");
+  EXPECT_EQ(config.text("camera"), "render");
+}
+
+TEST_F(ConfigTest, SaysWhereEachValueCameFrom) {
+  const auto file = write("eyebridge.toml", "# mine\nfast = true\n");
+  const Config config =
+      Config::load({{{"time_limit", "2 min"}}, {{"EYEBRIDGE_WORLD", "a.maz"}}, {file}});
+  EXPECT_EQ(config.value("time_limit").where.str(), "--time-limit");
+  EXPECT_EQ(config.value("world").where.str(), "EYEBRIDGE_WORLD");
+  EXPECT_EQ(config.value("fast").where.str(), file.string() + ":2:8");
+}
+
+TEST_F(ConfigTest, CountsTheFlagsThatEyebridgeRunHandsOnAsCommandLine) {
+  const std::string flags = Config::flags_variable({{"seed", "9"}, {"keys", "KEY1@2s,KEY2=x"}});
+  const Config config =
+      Config::load({{}, {{"EYEBRIDGE_FLAGS", flags}, {"EYEBRIDGE_SEED", "3"}}, {}});
+  EXPECT_EQ(config.integer("seed"), 9);
+  EXPECT_EQ(config.text("keys"), "KEY1@2s,KEY2=x");
+  EXPECT_EQ(config.value("seed").where.str(), "--seed");
+}
+
+TEST_F(ConfigTest, RefusesToHandOnAFlagOfTwoLines) {
+  EXPECT_THROW(Config::flags_variable({{"keys", "KEY1\nseed=2"}}), ConfigError);
+}
+
+TEST_F(ConfigTest, NamesTheLineOfABadHandedOnFlag) {
+  EXPECT_EQ(complaint({{}, {{"EYEBRIDGE_FLAGS", "seed=1\nfast"}}, {}}),
+            "EYEBRIDGE_FLAGS:2: found 'fast', expected key=value");
+}
+
+TEST_F(ConfigTest, TakesRelativePathsFromWhereTheyWereWritten) {
+  const auto file = write("eyebridge.toml", "world = 'mazes/a.maz'\nout = '/tmp/out'\n");
+  const Config from_file = Config::load({{}, {}, {file}});
+  EXPECT_EQ(from_file.path("world"), folder_ / "mazes/a.maz");
+  EXPECT_EQ(from_file.path("out"), "/tmp/out");
+  const Config from_flag = Config::load({{{"world", "mazes/a.maz"}}, {}, {file}});
+  EXPECT_EQ(from_flag.path("world"), "mazes/a.maz");
+}
+
+TEST_F(ConfigTest, NamesTheNearestKeyOfAnUnknownOneWithLineAndColumn) {
+  EXPECT_THAT(complaint("seed = 1\n  wrold = 'a'\n"),
+              HasSubstr("eyebridge.toml:2:3: unknown key 'wrold', the nearest setting is 'world'"));
+}
+
+TEST_F(ConfigTest, DoesNotKnowTablesYet) {
+  EXPECT_THAT(complaint("seed = 1\n[mix]\ndrive = 'sim'\n"), HasSubstr(":2:"));
+  EXPECT_THAT(complaint("[mix]\ndrive = 'sim'\n"), HasSubstr("unknown table 'mix'"));
+}
+
+TEST_F(ConfigTest, NamesTheNearestVariableOfAnUnknownOne) {
+  EXPECT_EQ(complaint({{}, {{"EYEBRIDGE_SEDE", "1"}}, {}}),
+            "EYEBRIDGE_SEDE: unknown variable, the nearest one is EYEBRIDGE_SEED");
+  EXPECT_EQ(complaint({{}, {{"EYEBRIDGE_Seed", "1"}}, {}}),
+            "EYEBRIDGE_Seed: unknown variable, the nearest one is EYEBRIDGE_SEED");
+}
+
+TEST_F(ConfigTest, LeavesTheOtherVariablesAlone) {
+  EXPECT_EQ(
+      complaint(
+          {{}, {{"EYEBRIDGE_DATA", "x"}, {"EYEBRIDGE_TEST_CAN", "vcan0"}, {"SEED", "x"}}, {}}),
+      "");
+}
+
+TEST_F(ConfigTest, NamesTheNearestSettingOfAnUnknownFlag) {
+  EXPECT_EQ(complaint({{{"time_limt", "1"}}, {}, {}}),
+            "--time-limt: unknown setting 'time_limt', the nearest setting is 'time_limit'");
+}
+
+TEST_F(ConfigTest, RefusesTomlValuesOfTheWrongKind) {
+  EXPECT_THAT(complaint("seed = 'one'"),
+              HasSubstr(":1:8: found a text for 'seed', expected a whole number"));
+  EXPECT_THAT(complaint("fast = 1"), HasSubstr("found a whole number for 'fast', expected true"));
+  EXPECT_THAT(complaint("seed = 1.5"), HasSubstr("found a number for 'seed'"));
+  EXPECT_THAT(complaint("world = [1]"), HasSubstr("found a list for 'world'"));
+  EXPECT_THAT(complaint("step = 2020-01-01"), HasSubstr("found a date or time for 'step'"));
+  EXPECT_THAT(complaint("factor = inf"), HasSubstr("expected a number"));
+  EXPECT_THAT(complaint("step = 'soon'"), HasSubstr("expected a duration such as"));
+}
+
+TEST_F(ConfigTest, RefusesTextsOfTheWrongKind) {
+  EXPECT_EQ(complaint({{{"seed", "1x"}}, {}, {}}), "--seed: found '1x', expected a whole number");
+  EXPECT_EQ(complaint({{{"fast", "maybe"}}, {}, {}}),
+            "--fast: found 'maybe', expected true or false");
+  EXPECT_EQ(complaint({{{"factor", "nan"}}, {}, {}}), "--factor: found 'nan', expected a number");
+  EXPECT_THAT(complaint({{{"hal", ""}}, {}, {}}), HasSubstr("--hal: found nothing for 'hal'"));
+}
+
+TEST_F(ConfigTest, RefusesValuesOutsideTheirRange) {
+  EXPECT_EQ(complaint({{{"factor", "0"}}, {}, {}}),
+            "--factor: found '0' for 'factor', expected 0.001 … 1000000");
+  EXPECT_THAT(complaint("step = '2s'"), HasSubstr("found '2s' for 'step', expected 0.0001 … 1 s"));
+  EXPECT_THAT(complaint("seed = -1"), HasSubstr("expected at least 0"));
+}
+
+TEST_F(ConfigTest, RefusesATextThatIsNoChoice) {
+  EXPECT_EQ(complaint({{{"log", "loud"}}, {}, {}}),
+            "--log: found 'loud' for 'log', expected one of debug|info|warning|error");
+  EXPECT_EQ(complaint({{{"log", "info"}}, {}, {}}), "");
+}
+
+TEST_F(ConfigTest, ChecksASourceEvenWhereAnotherOneWins) {
+  EXPECT_EQ(complaint({{{"seed", "1"}}, {{"EYEBRIDGE_SEED", "x"}}, {}}),
+            "EYEBRIDGE_SEED: found 'x', expected a whole number");
+}
+
+TEST_F(ConfigTest, GivesThePlaceOfATomlSyntaxError) {
+  EXPECT_THAT(complaint("seed = 1\nfast = tru\n"), HasSubstr("eyebridge.toml:2:"));
+  EXPECT_THAT(complaint("seed = 1\nseed = 2\n"), HasSubstr("eyebridge.toml:2:"));
+  EXPECT_NE(complaint(std::string("\x00\xFF\x7F", 3)), "");
+}
+
+TEST_F(ConfigTest, SkipsMissingFilesButNotUnreadableOnes) {
+  EXPECT_EQ(complaint({{}, {}, {folder_ / "missing.toml"}}), "");
+  EXPECT_EQ(complaint({{}, {}, {folder_}}),
+            folder_.string() + ": found no ordinary file, expected a TOML file");
+  EXPECT_THAT(complaint(std::string((1U << 20U) + 1, '\n')), HasSubstr("is too big"));
+}
+
+TEST_F(ConfigTest, UnsetsWithAnEmptyValueWhatMayBeUnset) {
+  const Config config = Config::load({{{"time_limit", ""}}, {{"EYEBRIDGE_TIME_LIMIT", "3s"}}, {}});
+  EXPECT_FALSE(config.is_set("time_limit"));
+}
+
+TEST_F(ConfigTest, DescribesEverySettingWithItsOrigin) {
+  const std::string text = Config::load({{{"seed", "7"}}, {}, {}}).describe();
+  for (const Setting& setting : settings()) {
+    EXPECT_THAT(text, HasSubstr(std::string(setting.key) + ' ')) << setting.key;
+  }
+  EXPECT_THAT(text, testing::ContainsRegex("seed +=  *7 +# --seed\n"));
+  EXPECT_THAT(text, testing::ContainsRegex("hal +=  *sim +# default\n"));
+}
+
+TEST(Duration, ReadsEveryUnit) {
+  EXPECT_DOUBLE_EQ(parse_duration("2s", {}), 2.0);
+  EXPECT_DOUBLE_EQ(parse_duration("250ms", {}), 0.25);
+  EXPECT_DOUBLE_EQ(parse_duration("1.5 min", {}), 90.0);
+  EXPECT_DOUBLE_EQ(parse_duration("10 us", {}), 1e-5);
+  EXPECT_DOUBLE_EQ(parse_duration(" 2h ", {}), 7200.0);
+  EXPECT_DOUBLE_EQ(parse_duration("0.5", {}), 0.5);
+}
+
+TEST(Duration, RefusesWhatIsNone) {
+  for (const char* text : {"", "s", "2 days", "-1s", "1e300s", "nan", "2s2", "1 0s", "0x10"}) {
+    EXPECT_THROW(parse_duration(text, {"--step"}), ConfigError) << text;
+  }
+  try {
+    parse_duration("2 days", {"--step"});
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("--step: found '2 days', expected a duration"));
+  }
+}
+
+TEST(Settings, HaveKeysThatAreSpelledInOneWay) {
+  EXPECT_EQ(Config::flag_name("time_limit"), "--time-limit");
+  EXPECT_EQ(Config::variable_name("time_limit"), "EYEBRIDGE_TIME_LIMIT");
+  EXPECT_EQ(nearest_key("tmie-limit"), "time_limit");
+  for (const Setting& setting : settings()) EXPECT_EQ(find_setting(setting.key), &setting);
+  EXPECT_EQ(find_setting("nothing"), nullptr);
+}
+
+}  // namespace
+}  // namespace eyebridge::hal
