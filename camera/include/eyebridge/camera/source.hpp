@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "eyebridge/base/clock.hpp"
+#include "eyebridge/base/log.hpp"
 #include "eyebridge/base/result.hpp"
 #include "eyebridge/camera/frame.hpp"
 #include "eyebridge/camera/view.hpp"
@@ -30,6 +31,7 @@ class Source {
 struct SourceContext {
   Clock* clock = nullptr;  ///< Never null.
   View* view = nullptr;    ///< Null when the backend has nothing to render.
+  LogSink* log = nullptr;  ///< For warnings; null writes them to standard error.
 };
 
 /// One row of the table of sources.

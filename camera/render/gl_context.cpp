@@ -1,0 +1,68 @@
+#include "render/gl_context.hpp"
+
+#include <array>
+#include <cstdlib>
+#include <mutex>
+
+#include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/log.hpp"
+
+namespace eyebridge::camera {
+namespace {
+
+constexpr std::array<GlContextMaker, 2> kMakers{{
+    {"osmesa", "libosmesa6", &make_osmesa_context},
+    {"egl", "libegl1 libegl-mesa0", &make_egl_context},
+}};
+
+thread_local const GlContext* current_context = nullptr;
+
+void prefer_one_thread() {
+  // llvmpipe reads it once, with its first context. Worker threads of its own gain nothing for
+  // several cameras and would run beside the virtual time of lockstep.
+  static std::once_flag once;
+  std::call_once(once, [] { setenv("LP_NUM_THREADS", "0", /*overwrite=*/0); });
+}
+
+}  // namespace
+
+std::span<const GlContextMaker> gl_context_makers() { return kMakers; }
+
+bool exchange_current(const GlContext* context) {
+  const bool same = current_context == context;
+  current_context = context;
+  return same;
+}
+
+bool forget_current(const GlContext* context) {
+  if (current_context != context) return false;
+  current_context = nullptr;
+  return true;
+}
+
+std::unique_ptr<GlContext> make_gl_context(std::string_view name, LogSink& log) {
+  prefer_one_thread();
+  std::string known;
+  std::string failures;
+  for (const GlContextMaker& maker : kMakers) {
+    known += (known.empty() ? "" : ", ") + std::string(maker.name);
+    if (!name.empty() && name != maker.name) continue;
+    try {
+      auto context = maker.make();
+      if (!failures.empty()) {
+        log.write(Severity::Warning, "rendering with " + std::string(maker.name) + ": " + failures);
+      }
+      return context;
+    } catch (const ConfigError& error) {
+      if (!name.empty()) throw;
+      failures += (failures.empty() ? "" : "; ") + error.text();
+    }
+  }
+  if (!name.empty()) {
+    throw ConfigError({"--camera"},
+                      "render:" + std::string(name) + " is not known, expected one of: " + known);
+  }
+  throw ConfigError({"--camera"}, "render: " + failures);
+}
+
+}  // namespace eyebridge::camera

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "eyebridge/camera/source.hpp"
+
+namespace eyebridge::camera {
+
+// The functions behind the rows of the table in open.cpp. `rest` is the URL after the colon.
+
+/// Pictures of the simulated world; `rest` names the maker of the OpenGL context, or is empty.
+std::unique_ptr<Source> open_render_source(std::string_view rest, const SourceContext& context);
+
+/// A test picture: colour bars and a moving bar-code of the frame's number; `rest` is empty.
+std::unique_ptr<Source> open_pattern_source(std::string_view rest, const SourceContext& context);
+
+}  // namespace eyebridge::camera
