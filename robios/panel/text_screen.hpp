@@ -49,6 +49,7 @@ class TextScreen {
   [[nodiscard]] std::vector<std::string> rows_as_text() const;
 
  private:
+  void put_if_visible(Canvas& canvas, std::uint8_t code);
   void put(Canvas& canvas, std::uint8_t code);
   void new_line();
   void scroll(Canvas& canvas, int count);
@@ -63,7 +64,7 @@ class TextScreen {
   int rows_ = 0;
   int columns_ = 0;
   TextPosition position_;
-  bool flowed_ = false;  // the text itself, not set_position(), brought the cursor to its row
+  bool flowed_ = true;  // the text itself, not set_position(), brought the cursor to its row
   bool scrolling_ = true;
   bool wrapping_ = true;
   Rgb ink_{255, 255, 255};

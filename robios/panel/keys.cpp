@@ -1,0 +1,157 @@
+#include "keys.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace eyebridge::robios {
+namespace {
+
+constexpr int kAllKeys = 1 | 2 | 4 | 8;
+// How long a wait leaves the terminal and the window unasked. A person does not notice 10 ms.
+constexpr std::chrono::milliseconds kSlice{10};
+
+bool is_key(int key) { return key == 1 || key == 2 || key == 4 || key == 8; }
+
+}  // namespace
+
+Keys::Keys(Clock& clock, std::vector<ScriptedKey> script, std::unique_ptr<KeyInput> terminal)
+    : clock_(clock), script_(std::move(script)), terminal_(std::move(terminal)) {}
+
+void Keys::set_touch_map(std::function<int(int x, int y)> key_at) {
+  const std::lock_guard lock(mutex_);
+  key_at_ = std::move(key_at);
+}
+
+void Keys::set_window(bool attached) {
+  const std::lock_guard lock(mutex_);
+  window_ = attached;
+  pressed_.notify_all();
+}
+
+void Keys::press(int key) {
+  if (!is_key(key)) {
+    return;
+  }
+  const std::lock_guard lock(mutex_);
+  presses_.push_back(key);
+  pressed_.notify_all();
+}
+
+void Keys::touch(int x, int y) {
+  const std::lock_guard lock(mutex_);
+  add_touch({x, y});
+  pressed_.notify_all();
+}
+
+void Keys::add_touch(TouchPoint point) {
+  last_touch_ = point;
+  const int key = key_at_ ? key_at_(point.x, point.y) : 0;
+  if (is_key(key)) {
+    presses_.push_back(key);
+  }
+}
+
+void Keys::take_script() {
+  const Time now = clock_.now();
+  for (; next_ < script_.size() && script_[next_].at <= now; ++next_) {
+    if (script_[next_].key != 0) {
+      presses_.push_back(script_[next_].key);
+    } else {
+      add_touch(script_[next_].touch);
+    }
+  }
+}
+
+void Keys::take_terminal(std::chrono::milliseconds timeout) {
+  if (terminal_ == nullptr) {
+    return;
+  }
+  const std::lock_guard lock(terminal_mutex_);
+  press(terminal_->poll(timeout));
+}
+
+int Keys::read() {
+  take_terminal(std::chrono::milliseconds{0});
+  const std::lock_guard lock(mutex_);
+  take_script();
+  if (presses_.empty()) {
+    return 0;
+  }
+  const int key = presses_.front();
+  presses_.pop_front();
+  return key;
+}
+
+std::optional<TouchPoint> Keys::read_touch() {
+  const std::lock_guard lock(mutex_);
+  take_script();
+  return std::exchange(last_touch_, std::nullopt);
+}
+
+template <class Take>
+auto Keys::wait_for(const char* wanted, const WaitUntil& wait_until, Take take)
+    -> Result<typename decltype(take())::value_type> {
+  const bool is_virtual = clock_.is_virtual();
+  while (true) {
+    take_terminal(std::chrono::milliseconds{0});
+    std::optional<Time> next;
+    bool window = false;
+    {
+      const std::lock_guard lock(mutex_);
+      take_script();
+      if (auto found = take()) {
+        return *found;
+      }
+      if (next_ < script_.size()) {
+        next = script_[next_].at;
+      }
+      window = window_;
+    }
+    bool typed = false;
+    if (terminal_ != nullptr) {
+      const std::lock_guard lock(terminal_mutex_);
+      typed = terminal_->open();
+    }
+    const bool person = window || typed;
+
+    if (next && (is_virtual || !person)) {
+      wait_until(*next);
+    } else if (!person) {
+      return fail(Errc::Unsupported,
+                  std::string("waits for ") + wanted +
+                      " that can never come: the key script is used up, and there is no terminal "
+                      "and no window; use --keys, as in --keys \"KEY1@2s,KEY4@10s\"");
+    } else if (!is_virtual) {
+      const Time soon = clock_.now() + kSlice;
+      wait_until(next ? std::min(*next, soon) : soon);
+    } else if (typed) {
+      take_terminal(kSlice);
+    } else {
+      std::unique_lock lock(mutex_);
+      pressed_.wait(lock, [&] { return !presses_.empty() || last_touch_ || !window_; });
+    }
+  }
+}
+
+Result<int> Keys::wait(int mask, const WaitUntil& wait_until) {
+  if ((mask & kAllKeys) == 0) {
+    return fail(Errc::OutOfRange, "key mask " + std::to_string(mask) + ", expected KEY1..KEY4");
+  }
+  return wait_for("a key", wait_until, [&]() -> std::optional<int> {
+    while (!presses_.empty()) {
+      const int key = presses_.front();
+      presses_.pop_front();
+      if ((key & mask) != 0) {
+        return key;
+      }
+    }
+    return std::nullopt;
+  });
+}
+
+Result<TouchPoint> Keys::wait_touch(const WaitUntil& wait_until) {
+  return wait_for("a touch", wait_until, [&] { return std::exchange(last_touch_, std::nullopt); });
+}
+
+}  // namespace eyebridge::robios

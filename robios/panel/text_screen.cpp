@@ -1,0 +1,132 @@
+#include "text_screen.hpp"
+
+#include <algorithm>
+
+#include "utf8.hpp"
+
+namespace eyebridge::robios {
+namespace {
+
+constexpr int kTab = 8;
+// Far outside any screen, and far from overflow when the cursor moves on.
+constexpr int kFarthest = 1'000'000;
+
+}  // namespace
+
+TextScreen::TextScreen(int width, int height)
+    : width_(width), height_(height), font_(family_, style_, size_) {
+  apply_font();
+}
+
+void TextScreen::print(Canvas& canvas, std::string_view text) {
+  for (const char c : to_latin1(text)) {
+    switch (c) {
+      case '\n':
+        new_line();
+        break;
+      case '\r':
+        position_.column = 0;
+        break;
+      case '\b':
+        position_.column = std::max(position_.column - 1, 0);
+        break;
+      case '\t':
+        position_.column = (std::max(position_.column, 0) / kTab + 1) * kTab;
+        break;
+      default:
+        put_if_visible(canvas, static_cast<std::uint8_t>(c));
+    }
+  }
+}
+
+void TextScreen::put_if_visible(Canvas& canvas, std::uint8_t code) {
+  if (code >= 128 && code < 160) {
+    put(canvas, '?');
+  } else if (code >= 32 && code != 127) {
+    put(canvas, code);
+  }
+}
+
+void TextScreen::put(Canvas& canvas, std::uint8_t code) {
+  if (wrapping_ && flowed_ && position_.column >= columns_) {
+    new_line();
+  }
+  if (scrolling_ && flowed_ && position_.row >= rows_) {
+    scroll(canvas, position_.row - rows_ + 1);
+  }
+  if (position_.row >= 0 && position_.row < rows_ && position_.column >= 0 &&
+      position_.column < columns_) {
+    canvas.glyph(position_.column * font_.cell_width(), position_.row * font_.cell_height(), font_,
+                 code, ink_, paper_);
+    cells_[static_cast<std::size_t>(position_.row)][static_cast<std::size_t>(position_.column)] =
+        static_cast<char>(code);
+    flowed_ = true;
+  }
+  position_.column = std::min(position_.column + 1, kFarthest);
+}
+
+void TextScreen::new_line() {
+  flowed_ = flowed_ || (position_.row >= 0 && position_.row < rows_);
+  position_.row = std::min(position_.row + 1, kFarthest);
+  position_.column = 0;
+}
+
+void TextScreen::scroll(Canvas& canvas, int count) {
+  const int rows = std::min(count, rows_);
+  canvas.scroll_up(rows * font_.cell_height(), rows_ * font_.cell_height(), paper_);
+  std::rotate(cells_.begin(), cells_.begin() + rows, cells_.end());
+  std::fill(cells_.end() - rows, cells_.end(),
+            std::string(static_cast<std::size_t>(columns_), ' '));
+  position_.row = rows_ - 1;
+}
+
+void TextScreen::clear() {
+  std::fill(cells_.begin(), cells_.end(), std::string(static_cast<std::size_t>(columns_), ' '));
+  position_ = {};
+  flowed_ = true;
+  ink_ = {255, 255, 255};
+  paper_ = {};
+}
+
+void TextScreen::set_position(int row, int column) {
+  position_ = {std::clamp(row, -kFarthest, kFarthest), std::clamp(column, -kFarthest, kFarthest)};
+  // A cursor that the program itself put outside must not make the screen scroll or wrap.
+  flowed_ = position_.row >= 0 && position_.row < rows_ && position_.column >= 0 &&
+            position_.column < columns_;
+}
+
+void TextScreen::set_colours(Rgb ink, Rgb paper) {
+  ink_ = ink;
+  paper_ = paper;
+}
+
+void TextScreen::set_font(FontFamily family, FontStyle style) {
+  family_ = family;
+  style_ = style;
+  apply_font();
+}
+
+void TextScreen::set_font_size(int size) {
+  size_ = size;
+  apply_font();
+}
+
+void TextScreen::apply_font() {
+  font_ = Font(family_, style_, size_);
+  rows_ = height_ / font_.cell_height();
+  columns_ = width_ / font_.cell_width();
+  cells_.resize(static_cast<std::size_t>(rows_));
+  for (std::string& row : cells_) {
+    row.resize(static_cast<std::size_t>(columns_), ' ');
+  }
+}
+
+std::vector<std::string> TextScreen::rows_as_text() const {
+  std::vector<std::string> rows;
+  for (const std::string& row : cells_) {
+    rows.push_back(to_utf8(std::string_view(row).substr(0, row.find_last_not_of(' ') + 1)));
+  }
+  return rows;
+}
+
+}  // namespace eyebridge::robios
