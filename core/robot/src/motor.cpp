@@ -37,7 +37,9 @@ double Wheel::drive_controlled(double speed, const MotorModel& model) {
   const double target = std::clamp(speed, -model.top, model.top);
   const double error = last_target_ - speed_;
   const double periods = model.dt / kPeriod;
-  const double integral = integral_ + error * periods;
+  // Standing still is not aimed at but braked to: what the integral gathered on the way would
+  // drive the wheel past it.
+  const double integral = target == 0.0 ? 0.0 : integral_ + error * periods;
   const double correction =
       kScale * (gains_.p * error + gains_.d * (error - last_error_) / periods) +
       kIntegralScale * gains_.i * integral;
@@ -60,6 +62,10 @@ void Wheel::halt() {
   last_target_ = 0.0;
   last_error_ = 0.0;
   integral_ = 0.0;
+}
+
+double Wheel::rolling(const MotorModel& model) const {
+  return speed_ * model.time_constant / (1.0 + kScale * gains_.p);
 }
 
 std::int64_t Wheel::raw_ticks(const MotorModel& model) const {

@@ -45,6 +45,8 @@ class Wheel {
   void set_gains(const PidGains& gains) { gains_ = gains; }
   [[nodiscard]] double speed() const { return speed_; }    ///< Of the rim, metres per second.
   [[nodiscard]] double travel() const { return travel_; }  ///< Since the start, metres.
+  /// How far the rim still goes when the controller is told to stand still, metres.
+  [[nodiscard]] double rolling(const MotorModel& model) const;
   /// Whole ticks since the start, to the nearest one.
   [[nodiscard]] std::int64_t raw_ticks(const MotorModel& model) const;
   [[nodiscard]] std::int64_t ticks(const MotorModel& model) const {

@@ -73,8 +73,7 @@ Twist RobotState::present() const {
 }
 
 PathStep RobotState::rolling() const {
-  return path_of({motor.time_constant * wheels[0].speed(), motor.time_constant * wheels[1].speed()},
-                 wheel_base);
+  return path_of({wheels[0].rolling(motor), wheels[1].rolling(motor)}, wheel_base);
 }
 
 void RobotState::use_motors() {

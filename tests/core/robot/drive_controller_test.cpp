@@ -294,7 +294,7 @@ TEST(StoppingShare, FullDecelerationFromItEndsExactly) {
     double left = remaining;
     double speed = stopping_share(speed_step * dt / left) * left / dt;
     for (; speed > 1e-12; speed -= speed_step) left -= speed * dt;
-    EXPECT_NEAR(left, 0.0, 1e-13) << remaining;
+    EXPECT_NEAR(left, 0.0, 1e-12) << remaining;
   }
 }
 

@@ -57,7 +57,7 @@ TEST(Motor, PidConvergesWithoutSteadyStateErrorOrMuchOvershoot) {
       wheel.drive_controlled(0.5, model);
       top = std::max(top, wheel.speed());
     }
-    EXPECT_NEAR(wheel.speed(), 0.5, 1e-9) << time_constant;
+    EXPECT_NEAR(wheel.speed(), 0.5, 1e-7) << time_constant;
     EXPECT_LT(top, 0.65) << time_constant;
   }
 }
@@ -71,6 +71,17 @@ TEST(Motor, PidIsFasterThanTheMotorAlone) {
     alone.drive(0.5, model);
   }
   EXPECT_GT(controlled.speed(), alone.speed() + 0.01);
+}
+
+TEST(Motor, RollsAsFarAsPredictedWhenToldToStand) {
+  const MotorModel model = lagging(0.1);
+  Wheel wheel;
+  for (int i = 0; i < 100; ++i) wheel.drive_controlled(0.5, model);
+  const double predicted = wheel.rolling(model);
+  double travel = 0.0;
+  for (int i = 0; i < 500; ++i) travel += wheel.drive_controlled(0.0, model);
+  EXPECT_NEAR(travel, predicted, 0.1 * predicted);
+  EXPECT_NEAR(wheel.speed(), 0.0, 1e-12);
 }
 
 TEST(Motor, EveryGainHasAnEffect) {

@@ -149,7 +149,7 @@ TEST(SlantedBeam, ReadsAlongTheBeam) {
 
   const SlantedBeam up(model, deg_to_rad(-60));
   EXPECT_NEAR(up.level_reach(), 2.5, 1e-12);
-  EXPECT_EQ(up.range(2.5), 5.0);
+  EXPECT_EQ(up.range(up.level_reach()), 5.0);
 }
 
 }  // namespace

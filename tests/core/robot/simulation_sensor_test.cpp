@@ -1,0 +1,213 @@
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "rig.hpp"
+
+namespace eyebridge::robot {
+namespace {
+
+RangeSensorModel psd(double bearing) {
+  RangeSensorModel sensor;
+  const Heading heading = Heading::from_angle(bearing);
+  sensor.pose_in_robot = {0.05 * heading.cos, 0.05 * heading.sin, bearing};
+  return sensor;
+}
+
+TEST(RangeSensor, MeasuresFromItsFaceToTheWall) {
+  RobotModel model;
+  model.range_sensors = {psd(0.0), psd(kPi / 2), psd(-kPi / 2), psd(kPi)};
+  Rig rig(model, {3.0, 1.5, kPi / 2});
+  EXPECT_NEAR(rig.sim.read_range(rig.robot, 0), 4.0 - 1.5 - 0.05, 1e-9) << "north";
+  EXPECT_NEAR(rig.sim.read_range(rig.robot, 1), 3.0 - 0.05, 1e-9) << "west";
+  EXPECT_NEAR(rig.sim.read_range(rig.robot, 2), 1.0 - 0.05, 1e-9) << "east";
+  EXPECT_NEAR(rig.sim.read_range(rig.robot, 3), 1.5 - 0.05, 1e-9) << "south";
+}
+
+TEST(RangeSensor, OutsideItsLimitsReadsOutOfRange) {
+  RobotModel model;
+  model.range_sensors = {psd(0.0)};
+  model.range_sensors[0].min_range = 0.1;
+  model.range_sensors[0].max_range = 0.8;
+  Rig rig(model);
+  EXPECT_EQ(rig.sim.read_range(rig.robot, 0), 9.999) << "too far";
+  rig.sim.set_pose(rig.robot, {3.3, 2.0, 0.0});
+  EXPECT_NEAR(rig.sim.read_range(rig.robot, 0), 0.65, 1e-9);
+  rig.sim.set_pose(rig.robot, {3.9, 2.0, 0.0});
+  EXPECT_EQ(rig.sim.read_range(rig.robot, 0), 9.999) << "too near";
+}
+
+TEST(RangeSensor, SeesOtherRobotsButNotItself) {
+  RobotModel model;
+  model.range_sensors = {psd(0.0)};
+  Rig rig(model, {1.0, 2.0, 0.0});
+  rig.sim.add_robot({}, {2.0, 2.0, 0.0});
+  EXPECT_NEAR(rig.sim.read_range(rig.robot, 0), 1.0 - 0.05 - 0.093, 1e-9);
+}
+
+TEST(Proximity, IsTrueNearerThanItsThreshold) {
+  RobotModel model;
+  ProximityModel sensor;
+  sensor.threshold = 0.15;
+  model.proximity_sensors = {sensor};
+  Rig rig(model, {4.0 - 0.16, 2.0, 0.0});
+  EXPECT_FALSE(rig.sim.read_proximity(rig.robot, 0));
+  rig.sim.set_pose(rig.robot, {4.0 - 0.149, 2.0, 0.0});
+  EXPECT_TRUE(rig.sim.read_proximity(rig.robot, 0));
+}
+
+TEST(Proximity, FlipsAsOftenAsItWasTold) {
+  RobotModel model;
+  ProximityModel sensor;
+  sensor.flip_probability = 0.1;
+  model.proximity_sensors = {sensor};
+  Rig rig(model);
+  int wrong = 0;
+  for (int i = 0; i < 10000; ++i) wrong += rig.sim.read_proximity(rig.robot, 0) ? 1 : 0;
+  EXPECT_NEAR(wrong, 1000, 120);
+}
+
+std::array<bool, 4> bumpers_at_wall(double heading) {
+  RobotModel model;
+  for (const double middle : {0.0, 90.0, 180.0, 270.0}) {  // front, left, back, right
+    BumperModel bumper;
+    bumper.start = deg_to_rad(middle - 45);
+    bumper.end = deg_to_rad(middle + 45);
+    model.bumpers.push_back(bumper);
+  }
+  Rig rig(model, {4.0 - model.radius() - 1e-4, 2.0, heading});
+  std::array<bool, 4> touched{};
+  for (std::size_t i = 0; i < 4; ++i) touched[i] = rig.sim.read_bumper(rig.robot, i);
+  return touched;
+}
+
+TEST(Bumper, TellsOnWhichSideTheWallIs) {
+  EXPECT_EQ(bumpers_at_wall(0.0), (std::array{true, false, false, false}));
+  EXPECT_EQ(bumpers_at_wall(-kPi / 2), (std::array{false, true, false, false}));
+  EXPECT_EQ(bumpers_at_wall(kPi), (std::array{false, false, true, false}));
+  EXPECT_EQ(bumpers_at_wall(kPi - 0.5), (std::array{false, false, true, false}));
+  EXPECT_EQ(bumpers_at_wall(-kPi + 0.5), (std::array{false, false, true, false}));
+  EXPECT_EQ(bumpers_at_wall(kPi / 2), (std::array{false, false, false, true}));
+}
+
+TEST(Bumper, IsOpenAwayFromEverything) {
+  RobotModel model;
+  model.bumpers = {{1, "ring", 0.0, 2 * kPi, 0.0}};
+  Rig rig(model, {4.0 - model.radius() - 0.01, 2.0, 0.0});
+  EXPECT_FALSE(rig.sim.read_bumper(rig.robot, 0));
+}
+
+TEST(Bumper, MissesAsOftenAsItWasTold) {
+  RobotModel model;
+  model.bumpers = {{1, "ring", 0.0, 2 * kPi, 0.25}};
+  Rig rig(model, {4.0 - model.radius() - 1e-4, 2.0, 0.0});
+  int seen = 0;
+  for (int i = 0; i < 4000; ++i) seen += rig.sim.read_bumper(rig.robot, 0) ? 1 : 0;
+  EXPECT_NEAR(seen, 3000, 120);
+}
+
+TEST(Lidar, FullCircleStartsBehindAndGoesByTheLeft) {
+  RobotModel model;
+  model.lidar = LidarModel{};
+  Rig rig(model, {1.0, 1.5, 0.0});
+  std::vector<double> ranges(360);
+  rig.sim.read_lidar(rig.robot, 2 * kPi, ranges);
+  EXPECT_NEAR(ranges[0], 1.0, 1e-9) << "behind";
+  EXPECT_NEAR(ranges[90], 2.5, 1e-9) << "left";
+  EXPECT_NEAR(ranges[180], 3.0, 1e-9) << "front";
+  EXPECT_NEAR(ranges[270], 1.5, 1e-9) << "right";
+}
+
+TEST(Lidar, TurnsWithTheRobotAndSitsWhereItsModelSays) {
+  RobotModel model;
+  model.lidar = LidarModel{};
+  model.lidar->pose_in_robot = {0.1, 0.0, 0.0};
+  Rig rig(model, {1.0, 1.5, kPi / 2});
+  std::vector<double> ranges(360);
+  rig.sim.read_lidar(rig.robot, 2 * kPi, ranges);
+  EXPECT_NEAR(ranges[180], 2.4, 1e-9) << "front, north";
+  EXPECT_NEAR(ranges[90], 1.0, 1e-9) << "left, west";
+}
+
+TEST(Lidar, PartialScanRunsFromLeftToRight) {
+  RobotModel model;
+  model.lidar = LidarModel{};
+  Rig rig(model, {1.0, 1.5, 0.0});
+  std::vector<double> ranges(3);
+  rig.sim.read_lidar(rig.robot, kPi, ranges);
+  EXPECT_NEAR(ranges[0], 2.5, 1e-9);
+  EXPECT_NEAR(ranges[1], 3.0, 1e-9);
+  EXPECT_NEAR(ranges[2], 1.5, 1e-9);
+}
+
+TEST(Lidar, NothingInReachReadsItsReach) {
+  RobotModel model;
+  model.lidar = LidarModel{};
+  model.lidar->max_range = 0.7;
+  model.lidar->error.sigma = 0.01;
+  Rig rig(model);
+  std::vector<double> ranges(8);
+  rig.sim.read_lidar(rig.robot, 2 * kPi, ranges);
+  EXPECT_EQ(ranges, std::vector<double>(8, 0.7));
+}
+
+TEST(Lidar, TiltedDownItSeesTheFloor) {
+  RobotModel model;
+  model.lidar = LidarModel{};
+  Rig rig(model);
+  std::vector<double> ranges(4);
+  rig.sim.read_lidar(rig.robot, 2 * kPi, deg_to_rad(30), ranges);
+  for (const double range : ranges) EXPECT_NEAR(range, 0.2, 1e-9);
+}
+
+TEST(Lidar, ErrorsSpreadTheReadings) {
+  RobotModel model;
+  model.lidar = LidarModel{};
+  model.lidar->error = {0.1, 0.02, 0.0};
+  Rig rig(model);
+  std::vector<double> ranges(1);
+  double sum = 0.0;
+  double squares = 0.0;
+  constexpr int kCount = 5000;
+  for (int i = 0; i < kCount; ++i) {
+    rig.sim.read_lidar(rig.robot, 1.0, ranges);
+    sum += ranges[0] - 2.0;
+    squares += (ranges[0] - 2.0) * (ranges[0] - 2.0);
+  }
+  const double mean = sum / kCount;
+  EXPECT_NEAR(mean, 0.1, 0.002);
+  EXPECT_NEAR(std::sqrt(squares / kCount - mean * mean), 0.02, 0.001);
+}
+
+TEST(Compass, ReadsTheHeading) {
+  Rig rig({}, {2.0, 2.0, -2.5});
+  EXPECT_NEAR(rig.sim.read_compass(rig.robot), -2.5, 1e-12);
+}
+
+TEST(Compass, ErrorIsWrapped) {
+  RobotModel model;
+  model.compass_error.bias = 0.2;
+  Rig rig(model, {2.0, 2.0, kPi - 0.1});
+  EXPECT_NEAR(rig.sim.read_compass(rig.robot), -kPi + 0.1, 1e-12);
+}
+
+TEST(Servo, StartsInTheMiddleAndIsClamped) {
+  Rig rig;
+  EXPECT_EQ(rig.sim.servo(rig.robot, 0), 0.5);
+  rig.sim.set_servo(rig.robot, 0, 0.75);
+  rig.sim.set_servo(rig.robot, 1, 7.0);
+  EXPECT_EQ(rig.sim.servo(rig.robot, 0), 0.75);
+  EXPECT_EQ(rig.sim.servo(rig.robot, 1), 1.0);
+}
+
+TEST(Simulation, RefusesARobotInAWall) {
+  Simulation sim(room(1.0, 1.0), {});
+  EXPECT_THROW(sim.add_robot({}, {0.05, 0.5, 0.0}), std::invalid_argument);
+  EXPECT_EQ(sim.robot_count(), 0u);
+}
+
+}  // namespace
+}  // namespace eyebridge::robot
