@@ -54,7 +54,8 @@ inline double nearer_hit(const Segment& wall, Vec2 origin, Vec2 direction, doubl
   }
   const double slack = kRayTolerance * den;
   if (along_wall < -slack || along_wall > wall.length * den + slack) return best;
-  if (along_ray < -slack || along_ray >= best * den) return best;
+  // The factor is above the roundings of this test, so that the least range wins in any order.
+  if (along_ray < -slack || along_ray > best * den * (1.0 + 1e-15)) return best;
   const double range = along_ray / den;
   return range < 0.0 ? 0.0 : (range < best ? range : best);
 }

@@ -8,7 +8,8 @@
 namespace eyebridge::world {
 namespace {
 
-constexpr std::uint32_t kBare = ~std::uint32_t{0};
+/// More cells cost memory, fewer cost tests; flat between 0.5 and 1.5.
+constexpr double kSegmentsPerCell = 1.0;
 
 /// A wall on its line: direction and offset rounded so that walls of one line compare equal.
 struct OnLine {
@@ -34,6 +35,7 @@ OnLine on_line(const Wall& wall, std::size_t index) {
 
 /// True when `p` lies in the rectangle of the thick `wall`.
 bool within(const Wall& wall, Vec2 p) {
+  if (wall.thickness <= 0.0) return false;
   const Segment axis = segment_between(wall.a, wall.b);
   const double along = dot(p - wall.a, axis.u);
   return along >= 0.0 && along <= axis.length &&
@@ -74,87 +76,34 @@ std::vector<Wall> join_collinear(const std::vector<Wall>& walls) {
   return joined;
 }
 
-WallIndex::WallIndex(const std::vector<Wall>& walls) {
-  for (const Wall& wall : join_collinear(walls)) {
-    const std::vector<Segment> outline = outlines_of({wall});
-    const bool bare = wall.thickness <= 0.0;
-    const std::uint32_t owner = bare ? kBare : static_cast<std::uint32_t>(thick_.size());
-    if (!bare) thick_.push_back(wall);
-    segments_.insert(segments_.end(), outline.begin(), outline.end());
-    owners_.insert(owners_.end(), outline.size(), owner);
-  }
-  build_grid();
-}
-
-void WallIndex::build_grid() {
-  starts_.assign(2, 0);
-  if (segments_.empty()) return;
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Vec2 low{kInfinity, kInfinity};
-  Vec2 high{-kInfinity, -kInfinity};
-  double length = 0.0;
-  for (const Segment& s : segments_) {
-    for (const Vec2 p : {s.a, s.a + s.length * s.u}) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    length += s.length;
-  }
-  // About as many cells as wall pieces of a cell's length, within bounds.
-  const double count = static_cast<double>(segments_.size());
-  const double extent = std::max(high.x - low.x, high.y - low.y);
-  const double area = std::max((high.x - low.x) * (high.y - low.y), 1e-6 * extent * extent);
-  const double cell =
-      std::max({area / length * 1.2, std::sqrt(area / (16.0 * count)), extent / 1024});
-  origin_ = low;
-  per_cell_ = 1.0 / cell;
-  columns_ = static_cast<std::size_t>((high.x - low.x) * per_cell_) + 1;
-  rows_ = static_cast<std::size_t>((high.y - low.y) * per_cell_) + 1;
-
-  // Two passes: count, then fill. Segments on a border go to both sides.
-  const double slack = 1e-7 * cell;
-  const auto each_cell_of = [&](const Segment& s, auto visit) {
-    const Vec2 end = s.a + s.length * s.u;
-    const Range columns =
-        columns_of(std::min(s.a.x, end.x) - slack, std::max(s.a.x, end.x) + slack);
-    const Range rows = rows_of(std::min(s.a.y, end.y) - slack, std::max(s.a.y, end.y) + slack);
-    const Vec2 normal{std::fabs(s.u.y), std::fabs(s.u.x)};
-    const double half_width = (cell / 2) * (normal.x + normal.y) + slack;
-    for (std::size_t row = rows.first; row <= rows.last; ++row) {
-      for (std::size_t column = columns.first; column <= columns.last; ++column) {
-        const Vec2 centre = origin_ + cell * Vec2{static_cast<double>(column) + 0.5,
-                                                  static_cast<double>(row) + 0.5};
-        if (std::fabs(cross(s.u, centre - s.a)) <= half_width) visit(row * columns_ + column);
-      }
-    }
-  };
-  starts_.assign(columns_ * rows_ + 1, 0);
-  for (const Segment& s : segments_) each_cell_of(s, [&](std::size_t c) { ++starts_[c + 1]; });
-  for (std::size_t c = 1; c < starts_.size(); ++c) starts_[c] += starts_[c - 1];
-  items_.resize(starts_.back());
-  std::vector<std::uint32_t> next(starts_.begin(), starts_.end() - 1);
-  for (std::uint32_t i = 0; i < segments_.size(); ++i) {
-    each_cell_of(segments_[i], [&](std::size_t c) { items_[next[c]++] = i; });
+WallIndex::WallIndex(const std::vector<Wall>& walls)
+    : joined_(join_collinear(walls)),
+      segments_(outlines_of(joined_)),
+      grid_(segments_, cell_size_for(segments_, kSegmentsPerCell), 0) {
+  for (std::uint32_t i = 0; i < joined_.size(); ++i) {
+    const bool thick = joined_[i].thickness > 0.0;
+    owners_.insert(owners_.end(), thick ? 4 : 1, i);
+    if (thick) thick_.push_back(i);
   }
 }
 
 bool WallIndex::inside_thick(Vec2 p) const {
   return std::any_of(thick_.begin(), thick_.end(),
-                     [&](const Wall& wall) { return within(wall, p); });
+                     [&](std::uint32_t i) { return within(joined_[i], p); });
 }
 
 WallIndex::Contact WallIndex::first_contact(Vec2 from, Vec2 motion, double reach) const {
   Contact best;
   const Vec2 to = from + motion;
-  each_in_box({std::min(from.x, to.x) - reach, std::min(from.y, to.y) - reach},
-              {std::max(from.x, to.x) + reach, std::max(from.y, to.y) + reach},
-              [&](std::uint32_t i) {
-                const double fraction = wall_contact(segments_[i], from, motion, reach);
-                if (fraction > best.fraction || fraction > 1.0) return;
-                // A disc that a person put into a thick wall may leave it on any side.
-                if (owners_[i] != kBare && within(thick_[owners_[i]], from)) return;
-                if (fraction < best.fraction || i < best.segment) best = {fraction, i};
-              });
+  grid_.each_in_box({std::min(from.x, to.x) - reach, std::min(from.y, to.y) - reach},
+                    {std::max(from.x, to.x) + reach, std::max(from.y, to.y) + reach},
+                    [&](std::uint32_t i) {
+                      const double fraction = wall_contact(segments_[i], from, motion, reach);
+                      if (fraction > best.fraction || fraction > 1.0) return;
+                      // A disc that a person put into a thick wall may leave it on any side.
+                      if (within(joined_[owners_[i]], from)) return;
+                      if (fraction < best.fraction || i < best.segment) best = {fraction, i};
+                    });
   return best;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "geometry.hpp"
+#include "segment_grid.hpp"
 
 namespace eyebridge::world {
 
@@ -33,7 +34,7 @@ class WallIndex {
   /// Calls visit(segment index, distance) for each segment nearer than `limit`, at least once.
   template <class Visit>
   void each_near(Vec2 p, double limit, Visit visit) const {
-    each_in_box({p.x - limit, p.y - limit}, {p.x + limit, p.y + limit}, [&](std::uint32_t i) {
+    grid_.each_in_box({p.x - limit, p.y - limit}, {p.x + limit, p.y + limit}, [&](std::uint32_t i) {
       const double d = norm(p - closest_point(segments_[i], p));
       if (d < limit) visit(i, d);
     });
@@ -42,47 +43,11 @@ class WallIndex {
   [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
 
  private:
-  struct Range {
-    std::size_t first;
-    std::size_t last;
-  };
-  [[nodiscard]] Range columns_of(double x0, double x1) const {
-    return {cell_of(x0 - origin_.x, columns_), cell_of(x1 - origin_.x, columns_)};
-  }
-  [[nodiscard]] Range rows_of(double y0, double y1) const {
-    return {cell_of(y0 - origin_.y, rows_), cell_of(y1 - origin_.y, rows_)};
-  }
-  /// Places outside belong to the outermost cells; so do NaNs.
-  [[nodiscard]] std::size_t cell_of(double offset, std::size_t count) const {
-    const double index = offset * per_cell_;
-    if (!(index > 0.0)) return 0;
-    return index < static_cast<double>(count) ? static_cast<std::size_t>(index) : count - 1;
-  }
-  /// Calls visit(segment index) for the segments of all cells that the box touches; one that lies
-  /// in several cells comes several times.
-  template <class Visit>
-  void each_in_box(Vec2 low, Vec2 high, Visit visit) const {
-    if (segments_.empty()) return;
-    const Range columns = columns_of(low.x, high.x);
-    const Range rows = rows_of(low.y, high.y);
-    for (std::size_t row = rows.first; row <= rows.last; ++row) {
-      const std::size_t base = row * columns_;
-      // Cells of a row follow each other, and so do their lists.
-      const std::uint32_t end = starts_[base + columns.last + 1];
-      for (std::uint32_t k = starts_[base + columns.first]; k < end; ++k) visit(items_[k]);
-    }
-  }
-  void build_grid();
-
-  std::vector<Segment> segments_;
-  std::vector<Wall> thick_;            ///< Walls with a thickness.
-  std::vector<std::uint32_t> owners_;  ///< Index into thick_ of each segment, or kBare.
-  std::vector<std::uint32_t> starts_;  ///< Cell -> first of its items; one more at the end.
-  std::vector<std::uint32_t> items_;
-  Vec2 origin_;
-  double per_cell_ = 1.0;  ///< 1 / edge length of a cell.
-  std::size_t columns_ = 1;
-  std::size_t rows_ = 1;
+  std::vector<Wall> joined_;           ///< The walls, joined.
+  std::vector<Segment> segments_;      ///< Their outlines.
+  std::vector<std::uint32_t> owners_;  ///< Index into joined_ of each segment's wall.
+  std::vector<std::uint32_t> thick_;   ///< Indices into joined_ of the walls with a thickness.
+  SegmentGrid grid_;
 };
 
 }  // namespace eyebridge::world

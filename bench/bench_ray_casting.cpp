@@ -1,0 +1,106 @@
+#include <chrono>
+
+#include <benchmark/benchmark.h>
+
+#include "bench_worlds.hpp"
+#include "eyebridge/world/ray_caster.hpp"
+
+namespace eyebridge {
+namespace {
+
+using world::RayCaster;
+using world::RayMethod;
+using world::WorldModel;
+
+constexpr std::size_t kRays = 360;
+constexpr double kMaxRange = 5.0;
+
+std::vector<Vec2> places_in(const WorldModel& model) {
+  Random random(7);
+  std::vector<Vec2> places(64);
+  for (Vec2& p : places) p = {random.uniform() * model.width, random.uniform() * model.height};
+  return places;
+}
+
+std::vector<Vec2> scan_directions() {
+  std::vector<Vec2> directions;
+  for (std::size_t i = 0; i < kRays; ++i) {
+    directions.push_back(
+        Heading::from_angle(2 * kPi * static_cast<double>(i) / kRays + 0.001).forward());
+  }
+  return directions;
+}
+
+/// Seconds a ray by brute force, measured now: the baseline of the same run.
+double brute_force_seconds(const WorldModel& model) {
+  const RayCaster caster(model, RayMethod::BruteForce);
+  const std::vector<Vec2> directions = scan_directions();
+  std::vector<double> ranges(kRays);
+  std::size_t rays = 0;
+  const auto start = std::chrono::steady_clock::now();
+  std::chrono::duration<double> spent{};
+  for (const Vec2 place : places_in(model)) {
+    caster.cast_fan(place, directions, kMaxRange, ranges);
+    benchmark::DoNotOptimize(ranges.data());
+    rays += kRays;
+    spent = std::chrono::steady_clock::now() - start;
+    if (spent.count() > 0.2) break;
+  }
+  return spent.count() / static_cast<double>(rays);
+}
+
+void cast(benchmark::State& state, const WorldModel& model, RayMethod method) {
+  const double baseline = brute_force_seconds(model);
+  const RayCaster caster(model, method);
+  const std::vector<Vec2> directions = scan_directions();
+  const std::vector<Vec2> places = places_in(model);
+  std::vector<double> ranges(kRays);
+  std::size_t place = 0;
+  std::size_t rays = 0;
+  for (auto _ : state) {
+    caster.cast_fan(places[place++ % places.size()], directions, kMaxRange, ranges);
+    benchmark::DoNotOptimize(ranges.data());
+    rays += kRays;
+  }
+  const auto count = static_cast<double>(rays);
+  state.counters["walls"] = static_cast<double>(model.walls.size());
+  state.counters["rays/s"] = benchmark::Counter(count, benchmark::Counter::kIsRate);
+  state.counters["vs_brute"] = benchmark::Counter(count * baseline, benchmark::Counter::kIsRate);
+}
+
+void register_all(const char* scene, WorldModel (*make)(int), bool maze) {
+  struct Row {
+    const char* name;
+    RayMethod method;
+  };
+  constexpr Row kRows[] = {{"BruteForce", RayMethod::BruteForce},
+                           {"GridScalar", RayMethod::GridScalar},
+                           {"GridAvx2", RayMethod::GridAvx2},
+                           {"EdgeBits", RayMethod::EdgeBits}};
+  for (const Row& row : kRows) {
+    if (row.method == RayMethod::EdgeBits && !maze) continue;
+    for (const int walls : {100, 400, 2000}) {
+      const std::string name = std::string(scene) + "/" + row.name + "/" + std::to_string(walls);
+      benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
+        try {
+          cast(state, make(walls), row.method);
+        } catch (const std::invalid_argument& error) {
+          state.SkipWithError(error.what());
+        }
+      });
+    }
+  }
+}
+
+const bool kRegistered = [] {
+  register_all(
+      "Maze", [](int walls) { return bench::perfect_maze(walls); }, true);
+  register_all(
+      "Open4m", [](int walls) { return bench::open_scene(walls, 4.0); }, false);
+  register_all(
+      "Open20m", [](int walls) { return bench::open_scene(walls, 20.0); }, false);
+  return true;
+}();
+
+}  // namespace
+}  // namespace eyebridge

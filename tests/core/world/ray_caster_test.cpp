@@ -1,0 +1,228 @@
+#include "eyebridge/world/ray_caster.hpp"
+
+#include <cmath>
+#include <limits>
+#include <ostream>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "eyebridge/base/units.hpp"
+#include "ray_grid.hpp"
+#include "scenes.hpp"
+
+namespace eyebridge::world {
+namespace {
+
+struct MethodCase {
+  std::string name;
+  RayMethod method;
+
+  friend void PrintTo(const MethodCase& c, std::ostream* out) { *out << c.name; }
+};
+
+/// Ranges of one method against those of the loop over all walls, from random places in and around
+/// the world.
+class EveryMethod : public testing::TestWithParam<MethodCase> {
+ protected:
+  void SetUp() override {
+    if (GetParam().method == RayMethod::GridAvx2 && !RayGrid::has_avx2()) {
+      GTEST_SKIP() << "no AVX2 here";
+    }
+  }
+  [[nodiscard]] static bool needs_maze() { return GetParam().method == RayMethod::EdgeBits; }
+
+  static void expect_as_brute_force(const WorldModel& model, std::uint64_t seed, int places,
+                                    double max_range) {
+    const RayCaster reference(model, RayMethod::BruteForce);
+    const RayCaster caster(model, GetParam().method);
+    const double tolerance = needs_maze() ? 1e-12 : 0.0;
+    Random random(seed);
+    std::vector<Vec2> directions(64);
+    std::vector<double> expected(directions.size());
+    std::vector<double> actual(directions.size());
+    for (int place = 0; place < places; ++place) {
+      const Vec2 origin{(1.6 * random.uniform() - 0.3) * model.width,
+                        (1.6 * random.uniform() - 0.3) * model.height};
+      for (Vec2& d : directions) d = Heading::from_angle(2 * kPi * random.uniform()).forward();
+      reference.cast_fan(origin, directions, max_range, expected);
+      caster.cast_fan(origin, directions, max_range, actual);
+      for (std::size_t i = 0; i < directions.size(); ++i) {
+        if (actual[i] == expected[i]) continue;  // infinities too
+        ASSERT_NEAR(actual[i], expected[i], tolerance)
+            << "from (" << origin.x << ", " << origin.y << ") along (" << directions[i].x << ", "
+            << directions[i].y << "), place " << place;
+      }
+    }
+  }
+};
+
+class EveryGeneralMethod : public EveryMethod {};
+
+TEST_P(EveryMethod, AgreesWithBruteForceInMazes) {
+  for (const double density : {0.1, 0.4, 0.8}) {
+    expect_as_brute_force(random_maze(7, 16, density), 11, 150, 5.0);
+  }
+  expect_as_brute_force(random_maze(8, 3, 0.3, 0.18), 12, 300, 50.0);
+}
+
+TEST_P(EveryGeneralMethod, AgreesWithBruteForceAmongWallsAtAnyAngle) {
+  expect_as_brute_force(random_walls(1, 30, 4.0, 0.0), 13, 200, 10.0);
+  expect_as_brute_force(random_walls(2, 400, 4.0, 0.05), 14, 200, 10.0);
+  expect_as_brute_force(random_walls(3, 1000, 40.0, 0.2), 15, 150, 100.0);
+}
+
+TEST_P(EveryMethod, AgreesWithBruteForceForLongAndShortReach) {
+  const WorldModel model = random_maze(9, 40, 0.02);
+  expect_as_brute_force(model, 16, 60, 0.2);
+  expect_as_brute_force(model, 17, 60, 1e6);
+  expect_as_brute_force(model, 18, 60, std::numeric_limits<double>::infinity());
+}
+
+TEST_P(EveryMethod, AgreesWithBruteForceFromAndThroughGridPoints) {
+  // Origins on walls and on the lines between cells, rays through corners and along walls.
+  const WorldModel model = random_maze(10, 8, 0.4, 0.25);  // 0.25: exact in binary
+  const RayCaster reference(model, RayMethod::BruteForce);
+  const RayCaster caster(model, GetParam().method);
+  for (int x = -3; x <= 35; ++x) {
+    for (int y = -3; y <= 35; ++y) {
+      const Vec2 origin{x * 0.0625, y * 0.0625};
+      for (int dx = -5; dx <= 5; ++dx) {
+        for (int dy = -5; dy <= 5; ++dy) {
+          if (dx == 0 && dy == 0) continue;
+          const double length = std::sqrt(static_cast<double>(dx * dx + dy * dy));
+          const Vec2 d{dx / length, dy / length};
+          ASSERT_NEAR(caster.cast(origin, d, 3.0), reference.cast(origin, d, 3.0), 1e-9)
+              << origin.x << ' ' << origin.y << " along " << dx << ' ' << dy;
+        }
+      }
+    }
+  }
+}
+
+TEST_P(EveryMethod, NoRayLeavesAClosedRoomThroughItsCorners) {
+  const WorldModel model = random_maze(1, 3, 0.0, 0.3);  // twelve walls around a square
+  const RayCaster caster(model, GetParam().method);
+  Random random(5);
+  for (int i = 0; i < 3000; ++i) {
+    const Vec2 origin{0.01 + 0.88 * random.uniform(), 0.01 + 0.88 * random.uniform()};
+    const int k = i % 12;  // towards each of the joints
+    const Vec2 joint{0.3 * (k < 4    ? k
+                            : k < 6  ? 3
+                            : k < 10 ? 9 - k
+                                     : 0),
+                     0.3 * (k < 4    ? 0
+                            : k < 6  ? k - 3
+                            : k < 10 ? 3
+                                     : 12 - k)};
+    const Vec2 way = joint - origin;
+    const double distance = norm(way);
+    const double range = caster.cast(origin, (1.0 / distance) * way, 10.0);
+    ASSERT_NEAR(range, distance, 2e-8) << i;
+  }
+}
+
+TEST_P(EveryMethod, NothingInReachReadsAsMaxRange) {
+  const RayCaster caster(random_maze(1, 5, 0.0), GetParam().method);
+  EXPECT_EQ(caster.cast({0.9, 0.9}, {1, 0}, 0.5), 0.5);
+  EXPECT_EQ(caster.cast({-1, 0.9}, {-1, 0}, 7.0), 7.0);
+  EXPECT_EQ(caster.cast({-1, -3.5}, {1, 0}, 7.0), 7.0);
+  EXPECT_NEAR(caster.cast({-1, 0.9}, {1, -0.0}, 7.0), 1.0, 1e-15);
+  EXPECT_EQ(caster.cast({1e9, 0.9}, {-1, 0.0}, 7.0), 7.0);
+}
+
+const auto name_of = [](const auto& row) { return row.param.name; };
+
+INSTANTIATE_TEST_SUITE_P(RayCaster, EveryMethod,
+                         testing::Values(MethodCase{"GridScalar", RayMethod::GridScalar},
+                                         MethodCase{"GridAvx2", RayMethod::GridAvx2},
+                                         MethodCase{"EdgeBits", RayMethod::EdgeBits}),
+                         name_of);
+INSTANTIATE_TEST_SUITE_P(RayCaster, EveryGeneralMethod,
+                         testing::Values(MethodCase{"GridScalar", RayMethod::GridScalar},
+                                         MethodCase{"GridAvx2", RayMethod::GridAvx2}),
+                         name_of);
+
+TEST(RayCaster, RangesAreTheClosedForm) {
+  const RayCaster caster(room(4, 3), RayMethod::BruteForce);
+  for (int i = -80; i <= 80; ++i) {
+    const double angle = deg_to_rad(0.5 * i);
+    const double expected = std::min(3.0 / std::cos(angle), 1.0 / std::fabs(std::sin(angle)));
+    EXPECT_NEAR(caster.cast({1, 1}, Heading::from_angle(angle).forward(), 9),
+                i > 0 ? std::min(3.0 / std::cos(angle), 2.0 / std::sin(angle)) : expected, 1e-14);
+  }
+}
+
+TEST(RayCaster, ThickWallsAreSeenAtTheirFace) {
+  WorldModel model = room(4, 4);
+  Wall wall;
+  wall.a = {2, 1};
+  wall.b = {3, 2};
+  wall.thickness = 0.2;
+  model.walls.push_back(wall);
+  const RayCaster caster(model);
+  const double diagonal = std::sqrt(0.5);
+  EXPECT_NEAR(caster.cast({2, 2}, {diagonal, -diagonal}, 9), diagonal - 0.1, 1e-14);
+  EXPECT_NEAR(caster.cast({1.5, 0.5}, {diagonal, diagonal}, 9), diagonal, 1e-14) << "its end";
+}
+
+TEST(RayCaster, AFarCornerOfAWorldIsAsExactAsANearOne) {
+  WorldModel model = random_walls(4, 2000, 900.0, 0.0);
+  const RayCaster reference(model, RayMethod::BruteForce);
+  const RayCaster caster(model, RayMethod::GridScalar);
+  for (const Vec2 d : directions_around(720)) {
+    ASSERT_EQ(caster.cast({899, 899}, d, 2000), reference.cast({899, 899}, d, 2000));
+    ASSERT_EQ(caster.cast({-500, 450}, d, 4000), reference.cast({-500, 450}, d, 4000));
+  }
+}
+
+TEST(RayCaster, ScalarAndAvx2AgreeBitForBit) {
+  if (!RayGrid::has_avx2()) GTEST_SKIP() << "no AVX2 here";
+  const WorldModel model = random_walls(5, 700, 5.0, 0.03);
+  const RayCaster scalar(model, RayMethod::GridScalar);
+  const RayCaster vector(model, RayMethod::GridAvx2);
+  const std::vector<Vec2> directions = directions_around(360);
+  std::vector<double> a(360);
+  std::vector<double> b(360);
+  Random random(6);
+  for (int i = 0; i < 300; ++i) {
+    const Vec2 origin{5 * random.uniform(), 5 * random.uniform()};
+    scalar.cast_fan(origin, directions, 3.0, a);
+    vector.cast_fan(origin, directions, 3.0, b);
+    ASSERT_EQ(a, b);
+  }
+}
+
+TEST(RayCaster, AutoPicksEdgeBitsOnlyForPureMazes) {
+  WorldModel model = random_maze(1, 4, 0.5);
+  EXPECT_EQ(RayCaster(model).method(), RayMethod::EdgeBits);
+  model.walls.front().thickness = 0.01;
+  EXPECT_NE(RayCaster(model).method(), RayMethod::EdgeBits);
+  EXPECT_THROW(RayCaster(model, RayMethod::EdgeBits), std::invalid_argument);
+  const RayMethod expected = RayGrid::has_avx2() ? RayMethod::GridAvx2 : RayMethod::GridScalar;
+  EXPECT_EQ(RayCaster(room(1, 1)).method(), expected);
+}
+
+TEST(RayCaster, AWorldWithoutWallsIsEndless) {
+  for (const RayMethod method : {RayMethod::Auto, RayMethod::GridScalar, RayMethod::BruteForce}) {
+    EXPECT_EQ(RayCaster(WorldModel{}, method).cast({1, 2}, {0, 1}, 8.0), 8.0);
+  }
+}
+
+TEST(RayCaster, WallsOnOneLineMakeAGridToo) {
+  WorldModel model;
+  for (int i = 0; i < 50; ++i) {
+    Wall wall;
+    wall.a = {i * 0.1, 1.0};
+    wall.b = {i * 0.1 + 0.05, 1.0};
+    model.walls.push_back(wall);
+  }
+  const RayCaster caster(model, RayMethod::GridScalar);
+  EXPECT_NEAR(caster.cast({0.32, 0}, {0, 1}, 8.0), 1.0, 1e-15);
+  EXPECT_EQ(caster.cast({0.37, 0}, {0, 1}, 8.0), 8.0);
+  EXPECT_NEAR(caster.cast({-1, 1}, {1, 0}, 8.0), 1.0, 1e-15) << "along the wall: its near end";
+  EXPECT_EQ(caster.cast({0.32, 1}, {0.6, 0.8}, 8.0), 0.0) << "from a point on a wall";
+}
+
+}  // namespace
+}  // namespace eyebridge::world
