@@ -38,8 +38,8 @@ void run(const SettingFlags& flags, const std::vector<std::string>& words) {
 }  // namespace
 
 void add_run(CLI::App& root, int& /*code*/) {
-  CLI::App* command = root.add_subcommand("run", "Runs a robot program");
-  command->usage("Usage: eyebridge run [OPTIONS] PROGRAM [ARGUMENTS]");
+  CLI::App* command = root.add_subcommand(
+      "run", "Runs a robot program: eyebridge run [OPTIONS] PROGRAM [ARGUMENTS]");
   command->footer("PROGRAM is an executable (see eyebridge-cc) or a Python file. Every option can also be\n"
                   "an environment variable (EYEBRIDGE_WORLD) or a line of eyebridge.toml (world = \"...\").");
   // The program's name ends our options: what follows belongs to it, whatever it looks like.
