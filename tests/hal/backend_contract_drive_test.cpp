@@ -181,8 +181,7 @@ TEST_P(BackendContract, MotorsKeepTheSpeedTheyAreTold) {
   ASSERT_TRUE(rig.backend->motor(2)->set_speed(kTicksPerSecond));
   rig.wait(1.0);
   const robot::DriveModel drive = rig_model().drive;
-  const double expected =
-      kTicksPerSecond / drive.ticks_per_revolution * kPi * drive.wheel_diameter;
+  const double expected = kTicksPerSecond / drive.ticks_per_revolution * kPi * drive.wheel_diameter;
   EXPECT_NEAR(rig.backend->drive()->measured_twist().value().linear, expected, 0.02 * expected);
 }
 

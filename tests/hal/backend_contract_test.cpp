@@ -13,11 +13,11 @@
 namespace eyebridge::hal {
 namespace {
 
-using testing::Each;
 using testing::DoubleNear;
+using testing::Each;
 
 INSTANTIATE_TEST_SUITE_P(AllBackends, BackendContract, testing::ValuesIn(all_rigs()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& rig) { return rig.param.name; });
 
 TEST_P(BackendContract, FrontSensorSeesTheWallAhead) {
   for (const double wall : {0.12, 0.50, 0.80}) {
@@ -101,8 +101,8 @@ TEST_P(BackendContract, LidarScansASectorFromLeftToRight) {
   ASSERT_TRUE(lidar->configure(kPi, 0.0, 3));
   std::vector<double> ranges(3);
   ASSERT_TRUE(lidar->read(ranges));
-  EXPECT_THAT(ranges, testing::Pointwise(DoubleNear(range_tolerance()),
-                                         {2 * kSideWall - 0.7, 2.0, 0.7}));
+  EXPECT_THAT(ranges,
+              testing::Pointwise(DoubleNear(range_tolerance()), {2 * kSideWall - 0.7, 2.0, 0.7}));
 }
 
 TEST_P(BackendContract, LidarTiltedDownEndsAtTheFloor) {

@@ -29,9 +29,9 @@ class KeepingLog final : public LogSink {
 ///
 /// Range sensors: 1 front, 2 left, 3 right, 4 front with a reach of kShortReach.
 robot::RobotModel rig_model();
-inline constexpr double kShortReach = 0.3;   ///< Metres.
-inline constexpr double kThreshold = 0.15;   ///< Of the proximity switch, metres.
-inline constexpr double kSideWall = 1.0;     ///< From the robot's centre to either side, metres.
+inline constexpr double kShortReach = 0.3;    ///< Metres.
+inline constexpr double kThreshold = 0.15;    ///< Of the proximity switch, metres.
+inline constexpr double kSideWall = 1.0;      ///< From the robot's centre to either side, metres.
 inline constexpr double kFrontOffset = 0.08;  ///< From the robot's centre to the front sensor.
 
 /// A robot that faces a wall `wall` metres ahead of its front sensor, looking along +x; another

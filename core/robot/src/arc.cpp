@@ -20,12 +20,18 @@ world::Arc arc_of(const PathStep& path) {
   Heading turn;
   if (std::abs(a) < kSeriesLimit) {
     const double z = a * a;
-    sine_by_angle =
-        1.0 - z / 6.0 * (1.0 - z / 20.0 * (1.0 - z / 42.0 * (1.0 - z / 72.0 * (1.0 - z / 110.0))));
-    versine_by_angle =
-        a / 2.0 *
-        (1.0 -
-         z / 12.0 * (1.0 - z / 30.0 * (1.0 - z / 56.0 * (1.0 - z / 90.0 * (1.0 - z / 132.0)))));
+    double sine = -1.0 / 39916800.0;  // 1/11!
+    sine = sine * z + 1.0 / 362880.0;
+    sine = sine * z - 1.0 / 5040.0;
+    sine = sine * z + 1.0 / 120.0;
+    sine = sine * z - 1.0 / 6.0;
+    sine_by_angle = 1.0 + z * sine;
+    double versine = -1.0 / 479001600.0;  // 1/12!
+    versine = versine * z + 1.0 / 3628800.0;
+    versine = versine * z - 1.0 / 40320.0;
+    versine = versine * z + 1.0 / 720.0;
+    versine = versine * z - 1.0 / 24.0;
+    versine_by_angle = a * (0.5 + z * versine);
     turn = {1.0 - a * versine_by_angle, a * sine_by_angle};
   } else {
     const SinCos sc = sin_cos(a);

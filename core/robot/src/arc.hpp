@@ -14,6 +14,8 @@ struct WheelTravel {
 struct PathStep {
   double distance = 0.0;  ///< Along the arc, metres; negative is backwards.
   double angle = 0.0;     ///< Change of heading, radians; positive is counter-clockwise.
+
+  friend constexpr bool operator==(const PathStep&, const PathStep&) = default;
 };
 
 /// What a differential drive does when its wheels travel so far; `wheel_base` in metres.

@@ -36,6 +36,11 @@ double Wheel::drive(double speed, const MotorModel& model) {
 double Wheel::drive_controlled(double speed, const MotorModel& model) {
   const double target = std::clamp(speed, -model.top, model.top);
   const double error = last_target_ - speed_;
+  if (error == 0.0 && last_error_ == 0.0 && integral_ == 0.0) {
+    const double travel = drive(target, model);
+    last_target_ = target;
+    return travel;
+  }
   const double periods = model.dt / kPeriod;
   // Standing still is not aimed at but braked to: what the integral gathered on the way would
   // drive the wheel past it.

@@ -15,8 +15,7 @@ class Odometry {
   }
 
   /// Adds one step.
-  void add(const PathStep& path) {
-    const world::Arc arc = arc_of(path);
+  void add(const world::Arc& arc) {
     position_ = position_ + heading_.rotate(arc.displacement);
     heading_ = heading_.turned(arc.turn);
     // One Newton step of 1 / sqrt keeps the vector a unit vector over millions of steps.

@@ -76,8 +76,10 @@ void Simulation::Impl::step_robot(RobotIndex robot) {
   WheelTravel wheels = drive_wheels(state);
   const PathStep path = true_path(state, wheels);
   world::MoveResult result;
+  world::Arc arc;
   if (path.distance != 0.0 || path.angle != 0.0) {
-    result = world.move(state.body, arc_of(path), settings.step);
+    arc = arc_of(path);
+    result = world.move(state.body, arc, settings.step);
   }
   const bool held = result.blocked();
   wheels.left *= result.fraction;
@@ -85,7 +87,7 @@ void Simulation::Impl::step_robot(RobotIndex robot) {
   state.wheels[0].turn(wheels.left, held);
   state.wheels[1].turn(wheels.right, held);
   const PathStep measured = measured_path(state, wheels);
-  state.odometry.add(measured);
+  state.odometry.add(measured == path ? arc : arc_of(measured));
   const double dt = settings.step;
   state.driven = {path.distance * result.fraction / dt, path.angle * result.fraction / dt};
   state.measured = {measured.distance / dt, measured.angle / dt};

@@ -16,6 +16,7 @@ BodyId Bodies::add(BodyShape shape, Vec2 position, Heading heading, double radiu
   radius_.push_back(radius);
   height_.push_back(height);
   clearance_.push_back(0.0);
+  hold_.emplace_back();
   shape_.push_back(shape);
   colour_.push_back(colour);
   next_.push_back(kNoBody);
@@ -43,7 +44,7 @@ void Bodies::move_to(BodyId id, Vec2 position) {
 
 void Bodies::rebuild_grid() {
   // Cells that a typical query overlaps 2 x 2 of, and never more than 128 x 128 of them.
-  const double cell = std::max({3.0 * largest_radius_, extent_.x / 128, extent_.y / 128, 1e-6});
+  const double cell = std::max({5.0 * largest_radius_, extent_.x / 128, extent_.y / 128, 1e-6});
   per_cell_ = 1.0 / cell;
   columns_ = std::clamp<std::size_t>(static_cast<std::size_t>(extent_.x * per_cell_) + 1, 1, 129);
   rows_ = std::clamp<std::size_t>(static_cast<std::size_t>(extent_.y * per_cell_) + 1, 1, 129);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "eyebridge/base/colour.hpp"
@@ -9,6 +10,13 @@
 #include "eyebridge/world/world.hpp"
 
 namespace eyebridge::world {
+
+/// A motion that a wall did not allow at all. Whoever tries it again from there fails again.
+struct Hold {
+  Vec2 from{std::numeric_limits<double>::quiet_NaN(), 0.0};
+  Vec2 motion;
+  std::uint32_t segment = 0;  ///< Of the wall.
+};
 
 /// The discs of a world, struct-of-arrays, and who is near a place.
 ///
@@ -65,6 +73,7 @@ class Bodies {
   std::vector<double> radius_;     ///< Metres.
   std::vector<double> height_;     ///< Metres.
   std::vector<double> clearance_;  ///< Metres the body may surely travel without meeting a wall.
+  std::vector<Hold> hold_;         ///< What holds the body.
   std::vector<BodyShape> shape_;
   std::vector<Rgb> colour_;
 

@@ -34,14 +34,11 @@ inline double nearer_hit(const Segment& wall, Vec2 origin, Vec2 direction, doubl
   // by less than kRayTolerance.
   constexpr double kParallel = 1e-12;
   const Vec2 w = wall.a - origin;
-  double den = cross(direction, wall.u);
-  double along_ray = cross(w, wall.u);
-  double along_wall = cross(w, direction);
-  if (den < 0) {
-    den = -den;
-    along_ray = -along_ray;
-    along_wall = -along_wall;
-  }
+  const double signed_den = cross(direction, wall.u);
+  const double sign = signed_den < 0 ? -1.0 : 1.0;  // no branch: it would be a coin's toss
+  const double den = sign * signed_den;
+  const double along_ray = sign * cross(w, wall.u);
+  const double along_wall = sign * cross(w, direction);
   if (den < kParallel) {
     if (along_ray > kRayTolerance || along_ray < -kRayTolerance) return best;
     const double to_a = dot(w, direction);

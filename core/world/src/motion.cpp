@@ -12,6 +12,9 @@ constexpr int kMaxPushes = 8;
 /// again within the step, metres. Far below kContactGap.
 constexpr double kPushLead = 1e-9;
 
+/// How far beyond the step walls are looked for, in radii of the body.
+constexpr double kLookAhead = 1.0;
+
 /// A ball leaves what hits it at this fraction of the speed of approach.
 constexpr double kKickRestitution = 0.5;
 
@@ -22,19 +25,20 @@ World::Impl::Obstacle World::Impl::first_wall(BodyId id, Vec2 motion) {
   double& clearance = bodies.clearance_[id];
   if (length < clearance) return {};
   const Vec2 from = bodies.position(id);
+  Hold& hold = bodies.hold_[id];
+  if (hold.from == from && hold.motion == motion) return {0.0, true, hold.segment, kNoBody};
   const double reach = bodies.radius_[id] + kContactGap;
-  // Looking two steps ahead pays off: in the open the walls are asked only now and then.
-  const double horizon = reach + 2 * length + bodies.radius_[id];
-  const double distance = walls.distance(from, horizon);
-  clearance = distance - reach - kPushLead;
-  if (length < clearance) return {};
-  const WallIndex::Contact contact = walls.first_contact(from, motion, reach);
-  return {contact.fraction, true, contact.segment, kNoBody};
+  // Looking beyond the step pays off: in the open the walls are asked only now and then.
+  const double horizon = reach + length + kLookAhead * bodies.radius_[id];
+  const WallIndex::Approach approach = walls.approach(from, motion, length, reach, horizon);
+  clearance = approach.distance - reach - kPushLead;
+  if (approach.fraction == 0.0) hold = {from, motion, approach.segment};
+  return {approach.fraction, true, approach.segment, kNoBody};
 }
 
 World::Impl::Obstacle World::Impl::first_obstacle(BodyId id, Vec2 motion) {
   const Obstacle wall = first_wall(id, motion);
-  const Obstacle body = first_body(id, motion, [](BodyId) { return true; });
+  const Obstacle body = first_bodies(id, motion, [](BodyId) { return true; }).first;
   return body.fraction < wall.fraction ? body : wall;
 }
 
@@ -95,15 +99,13 @@ MoveResult World::Impl::drive(BodyId id, Vec2 motion, double dt) {
     }
     return false;
   };
-  const auto blocks = [&](BodyId other) { return !gives_way(other) || is_stuck(other); };
-
   for (int pushes = 0;; ++pushes) {
     Obstacle end = first_wall(id, rest);
-    const Obstacle blocker =
-        first_body(id, rest, [&](BodyId other) { return pushes >= kMaxPushes || blocks(other); });
+    if (end.fraction == 0.0) return stopped(id, done, end);  // no body can be nearer
+    const auto [blocker, pushed] = first_bodies(id, rest, [&](BodyId other) {
+      return !gives_way(other) || pushes >= kMaxPushes || is_stuck(other);
+    });
     if (blocker.fraction < end.fraction) end = blocker;
-    const Obstacle pushed =
-        first_body(id, rest, [&](BodyId other) { return pushes < kMaxPushes && !blocks(other); });
     if (pushed.met() && pushed.fraction < end.fraction) {
       const double way = end.met() ? end.fraction : 1.0;
       const Vec2 push_motion = (way - pushed.fraction) * rest;
@@ -124,13 +126,12 @@ MoveResult World::Impl::drive(BodyId id, Vec2 motion, double dt) {
       return {};
     }
     travel(id, end.fraction * rest);
-    MoveResult result;
-    result.fraction = done + end.fraction * (1.0 - done);
-    result.hit_wall = end.wall;
-    result.hit_body = end.body;
-    result.contact = towards(end, id);
-    return result;
+    return stopped(id, done + end.fraction * (1.0 - done), end);
   }
+}
+
+MoveResult World::Impl::stopped(BodyId id, double fraction, const Obstacle& end) const {
+  return {fraction, end.wall, end.body, towards(end, id)};
 }
 
 MoveResult World::move(BodyId id, const Arc& arc, double dt) {

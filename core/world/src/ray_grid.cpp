@@ -27,7 +27,7 @@ unsigned candidates_in(const RayBlock& block, const RayQuery& q) {
     const float size = flip ? -den : den;
     const float r = flip ? -along_ray : along_ray;
     const float w = flip ? -along_wall : along_wall;
-    const bool hit = (r >= -q.margin) & (r <= q.best * size + q.margin) & (w >= -q.margin) &
+    const bool hit = (r >= -q.margin) & (r <= q.reach * size + q.margin) & (w >= -q.margin) &
                      (w <= block.length[i] * size + q.margin);
     lanes |= static_cast<unsigned>(hit) << i;
   }
@@ -48,8 +48,10 @@ RayGrid::RayGrid(const std::vector<Segment>& segments)
         std::numeric_limits<float>::quiet_NaN();
     unused.segment[i] = 0;
   }
+  blocks_.push_back(unused);
   for (std::size_t c = 0; c < cells_.size(); ++c) {
-    cells_[c].first = static_cast<std::uint32_t>(blocks_.size());
+    if (grid_.begin_of(c) == grid_.end_of(c)) continue;  // shares block 0
+    cells_[c] = {static_cast<std::uint32_t>(blocks_.size()), 0};
     std::size_t lane = RayBlock::kLanes;
     for (const std::uint32_t* i = grid_.begin_of(c); i != grid_.end_of(c); ++i) {
       if (lane == RayBlock::kLanes) {

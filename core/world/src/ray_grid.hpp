@@ -44,7 +44,7 @@ class RayGrid {
  private:
   struct Cell {
     std::uint32_t first = 0;  ///< Into blocks_.
-    std::uint32_t count = 0;
+    std::uint32_t count = 1;  ///< At least 1: block 0 is empty and shared by all empty cells.
   };
 
   const std::vector<Segment>& segments_;

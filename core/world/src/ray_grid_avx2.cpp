@@ -30,9 +30,9 @@ EYEBRIDGE_RAY_TARGET inline unsigned candidates_in(const RayBlock& block, const 
   const __m256 w = _mm256_xor_ps(along_wall, sign);
   const __m256 margin = _mm256_set1_ps(q.margin);
   const __m256 least = _mm256_set1_ps(-q.margin);
-  const __m256 best = _mm256_set1_ps(q.best);
+  const __m256 reach = _mm256_set1_ps(q.reach);
   const __m256 length = _mm256_load_ps(block.length);
-  const __m256 r_max = _mm256_add_ps(_mm256_mul_ps(best, size), margin);
+  const __m256 r_max = _mm256_add_ps(_mm256_mul_ps(reach, size), margin);
   const __m256 w_max = _mm256_add_ps(_mm256_mul_ps(length, size), margin);
   const __m256 hit = _mm256_and_ps(
       _mm256_and_ps(_mm256_cmp_ps(r, least, _CMP_GE_OQ), _mm256_cmp_ps(r, r_max, _CMP_LE_OQ)),

@@ -92,19 +92,28 @@ bool WallIndex::inside_thick(Vec2 p) const {
                      [&](std::uint32_t i) { return within(joined_[i], p); });
 }
 
-WallIndex::Contact WallIndex::first_contact(Vec2 from, Vec2 motion, double reach) const {
-  Contact best;
-  const Vec2 to = from + motion;
-  grid_.each_in_box({std::min(from.x, to.x) - reach, std::min(from.y, to.y) - reach},
-                    {std::max(from.x, to.x) + reach, std::max(from.y, to.y) + reach},
-                    [&](std::uint32_t i) {
-                      const double fraction = wall_contact(segments_[i], from, motion, reach);
-                      if (fraction > best.fraction || fraction > 1.0) return;
-                      // A disc that a person put into a thick wall may leave it on any side.
-                      if (within(joined_[owners_[i]], from)) return;
-                      if (fraction < best.fraction || i < best.segment) best = {fraction, i};
-                    });
-  return best;
+WallIndex::Approach WallIndex::approach(Vec2 from, Vec2 motion, double length, double reach,
+                                        double horizon) const {
+  Approach result;
+  double nearest = horizon * horizon;
+  const double farthest = (reach + length) * (reach + length) * (1.0 + 1e-12);
+  const auto meet = [&](std::uint32_t i) {
+    const double d = norm_squared(from - closest_point(segments_[i], from));
+    if (d < nearest) nearest = d;
+    if (d > farthest) return;
+    const double fraction = wall_contact(segments_[i], from, motion, reach);
+    if (fraction > 1.0 || fraction > result.fraction) return;
+    // A disc that a person put into a thick wall may leave it on any side.
+    if (within(joined_[owners_[i]], from)) return;
+    if (fraction < result.fraction || i < result.segment) {
+      result.fraction = fraction;
+      result.segment = i;
+    }
+  };
+  grid_.each_in_box({from.x - horizon, from.y - horizon}, {from.x + horizon, from.y + horizon},
+                    meet);
+  result.distance = std::sqrt(nearest);
+  return result;
 }
 
 double WallIndex::distance(Vec2 p, double limit) const {

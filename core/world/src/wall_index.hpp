@@ -17,13 +17,16 @@ class WallIndex {
  public:
   explicit WallIndex(const std::vector<Wall>& walls);
 
-  struct Contact {
+  /// What a disc meets, and how far away the walls are at all.
+  struct Approach {
     double fraction = kNoContact;
-    std::uint32_t segment = 0;  ///< Valid when fraction <= 1.
+    std::uint32_t segment = 0;  ///< First one met; valid when fraction <= 1.
+    double distance = 0.0;      ///< From the start to the nearest wall, or `horizon` if farther.
   };
   /// First wall that a disc's centre comes within `reach` of, on the way from `from` along
-  /// `motion`.
-  [[nodiscard]] Contact first_contact(Vec2 from, Vec2 motion, double reach) const;
+  /// `motion`, `length` metres. Walls farther than `horizon` >= reach + length are not looked at.
+  [[nodiscard]] Approach approach(Vec2 from, Vec2 motion, double length, double reach,
+                                  double horizon) const;
 
   /// Distance from `p` to the nearest outline where that is less than `limit`, else `limit`.
   [[nodiscard]] double distance(Vec2 p, double limit) const;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "bodies.hpp"
 #include "eyebridge/world/world.hpp"
@@ -23,12 +24,16 @@ struct World::Impl {
 
   // motion.cpp
   MoveResult drive(BodyId id, Vec2 motion, double dt);
+  /// The result of a drive that ended at `end` after `fraction` of the motion.
+  [[nodiscard]] MoveResult stopped(BodyId id, double fraction, const Obstacle& end) const;
   /// First wall on the way of `id` along `motion`. Keeps the clearance; the caller must go on to
   /// travelled() for the way that the body really goes.
   Obstacle first_wall(BodyId id, Vec2 motion);
-  /// First body on the way for which `counts(other)` holds; the lowest id of equally near ones.
-  template <class Counts>
-  [[nodiscard]] Obstacle first_body(BodyId id, Vec2 motion, Counts counts) const;
+  /// First body on the way for which `blocks(other)` holds, and first one for which it does not;
+  /// the lowest id of equally near ones.
+  template <class Blocks>
+  [[nodiscard]] std::pair<Obstacle, Obstacle> first_bodies(BodyId id, Vec2 motion,
+                                                           Blocks blocks) const;
   /// First wall or body of any kind on the way.
   Obstacle first_obstacle(BodyId id, Vec2 motion);
   /// Moves `id`, and takes the way off its clearance.
@@ -52,17 +57,20 @@ struct World::Impl {
   Bodies bodies;
 };
 
-template <class Counts>
-World::Impl::Obstacle World::Impl::first_body(BodyId id, Vec2 motion, Counts counts) const {
-  Obstacle best;
+template <class Blocks>
+std::pair<World::Impl::Obstacle, World::Impl::Obstacle> World::Impl::first_bodies(
+    BodyId id, Vec2 motion, Blocks blocks) const {
+  std::pair<Obstacle, Obstacle> best;
   const Vec2 from = bodies.position(id);
   const double reach = bodies.radius_[id] + kContactGap;
   bodies.each_on_way(from, motion, reach, [&](BodyId other) {
-    if (other == id || !counts(other)) return;
+    if (other == id) return;
     const double fraction =
         disc_contact(from - bodies.position(other), motion, reach + bodies.radius_[other]);
-    if (fraction < best.fraction || (fraction == best.fraction && other < best.body)) {
-      if (fraction <= 1.0) best = {fraction, false, 0, other};
+    if (fraction > 1.0) return;
+    Obstacle& first = blocks(other) ? best.first : best.second;
+    if (fraction < first.fraction || (fraction == first.fraction && other < first.body)) {
+      first = {fraction, false, 0, other};
     }
   });
   return best;

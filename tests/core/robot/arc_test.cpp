@@ -48,7 +48,7 @@ TEST(Odometry, ManySmallArcsCloseTheCircle) {
   Odometry odometry;
   odometry.set({1.0, 2.0, 0.5});
   constexpr int kSteps = 100000;
-  for (int i = 0; i < kSteps; ++i) odometry.add({2 * kPi * 0.3 / kSteps, 2 * kPi / kSteps});
+  for (int i = 0; i < kSteps; ++i) odometry.add(arc_of({2 * kPi * 0.3 / kSteps, 2 * kPi / kSteps}));
   EXPECT_NEAR(odometry.pose().x, 1.0, 1e-11);
   EXPECT_NEAR(odometry.pose().y, 2.0, 1e-11);
   EXPECT_NEAR(odometry.pose().theta, 0.5, 1e-11);
@@ -56,7 +56,7 @@ TEST(Odometry, ManySmallArcsCloseTheCircle) {
 
 TEST(Odometry, HeadingStaysAUnitVectorOverMillionsOfSteps) {
   Odometry odometry;
-  for (int i = 0; i < 2000000; ++i) odometry.add({0.001, 0.037});
+  for (int i = 0; i < 2000000; ++i) odometry.add(arc_of({0.001, 0.037}));
   const Heading h = odometry.heading();
   EXPECT_NEAR(h.cos * h.cos + h.sin * h.sin, 1.0, 1e-15);
 }
@@ -64,7 +64,7 @@ TEST(Odometry, HeadingStaysAUnitVectorOverMillionsOfSteps) {
 TEST(Odometry, StartsFromThePoseItIsGiven) {
   Odometry odometry;
   odometry.set({1.0, 1.0, kPi / 2});
-  odometry.add({0.5, 0.0});
+  odometry.add(arc_of({0.5, 0.0}));
   EXPECT_NEAR(odometry.pose().x, 1.0, 1e-15);
   EXPECT_NEAR(odometry.pose().y, 1.5, 1e-15);
 }

@@ -56,7 +56,9 @@ std::uint64_t wander(std::uint64_t seed) {
   return readings.value();
 }
 
-TEST(Determinism, FiveErringRobotsEndInTheSameStateInEveryBuild) { EXPECT_EQ(wander(1), 0x9CC03E1BEDDCCB5U); }
+TEST(Determinism, FiveErringRobotsEndInTheSameStateInEveryBuild) {
+  EXPECT_EQ(wander(1), 0x9CC03E1BEDDCCB5U);
+}
 
 TEST(Determinism, AnotherSeedGivesAnotherRun) { EXPECT_NE(wander(1), wander(2)); }
 

@@ -1,19 +1,33 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
 
 #include "eyebridge/files/scenario.hpp"
 
 namespace eyebridge::files {
 
-/// Loads a `.wld`, `.maz`, `.sim`, `.robi` (in an empty room) or EyeSim parameter file and
-/// everything it names. A world or maze without robots gets one robot of `default_robot` at its
-/// first start pose, or at the free place nearest to its centre.
-///
-/// Throws ConfigError. Robots that would stand in a wall are an error at the line that places them.
-Scenario load_scenario(const std::filesystem::path& path, const std::string& default_robot = "S4");
+/// Where files are looked for that are not found as given or beside the file that names them.
+struct SearchPlaces {
+  std::filesystem::path eyesim_home;  ///< EYESIM_HOME of the environment; also what `%sim%` means.
+  std::filesystem::path worlds = builtin_worlds();  ///< Our own worlds.
 
-/// A built-in robot by name, case ignored ("S4", "LabBot"); null when there is none.
+  /// The folder `worlds/` of the source tree this was built from.
+  static std::filesystem::path builtin_worlds();
+};
+
+/// Loads a `.wld`, `.maz`, `.sim`, `.robi` (in an empty room) or EyeSim parameter file (`.p`) and
+/// everything it names. A world or maze without robots gets one robot of `default_robot` (a
+/// built-in one) at its first start pose, or at the free place nearest to its centre.
+///
+/// Throws ConfigError. Robots that would stand in a wall, an object or another robot are an error
+/// at the line that places them (a world's or maze's own start poses: at the file).
+Scenario load_scenario(const std::filesystem::path& path, const std::string& default_robot = "S4",
+                       const SearchPlaces& places = {});
+
+/// A built-in robot by name, case ignored ("S4", "LabBot", "Mouse"); null when there is none.
+/// Parsed on first use; any thread.
 const robot::RobotModel* builtin_robot(std::string_view name);
 
 /// An empty room, 2 m x 2 m with walls, and one S4 in its middle: what a program gets that names

@@ -1,0 +1,261 @@
+#include <algorithm>
+#include <optional>
+
+#include "eyebridge/base/units.hpp"
+#include "eyebridge/files/readers.hpp"
+#include "object_kinds.hpp"
+#include "text.hpp"
+
+namespace eyebridge::files {
+namespace {
+
+constexpr std::size_t kMaxCells = 262144;  // 512 x 512
+constexpr std::size_t kMaxLines = 100000;
+constexpr double kMinCell = 10;  // millimetres
+constexpr double kMaxCell = 100000;
+
+struct Row {
+  std::string_view text;
+  int line = 0;
+};
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\r' || text.back() == 0x1A)) {
+    text.remove_suffix(1);
+  }
+  return text;
+}
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
+
+/// Facing of a start letter, radians; nothing for other characters.
+std::optional<double> facing(char letter) {
+  switch (letter) {
+    case 'S':
+    case 's':
+    case 'U':
+    case 'u':
+      return kPi / 2;
+    case 'D':
+    case 'd':
+      return -kPi / 2;
+    case 'L':
+    case 'l':
+      return kPi;
+    case 'R':
+    case 'r':
+      return 0.0;
+    default:
+      return std::nullopt;
+  }
+}
+
+class MazeReader {
+ public:
+  MazeReader(std::string_view text, const std::string& file, std::vector<Warning>& warnings)
+      : file_(file), warnings_(file, warnings) {
+    text = without_bom(text);
+    check_text(text, file);
+    int line = 0;
+    while (!text.empty()) {
+      if (rows_.size() == kMaxLines) {
+        throw ConfigError({file_, line, 1}, "maze of more than " + std::to_string(kMaxLines) +
+                                                " lines: expected fewer");
+      }
+      const std::size_t end = text.find('\n');
+      rows_.push_back({trimmed(text.substr(0, end)), ++line});
+      text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
+    }
+    while (!rows_.empty() && rows_.back().text.empty()) rows_.pop_back();
+    drop_empty_front();
+  }
+
+  world::WorldModel read() {
+    take_size();
+    lay_out_grid();
+    for (std::size_t r = 0; r < rows_.size(); ++r) read_row(r);
+    model_.width = grid_.columns * grid_.cell;
+    model_.height = grid_.rows * grid_.cell;
+    model_.walls = world::walls_of(grid_);
+    model_.maze = std::move(grid_);
+    return std::move(model_);
+  }
+
+ private:
+  void drop_empty_front() {
+    rows_.erase(rows_.begin(), std::find_if(rows_.begin(), rows_.end(),
+                                            [](const Row& row) { return !row.text.empty(); }));
+  }
+
+  std::optional<double> size_in(const Row& row) {
+    StatementReader statements(row.text, file_);
+    Statement s;
+    if (row.text.find_first_of("\"'") != std::string_view::npos || !statements.next(s) ||
+        s.size() != 1 || !s.is_number(0)) {
+      return std::nullopt;
+    }
+    try {
+      return s.millimetres(0, "the size of a cell", kMinCell, kMaxCell);
+    } catch (const ConfigError& error) {  // the statement counts its lines from this row
+      throw ConfigError({file_, row.line, error.where().column}, error.text());
+    }
+  }
+
+  void take_size() {
+    if (!rows_.empty()) {
+      if (const auto size = size_in(rows_.back())) {
+        grid_.cell = *size;
+        rows_.pop_back();
+      }
+    }
+    while (!rows_.empty() && rows_.back().text.empty()) rows_.pop_back();
+    if (rows_.empty()) {
+      throw ConfigError({file_, 1, 1}, "no maze in the file: expected one drawn with '|' and '_'");
+    }
+    if (const auto size = size_in(rows_.front())) {
+      warnings_.add(rows_.front().line, 1,
+                    "the size of a cell stands on the first line: expected it on the last");
+      grid_.cell = *size;
+      rows_.erase(rows_.begin());
+      drop_empty_front();
+    }
+  }
+
+  void lay_out_grid() {
+    std::size_t longest = 0;
+    for (const Row& row : rows_) longest = std::max(longest, row.text.size());
+    const std::size_t columns = longest / 2;
+    const int line = rows_.empty() ? 1 : rows_.front().line;
+    if (rows_.size() < 2 || columns == 0) {
+      throw ConfigError({file_, line, 1},
+                        "no cell in the maze: expected at least two lines of two columns drawn "
+                        "with '|' and '_'");
+    }
+    const bool drawn = std::any_of(rows_.begin(), rows_.end(), [](const Row& row) {
+      return row.text.find_first_of("|_") != std::string_view::npos;
+    });
+    if (!drawn) {
+      throw ConfigError({file_, line, 1}, "no wall in the maze: expected '|' and '_'");
+    }
+    if (columns * (rows_.size() - 1) > kMaxCells || columns > 32768 || rows_.size() > 32768) {
+      throw ConfigError({file_, line, 1}, "maze of " + std::to_string(columns) + " x " +
+                                              std::to_string(rows_.size() - 1) +
+                                              " cells: expected at most " +
+                                              std::to_string(kMaxCells) + " cells");
+    }
+    grid_.columns = static_cast<int>(columns);
+    grid_.rows = static_cast<int>(rows_.size()) - 1;
+    grid_.south.assign(columns * rows_.size(), 0);
+    grid_.west.assign((columns + 1) * (rows_.size() - 1), 0);
+  }
+
+  void read_row(std::size_t r) {
+    const std::string_view text = rows_[r].text;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      const char c = text[i];
+      if (c == ' ') continue;
+      if (c == '|') {
+        read_bar(r, i);
+      } else if (c == '_') {
+        read_dash(r, i);
+      } else if (facing(c)) {
+        add_start(r, i);
+      } else if (c == 'o' || c == 'O' || c == 'x' || c == 'X') {
+        add_object(r, i);
+      } else if (c == '\t') {
+        throw ConfigError({file_, rows_[r].line, column(i)},
+                          "tab found: expected blanks, a tab has no width in a drawing");
+      } else if (is_letter(c)) {
+        odd(r, i, std::string("letter '") + c + "' means nothing in a maze and is ignored");
+      } else if (static_cast<unsigned char>(c) >= 0x80 && !told_of_bytes_) {
+        told_of_bytes_ = true;
+        odd(r, i, "character outside ASCII: it may shift the columns after it");
+      }
+    }
+  }
+
+  void read_bar(std::size_t r, std::size_t i) {
+    if (i % 2 != 0)
+      return odd(r, i, "'|' in an even column is ignored: walls stand in odd columns");
+    if (r == 0) return odd(r, i, "'|' above the top boundary is ignored");
+    grid_.west[(row(r)) * (width() + 1) + i / 2] = 1;
+  }
+
+  void read_dash(std::size_t r, std::size_t i) {
+    if (i % 2 == 1) return put_floor(r, i);
+    // In odd columns underscores only join those of the cells beside them.
+    const std::string_view text = rows_[r].text;
+    const bool joined = (i > 0 && (text[i - 1] == '_' || is_upper(text[i - 1]))) ||
+                        (i + 1 < text.size() && (text[i + 1] == '_' || is_upper(text[i + 1])));
+    if (!joined) odd(r, i, "'_' in an odd column is ignored: it belongs into an even one");
+  }
+
+  /// The wall under the character at even column `i` + 1 of line `r`; line 0 is the top boundary.
+  void put_floor(std::size_t r, std::size_t i) {
+    const std::size_t boundary = static_cast<std::size_t>(grid_.rows) - r;
+    grid_.south[boundary * width() + i / 2] = 1;
+  }
+
+  /// Pose of what is drawn at line `r`, index `i`; even columns are cell centres.
+  Pose place(std::size_t r, std::size_t i) const {
+    const double half = grid_.cell / 2;
+    return {static_cast<double>(i) * half, static_cast<double>(2 * row(r) + 1) * half, 0};
+  }
+
+  bool stands_in_cell(std::size_t r, std::size_t i, const std::string& what) {
+    if (r == 0) {
+      odd(r, i, what + " above the top boundary is ignored");
+      return false;
+    }
+    if (i % 2 == 1) {
+      if (is_upper(rows_[r].text[i])) put_floor(r, i);
+    } else {
+      odd(r, i, what + " stands on a grid line, not in a cell: cells are even columns");
+    }
+    return true;
+  }
+
+  void add_start(std::size_t r, std::size_t i) {
+    const char letter = rows_[r].text[i];
+    if (!stands_in_cell(r, i, std::string("start '") + letter + "'")) return;
+    Pose pose = place(r, i);
+    pose.theta = *facing(letter);
+    model_.starts.push_back({letter, pose});
+  }
+
+  void add_object(std::size_t r, std::size_t i) {
+    const char c = rows_[r].text[i];
+    const bool ball = c == 'o' || c == 'O';
+    if (!stands_in_cell(r, i, ball ? "golf ball" : "crate")) return;
+    world::ObjectSpec object = builtin_object(ball ? "golf" : "crate").value();
+    object.radius = std::min(object.radius, 0.4 * grid_.cell);
+    if (ball) object.height = 2 * object.radius;
+    object.pose = place(r, i);
+    model_.objects.push_back(object);
+  }
+
+  void odd(std::size_t r, std::size_t i, std::string text) {
+    warnings_.add(rows_[r].line, column(i), std::move(text));
+  }
+  static int column(std::size_t i) { return static_cast<int>(i) + 1; }
+  std::size_t width() const { return static_cast<std::size_t>(grid_.columns); }
+  /// Grid row, counted from below, of line `r` >= 1.
+  std::size_t row(std::size_t r) const { return static_cast<std::size_t>(grid_.rows) - r; }
+
+  const std::string& file_;
+  Warnings warnings_;
+  std::vector<Row> rows_;
+  world::MazeGrid grid_;
+  world::WorldModel model_;
+  bool told_of_bytes_ = false;
+};
+
+}  // namespace
+
+world::WorldModel read_maze(std::string_view text, const std::string& file,
+                            std::vector<Warning>& warnings) {
+  return MazeReader(text, file, warnings).read();
+}
+
+}  // namespace eyebridge::files

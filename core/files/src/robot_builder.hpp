@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "eyebridge/robot/robot_model.hpp"
+#include "text.hpp"
+
+namespace eyebridge::files {
+
+/// Puts a RobotModel together from the lines that `.robi` and `eyesim.p` have in common.
+///
+/// Errors and ranges may stand before the sensors they speak of: finish() applies them.
+class RobotBuilder {
+ public:
+  explicit RobotBuilder(Warnings& warnings) : warnings_(warnings) {}
+
+  robot::RobotModel& model() { return model_; }
+
+  /// A sensor as its line gives it; `id` is token number `id_token` where there is one.
+  void add_psd(const Statement& s, std::size_t name_token, std::optional<std::size_t> id_token,
+               const Pose& pose, double height);
+  void add_ir(const Statement& s, const Pose& pose, std::optional<std::size_t> threshold_token);
+  /// "bump NAME id start end"
+  void add_bump(const Statement& s);
+  /// Our extensions: true when the line was one of "psd_range", "accel" and "error".
+  bool read_extension(const Statement& s);
+
+  /// Numbers the sensors, applies errors and ranges. Throws ConfigError for an id met twice.
+  robot::RobotModel finish();
+
+ private:
+  struct Id {
+    int written = 0;  ///< 0: none.
+    int line = 0;
+    int column = 0;
+    SourceLocation where;
+  };
+
+  Id read_id(const Statement& s, std::size_t token) const;
+  void read_error(const Statement& s);
+  template <class Sensor>
+  void number_sensors(std::vector<Sensor>& sensors, const std::vector<Id>& ids,
+                      std::string_view kind);
+
+  Warnings& warnings_;
+  robot::RobotModel model_;
+  std::vector<Id> psd_ids_;
+  std::vector<Id> ir_ids_;
+  std::vector<Id> bump_ids_;
+  std::optional<std::pair<double, double>> psd_range_;
+  robot::GaussianError psd_error_;
+  robot::GaussianError lidar_error_;
+  double ir_flip_ = 0;
+  double bump_miss_ = 0;
+  double camera_salt_ = 0;
+  double camera_sigma_ = 0;
+};
+
+}  // namespace eyebridge::files

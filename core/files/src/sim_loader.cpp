@@ -1,0 +1,176 @@
+#include "sim_loader.hpp"
+
+#include <map>
+#include <vector>
+
+#include "builtin.hpp"
+#include "eyebridge/files/readers.hpp"
+#include "object_reader.hpp"
+#include "search.hpp"
+#include "text.hpp"
+
+namespace eyebridge::files {
+namespace {
+
+class SimLoader {
+ public:
+  SimLoader(const SimFile& sim, const std::string& name, const SearchPlaces& places,
+            Scenario& scenario)
+      : sim_(sim), name_(name), places_(places), scenario_(scenario) {}
+
+  void load() {
+    load_world();
+    scenario_.show_sensors = sim_.show_sensors;
+    scenario_.show_trail = sim_.show_trail;
+    scenario_.world.markers = sim_.markers;
+    scenario_.world.objects.insert(scenario_.world.objects.end(), sim_.objects.begin(),
+                                   sim_.objects.end());
+    load_robot_files();
+    load_object_files();
+    // Custom objects look like robot lines; they are there before any robot is placed.
+    std::vector<const SimRobot*> robots;
+    for (const SimRobot& line : sim_.robots) {
+      if (!place_object(line)) robots.push_back(&line);
+    }
+    taken_.assign(scenario_.world.starts.size(), false);
+    for (const SimRobot* line : robots) place_robot(*line);
+  }
+
+ private:
+  template <class Read>
+  auto read_found(const std::string& written, const SourceLocation& where, Read read) {
+    const auto path = find_file(written, scenario_.directory, places_, where);
+    return read(read_text_file(path), path);
+  }
+
+  void load_world() {
+    if (!sim_.world) {
+      scenario_.world = empty_room();
+      scenario_.warnings.push_back(
+          {{name_, 0, 0}, "no world or maze named: an empty room, 2 m x 2 m"});
+      return;
+    }
+    scenario_.world = read_found(
+        *sim_.world, sim_.world_where,
+        [&](const std::string& text, const std::filesystem::path& path) {
+          const std::string extension = lower(path.extension().string());
+          if (extension == ".wld") return read_world(text, path.string(), scenario_.warnings);
+          if (extension == ".maz") return read_maze(text, path.string(), scenario_.warnings);
+          throw ConfigError(sim_.world_where, in_quotes(*sim_.world) +
+                                                  " is neither world nor maze: expected a .wld or "
+                                                  ".maz file");
+        });
+  }
+
+  void load_robot_files() {
+    for (const auto& [written, where] : sim_.robot_files) {
+      const robot::RobotModel model =
+          read_found(written, where, [&](const std::string& text, const auto& path) {
+            return read_robi(text, path.string(), scenario_.warnings);
+          });
+      const std::size_t index = scenario_.models.size();
+      scenario_.models.push_back(model);
+      models_[lower(model.name)] = index;
+      models_[lower(written)] = index;
+    }
+  }
+
+  void load_object_files() {
+    for (const auto& [written, where] : sim_.object_files) {
+      read_found(written, where, [&](const std::string& text, const std::filesystem::path& path) {
+        const std::string stem = path.stem().string();
+        const world::ObjectSpec object = read_object(text, path.string(), stem, scenario_.warnings);
+        objects_[lower(stem)] = object;
+        objects_[object.name] = object;
+        return 0;
+      });
+    }
+  }
+
+  bool place_object(const SimRobot& line) {
+    const auto found = objects_.find(lower(line.model));
+    if (found == objects_.end()) return false;
+    if (!line.pose || line.start || !line.program.empty()) {
+      throw ConfigError(line.where, "object with a start letter or program: expected '" +
+                                        found->first + " x y phi'");
+    }
+    world::ObjectSpec object = found->second;
+    object.pose = *line.pose;
+    scenario_.world.objects.push_back(object);
+    return true;
+  }
+
+  std::size_t model_of(const SimRobot& line) {
+    const std::string key = lower(line.model);
+    if (const auto found = models_.find(key); found != models_.end()) return found->second;
+    const robot::RobotModel* builtin = builtin_robot(key);
+    if (builtin == nullptr) {
+      throw ConfigError(line.where, "no robot or object " + in_quotes(line.model) + ": expected " +
+                                        std::string(builtin_names()) +
+                                        ", or one that a 'robot' or 'object' line loads");
+    }
+    scenario_.models.push_back(*builtin);
+    return models_[key] = scenario_.models.size() - 1;
+  }
+
+  /// The pose of a start letter: the first free one of exactly this letter, else of its other case.
+  Pose start_pose(const SimRobot& line) {
+    const auto& starts = scenario_.world.starts;
+    for (const bool any_case : {false, true}) {
+      for (std::size_t i = 0; i < starts.size(); ++i) {
+        const char letter = starts[i].letter;
+        const bool same =
+            any_case ? lower({&letter, 1}) == lower({&*line.start, 1}) : letter == *line.start;
+        if (letter == 0 || !same || taken_[i]) continue;
+        taken_[i] = true;
+        Pose pose = starts[i].pose;
+        if (line.pose) pose.theta = line.pose->theta;
+        return pose;
+      }
+    }
+    throw ConfigError(line.where, std::string("no start '") + *line.start +
+                                      "' left for this robot: expected that letter in the maze");
+  }
+
+  void place_robot(const SimRobot& line) {
+    const std::size_t model = model_of(line);
+    if (line.start) {
+      place(scenario_, model, start_pose(line), line.where);
+    } else if (line.pose) {
+      place(scenario_, model, *line.pose, line.where);
+    } else {
+      place_at_next_start(model, line);
+    }
+    scenario_.robots.back().program = line.program;
+    scenario_.robots.back().arguments = line.arguments;
+  }
+
+  /// The old "robi FILE PROGRAM" without a pose: the world says where robots start.
+  void place_at_next_start(std::size_t model, const SimRobot& line) {
+    for (std::size_t i = 0; i < taken_.size(); ++i) {
+      if (taken_[i]) continue;
+      taken_[i] = true;
+      place(scenario_, model, scenario_.world.starts[i].pose, line.where);
+      return;
+    }
+    place_anywhere(scenario_, model, line.where);
+  }
+
+  const SimFile& sim_;
+  const std::string& name_;
+  const SearchPlaces& places_;
+  Scenario& scenario_;
+  std::map<std::string, std::size_t> models_;
+  std::map<std::string, world::ObjectSpec> objects_;
+  std::vector<bool> taken_;
+};
+
+}  // namespace
+
+void load_sim(std::string_view text, const std::string& name, const SearchPlaces& places,
+              Scenario& scenario) {
+  const SimFile sim = read_sim(text, name, scenario.warnings);
+  SimLoader(sim, name, places, scenario).load();
+}
+
+}  // namespace eyebridge::files

@@ -1,0 +1,201 @@
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "eyebridge/base/units.hpp"
+#include "eyebridge/files/readers.hpp"
+#include "object_kinds.hpp"
+#include "text.hpp"
+
+namespace eyebridge::files {
+namespace {
+
+constexpr std::size_t kMaxThings = 100000;
+constexpr std::array<std::string_view, 8> kKeywords = {"world", "maze",   "robi",     "robot",
+                                                       "obj",   "object", "settings", "marker"};
+constexpr std::string_view kRobotForm = "NAME x y phi [program]' or 'NAME S [phi] [program]";
+
+bool is_start_letter(std::string_view word) {
+  return word.size() == 1 && std::string_view("SUDLRsudlr").find(word[0]) != std::string_view::npos;
+}
+
+/// "can" of "%sim%/worlds/objects/can/can.ms3d".
+std::string base_name(std::string_view path) {
+  const std::size_t slash = path.find_last_of("/\\");
+  if (slash != std::string_view::npos) path.remove_prefix(slash + 1);
+  return lower(path.substr(0, path.find_last_of('.')));
+}
+
+class SimReader {
+ public:
+  SimReader(std::string_view text, const std::string& file, std::vector<Warning>& warnings)
+      : statements_(text, file), file_(file), warnings_(file, warnings) {}
+
+  SimFile read() {
+    Statement s;
+    bool any = false;
+    while (statements_.next(s)) {
+      any = true;
+      if (out_.robots.size() + out_.objects.size() + out_.markers.size() + out_.robot_files.size() +
+              out_.object_files.size() >
+          kMaxThings) {
+        s.fail(0, "more than " + std::to_string(kMaxThings) + " robots, objects and markers");
+      }
+      read_statement(s);
+    }
+    if (!any) {
+      throw ConfigError({file_, std::max(1, statements_.line()), 1},
+                        "nothing in the file: expected 'world FILE' and robots");
+    }
+    return std::move(out_);
+  }
+
+ private:
+  void read_statement(const Statement& s) {
+    const std::string keyword = lower(s.text(0));
+    if (keyword == "world" || keyword == "maze") {
+      s.expect_arguments(1, keyword + " FILE");
+      if (out_.world) s.fail(0, "a second world: expected one 'world' or 'maze' line");
+      out_.world = path(s, 1);
+      out_.world_where = s.where(1);
+    } else if (keyword == "robi" || keyword == "robot") {
+      read_robot_file(s);
+    } else if (keyword == "obj" || keyword == "object") {
+      read_object_file(s);
+    } else if (keyword == "settings") {
+      read_settings(s);
+    } else if (keyword == "marker") {
+      read_marker(s);
+    } else if (auto object = builtin_object(keyword)) {
+      s.expect_arguments(3, std::string(s.text(0)) + " x y phi");
+      object->pose = pose(s, 1);
+      out_.objects.push_back(*object);
+    } else {
+      read_robot(s, keyword);
+    }
+  }
+
+  static std::string path(const Statement& s, std::size_t i) {
+    if (s.text(i).empty()) s.fail(i, "empty name: expected a file");
+    return std::string(s.text(i));
+  }
+
+  static Pose pose(const Statement& s, std::size_t i) {
+    return {s.millimetres(i, "x"), s.millimetres(i + 1, "y"), wrap_angle(s.degrees(i + 2, "phi"))};
+  }
+
+  static void take_program(const Statement& s, std::size_t i, SimRobot& robot) {
+    if (i >= s.size()) return;
+    robot.program = std::string(s.text(i));
+    for (++i; i < s.size(); ++i) robot.arguments.emplace_back(s.text(i));
+  }
+
+  /// "robi FILE", or the old "robi FILE PROGRAM [x y phi]", which also places a robot of it.
+  void read_robot_file(const Statement& s) {
+    if (s.size() < 2) s.fail(1, "line ends: expected a .robi file");
+    out_.robot_files.emplace_back(path(s, 1), s.where(1));
+    if (s.size() == 2) return;
+    SimRobot robot;
+    robot.model = std::string(s.text(1));
+    robot.where = s.where(0);
+    robot.program = std::string(s.text(2));
+    if (s.size() > 3) {
+      s.expect_arguments(5, "robi FILE PROGRAM x y phi");
+      robot.pose = pose(s, 3);
+    }
+    out_.robots.push_back(robot);
+  }
+
+  /// "object FILE", or the old "object x y phi friction PICTURE", which places one.
+  void read_object_file(const Statement& s) {
+    if (s.size() == 6 && s.is_number(1)) {
+      const std::string name = base_name(s.text(5));
+      auto object = builtin_object(name);
+      if (!object) {
+        object = builtin_object("can");
+        object->name = name;
+        warnings_.add(s.line(), s.token(5).column,
+                      "picture " + in_quotes(s.text(5)) + " is not read: a can stands there");
+      }
+      object->pose = pose(s, 1);
+      static_cast<void>(s.number(4, "the friction", -1000, 1000));
+      out_.objects.push_back(*object);
+      return;
+    }
+    s.expect_arguments(1, std::string(s.text(0)) + " FILE");
+    out_.object_files.emplace_back(path(s, 1), s.where(1));
+  }
+
+  void read_settings(const Statement& s) {
+    for (std::size_t i = 1; i < s.size(); ++i) {
+      const std::string word = lower(s.text(i));
+      if (word == "vis") {
+        out_.show_sensors = true;
+      } else if (word == "trace") {
+        out_.show_trail = true;
+      } else {
+        warnings_.add(
+            s.line(), s.token(i).column,
+            "unknown setting " + in_quotes(s.text(i)) + " is ignored: expected VIS or TRACE");
+      }
+    }
+  }
+
+  void read_marker(const Statement& s) {
+    s.expect_arguments({2, 5, 6}, "marker x y [red green blue [alpha]]");
+    world::Marker marker;
+    marker.position = {s.millimetres(1, "x"), s.millimetres(2, "y")};
+    const auto channel = [&](std::size_t i) {
+      return static_cast<std::uint8_t>(s.integer(i, "a colour", 0, 255));
+    };
+    if (s.size() >= 6) marker.colour = {channel(3), channel(4), channel(5)};
+    if (s.size() == 7) static_cast<void>(channel(6));
+    out_.markers.push_back(marker);
+  }
+
+  void read_robot(const Statement& s, const std::string& keyword) {
+    const std::string_view near = nearest(keyword, kKeywords);
+    if (s.size() >= 2 && is_start_letter(s.text(1))) {
+      place_at_letter(s);
+      return;
+    }
+    if (s.size() < 2 || !s.is_number(1)) {
+      s.fail(0, "unknown keyword " + in_quotes(s.text(0)) + ": expected " +
+                    (near.empty() ? one_of(kKeywords) + ", or '" + std::string(kRobotForm) + "'"
+                                  : "'" + std::string(near) + "'?"));
+    }
+    SimRobot robot;
+    robot.model = std::string(s.text(0));
+    robot.where = s.where(0);
+    robot.pose = pose(s, 1);
+    take_program(s, 4, robot);
+    out_.robots.push_back(robot);
+  }
+
+  void place_at_letter(const Statement& s) {
+    SimRobot robot;
+    robot.model = std::string(s.text(0));
+    robot.where = s.where(0);
+    robot.start = s.text(1)[0];
+    std::size_t next = 2;
+    if (s.is_number(2)) {
+      robot.pose = Pose{0, 0, wrap_angle(s.degrees(2, "phi"))};
+      next = 3;
+    }
+    take_program(s, next, robot);
+    out_.robots.push_back(robot);
+  }
+
+  StatementReader statements_;
+  const std::string& file_;
+  Warnings warnings_;
+  SimFile out_;
+};
+
+}  // namespace
+
+SimFile read_sim(std::string_view text, const std::string& file, std::vector<Warning>& warnings) {
+  return SimReader(text, file, warnings).read();
+}
+
+}  // namespace eyebridge::files
