@@ -92,10 +92,23 @@ Twist DriveController::towards_goal(double distance, double angle) const {
   // is a factor f (per second) with which the remaining distance and angle become the twist.
   const double d = std::abs(distance);
   const double a = std::abs(angle);
-  const double share = limits_.dt * std::min(limits_.linear_step / d, limits_.angular_step / a);
-  const double top =
-      std::min({linear_top_ / d, angular_top_ / a, limits_.wheel / (d + a * limits_.half_base)});
-  double factor = std::min(stopping_share(share) / limits_.dt, top);
+  double share = kInfinity;  // see stopping_share()
+  double top = limits_.wheel / (d + a * limits_.half_base);
+  if (d > 0.0) {
+    share = limits_.dt * limits_.linear_step / d;
+    top = std::min(top, linear_top_ / d);
+  }
+  if (a > 0.0) {
+    share = std::min(share, limits_.dt * limits_.angular_step / a);
+    top = std::min(top, angular_top_ / a);
+  }
+  double factor = top;
+  // Stopping from f covers at most f^2 dt^2 / (2 share) + f dt of what is left: far from the goal
+  // there is no need to know it exactly.
+  const double step = top * limits_.dt;
+  if (step > 1.0 || step * (step + 2 * share) > 2 * share) {
+    factor = std::min(top, stopping_share(share) / limits_.dt);
+  }
   double low = -kInfinity;
   double high = kInfinity;
   narrow(distance, twist_.linear, limits_.linear_step, low, high);

@@ -1,5 +1,7 @@
 #include "robot_state.hpp"
 
+#include <limits>
+
 namespace eyebridge::robot {
 namespace {
 
@@ -22,14 +24,18 @@ MotorModel motor_of(const DriveModel& drive, double dt) {
   return motor;
 }
 
+double speed_step(double acceleration, double dt) {
+  return acceleration > 0.0 ? acceleration * dt : std::numeric_limits<double>::infinity();
+}
+
 DriveLimits limits_of(const RobotModel& model, double dt) {
   const DriveModel& drive = model.drive;
   DriveLimits limits;
   limits.dt = dt;
   limits.linear = drive.max_linear;
   limits.angular = drive.max_angular;
-  limits.linear_step = drive.linear_acceleration * dt;
-  limits.angular_step = drive.angular_acceleration * dt;
+  limits.linear_step = speed_step(drive.linear_acceleration, dt);
+  limits.angular_step = speed_step(drive.angular_acceleration, dt);
   limits.wheel = drive.max_wheel_speed * drive.wheel_diameter / 2;
   limits.half_base = drive.wheel_base / 2;
   const bool lags = drive.motor_time_constant > 0.0;

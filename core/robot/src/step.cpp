@@ -32,7 +32,8 @@ WheelTravel drive_wheels(RobotState& state) {
     };
     return {run(left, state.commands[0]), run(right, state.commands[1])};
   }
-  const Twist twist = state.controller.next(state.rolling());
+  const Twist twist =
+      state.controller.next(state.motor.time_constant > 0.0 ? state.rolling() : PathStep{});
   const double turning = twist.angular * state.controller.limits().half_base;
   return {left.drive_controlled(twist.linear - turning, state.motor),
           right.drive_controlled(twist.linear + turning, state.motor)};

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "eyebridge/base/random.hpp"
 #include "eyebridge/base/units.hpp"
 
 namespace eyebridge::robot {
@@ -233,6 +234,32 @@ TEST(DriveController, CurveEndsExactlyThoughTheRobotCameFromAnotherCurve) {
     robot.finish();
     EXPECT_NEAR(robot.distance() - distance, 0.6, 1e-9);
     EXPECT_NEAR(robot.angle() - angle, 1.5, 1e-9);
+  }
+}
+
+TEST(DriveController, AnySequenceOfCommandsKeepsTheLimitsAndEndsExactly) {
+  Random random(11);
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * random.uniform();
+  };
+  for (int run = 0; run < 300; ++run) {
+    PerfectRobot robot;
+    for (int command = 0; command < 4; ++command) {
+      const Twist present = robot.controller().twist();
+      if (random.chance(0.5)) {
+        robot.controller().set_speed({between(-1, 1), between(-8, 8)}, present);
+      } else {
+        robot.controller().start({between(-0.3, 0.3), between(-4, 4), between(0.01, 1)}, present);
+      }
+      robot.steps(static_cast<int>(between(1, 80)));
+    }
+    const double distance = robot.distance();
+    const double angle = robot.angle();
+    const DriveGoal goal{between(-0.5, 0.5), between(-4, 4), between(0.05, 1)};
+    robot.controller().start(goal, robot.controller().twist());
+    robot.finish();
+    ASSERT_NEAR(robot.distance() - distance, goal.distance, 1e-9) << run;
+    ASSERT_NEAR(robot.angle() - angle, goal.angle, 1e-9) << run;
   }
 }
 

@@ -70,6 +70,31 @@ TEST(PerfectDrive, TwistIsWhatWasAskedAfterTheRamp) {
   EXPECT_NEAR(rig.sim.measured_twist(rig.robot).angular, 0.9, 1e-12);
 }
 
+TEST(PerfectDrive, WithoutAccelerationThereIsNoRamp) {
+  RobotModel model;
+  model.drive.linear_acceleration = 0.0;
+  model.drive.angular_acceleration = 0.0;
+  Rig rig(model, {1.0, 2.0, 0.0});
+  rig.sim.set_speed(rig.robot, {0.3, 1.0});
+  rig.steps(1);
+  EXPECT_NEAR(rig.sim.twist(rig.robot).linear, 0.3, 1e-12);
+  EXPECT_NEAR(rig.sim.twist(rig.robot).angular, 1.0, 1e-12);
+  rig.sim.stop(rig.robot);
+  rig.sim.set_pose(rig.robot, {1.0, 2.0, 0.0});
+  rig.sim.drive(rig.robot, {0.9985, 0.5, 0.4});
+  EXPECT_EQ(rig.finish(), 250);
+  EXPECT_NEAR(rig.sim.pose(rig.robot).theta, 0.5, 1e-9);
+}
+
+TEST(PerfectDrive, ARobotThatCannotDriveStraightCanStillTurn) {
+  RobotModel model;
+  model.drive.max_linear = 0.0;
+  Rig rig(model);
+  rig.sim.drive(rig.robot, {0.0, 1.0, 1.0});
+  rig.finish();
+  EXPECT_NEAR(rig.sim.pose(rig.robot).theta, 1.0, 1e-9);
+}
+
 TEST(Drive, StopStandsAtOnce) {
   Rig rig;
   rig.sim.set_speed(rig.robot, {0.3, 0.0});

@@ -99,8 +99,8 @@ struct DriveModel {
   double max_wheel_speed = 62.83;        ///< Radians per second of the wheel.
   double max_linear = 0.6;               ///< Metres per second.
   double max_angular = deg_to_rad(300);  ///< Radians per second.
-  double linear_acceleration = 1.0;      ///< Metres per second squared.
-  double angular_acceleration = 10.0;    ///< Radians per second squared.
+  double linear_acceleration = 1.0;      ///< Metres per second squared; 0 = no ramp.
+  double angular_acceleration = 10.0;    ///< Radians per second squared; 0 = no ramp.
   double motor_time_constant = 0.0;  ///< Seconds until a wheel has 63 % of its speed; 0 = at once.
 
   friend bool operator==(const DriveModel&, const DriveModel&) = default;
