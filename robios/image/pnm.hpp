@@ -31,7 +31,7 @@ constexpr std::size_t pnm_channels(PnmKind kind) { return kind == PnmKind::Colou
 
 /// Reads P1..P6 with comments; values are scaled to 255. Bytes after the image are ignored. Fails
 /// with Corrupt, naming `name`, the byte, what was found and what was expected. Never takes more
-/// memory than 32 bytes for each byte of the file, whatever sizes the file claims. Pure.
+/// memory than 8 bytes for each byte of the file, whatever sizes the file claims. Pure.
 Result<PnmImage> read_pnm(ConstBytes file, const std::string& name);
 /// read_pnm() on a file of at most 256 MB. Fails with Unsupported when it cannot be read.
 Result<PnmImage> read_pnm_file(const std::filesystem::path& path);

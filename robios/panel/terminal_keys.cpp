@@ -1,4 +1,3 @@
-#include <array>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
@@ -35,9 +34,15 @@ void watch_signals() {
   }
 }
 
-/// Takes keys without Enter and without echo. Not from the background: that would stop the process.
+/// Touching one's terminal from the background would stop the process.
+bool in_background(int descriptor) {
+  const pid_t owner = tcgetpgrp(descriptor);
+  return owner >= 0 && owner != getpgrp();
+}
+
+/// Takes keys without Enter and without echo.
 void switch_over(int descriptor) {
-  if (g_switched.load() >= 0 || tcgetpgrp(descriptor) != getpgrp()) {
+  if (g_switched.load() >= 0) {
     return;
   }
   if (tcgetattr(descriptor, &g_before) != 0) {
@@ -72,6 +77,10 @@ TerminalKeys::~TerminalKeys() { restore_terminal(); }
 
 int TerminalKeys::poll(std::chrono::milliseconds timeout) {
   if (!open_) {
+    return 0;
+  }
+  if (in_background(descriptor_)) {
+    ::poll(nullptr, 0, static_cast<int>(timeout.count()));
     return 0;
   }
   switch_over(descriptor_);

@@ -1,14 +1,23 @@
 #include "rigs.hpp"
 
 #include "eyebridge/base/units.hpp"
+#include "eyebridge/files/readers.hpp"
 #include "sim/open_sim.hpp"
 
 namespace eyebridge::hal {
 namespace {
 
-constexpr double kLength = 4.0;   // of the room, metres
-constexpr double kWallX = 3.0;    // the wall that the robot faces
+constexpr double kWallX = 3.0;    // of the wall that the robot faces, metres
 constexpr double kPatience = 60;  // seconds
+
+/// A room of 4 m x 2 m with a wall across it, and a robot that faces that wall.
+std::string world_text(double wall) {
+  const auto mm = [](double metres) { return std::to_string(m_to_mm(metres)) + ' '; };
+  return "floor 4000 2000\n"
+         "0 0 4000 0\n4000 0 4000 2000\n4000 2000 0 2000\n0 2000 0 0\n" +
+         mm(kWallX) + "0 " + mm(kWallX) + "2000\n" +  //
+         "position " + mm(kWallX - wall - kFrontOffset) + mm(kSideWall) + "0\n";
+}
 
 Rig make_sim(double wall, const std::map<std::string, std::string>& flags) {
   Rig rig;
@@ -70,27 +79,14 @@ robot::RobotModel rig_model() {
 
 files::Scenario rig_scenario(double wall) {
   files::Scenario scenario;
-  world::WorldModel& room = scenario.world;
-  room.width = kLength;
-  room.height = 2 * kSideWall;
-  const Vec2 corners[] = {{0, 0}, {kLength, 0}, {kLength, room.height}, {0, room.height}};
-  for (int i = 0; i < 4; ++i) {
-    world::Wall side;
-    side.a = corners[i];
-    side.b = corners[(i + 1) % 4];
-    room.walls.push_back(side);
-  }
-  world::Wall ahead;
-  ahead.a = {kWallX, 0};
-  ahead.b = {kWallX, room.height};
-  room.walls.push_back(ahead);
+  scenario.world = files::read_world(world_text(wall), "rig.wld", scenario.warnings);
   world::ObjectSpec ball;
   ball.pose = {3.5, 0.5, 0};
-  room.objects.push_back(ball);
+  scenario.world.objects.push_back(ball);
 
   scenario.models.push_back(rig_model());
   files::RobotPlacement own;
-  own.pose = {kWallX - wall - kFrontOffset, kSideWall, 0};
+  own.pose = scenario.world.starts.at(0).pose;
   files::RobotPlacement other;
   other.pose = {3.5, 1.5, kPi};
   scenario.robots = {own, other};

@@ -16,7 +16,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
 
 Rig open(const std::map<std::string, std::string>& flags, files::Scenario scenario) {
   Rig rig;
@@ -164,7 +163,7 @@ TEST(SimBackend, TakesTheStallTimeoutFromTheConfiguration) {
   EXPECT_NEAR(seconds_until_failure("5s") - seconds_until_failure("1s"), 4.0, 0.05);
 }
 
-TEST(SimBackend, GivesEveryRobotItsOwnImageNoise) {
+TEST(SimBackend, GivesTheCameraTheNoiseAndTexturesOfItsScenario) {
   files::Scenario scenario = rig_scenario(0.5);
   scenario.models.front().camera->sigma = 3.0;
   scenario.models.front().camera->salt_and_pepper = 0.01;

@@ -1,6 +1,8 @@
 #include "eyebridge/robot/simulation.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "simulation_impl.hpp"
@@ -11,7 +13,39 @@ namespace {
 constexpr Rgb kBodyColours[] = {{60, 110, 220}, {220, 70, 60},  {60, 170, 80},
                                 {230, 180, 40}, {150, 80, 190}, {40, 170, 180}};
 
+void check(bool good, const char* what) {
+  if (!good) throw std::invalid_argument(what);
+}
+
+void check(const RobotModel& model) {
+  const DriveModel& drive = model.drive;
+  // Written so that NaN fails, too.
+  check(model.diameter > 0.0, "robot: the diameter must be positive");
+  check(drive.wheel_base > 0.0, "robot: the distance between the wheels must be positive");
+  check(drive.wheel_diameter > 0.0, "robot: the wheel diameter must be positive");
+  check(drive.ticks_per_revolution > 0.0, "robot: the encoder needs ticks");
+  check(drive.max_wheel_speed > 0.0, "robot: the top wheel speed must be positive");
+  check(drive.max_linear >= 0.0 && drive.max_angular >= 0.0,
+        "robot: the top speeds must not be negative");
+  check(drive.linear_acceleration >= 0.0 && drive.angular_acceleration >= 0.0,
+        "robot: the accelerations must not be negative");
+  check(drive.motor_time_constant >= 0.0, "robot: the motor time constant must not be negative");
+}
+
+/// In whole steps, at least one; a time-out beyond what can be counted never comes.
+std::uint32_t timeout_steps(const SimulationSettings& settings) {
+  check(settings.step > 0.0, "simulation: the step must be positive");
+  check(settings.stall_timeout >= 0.0, "simulation: the stall time-out must not be negative");
+  const double steps = std::ceil(settings.stall_timeout / settings.step - 1e-9);
+  return static_cast<std::uint32_t>(
+      std::clamp(steps, 1.0, double{std::numeric_limits<std::uint32_t>::max()}));
+}
+
 }  // namespace
+
+Simulation::Impl::Impl(std::shared_ptr<const world::WorldModel> model,
+                       const SimulationSettings& given)
+    : settings(given), world(std::move(model)), stall_timeout_steps(timeout_steps(given)) {}
 
 Simulation::Simulation(std::shared_ptr<const world::WorldModel> model,
                        const SimulationSettings& settings)
@@ -21,6 +55,7 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 RobotIndex Simulation::add_robot(const RobotModel& model, const Pose& pose) {
+  check(model);
   const auto robot = static_cast<RobotIndex>(robot_count());
   const Rgb colour = kBodyColours[robot % std::size(kBodyColours)];
   const world::BodyId body = impl_->world.add_robot(pose, model.radius(), model.height, colour);

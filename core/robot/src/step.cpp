@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 
 #include "simulation_impl.hpp"
@@ -64,13 +63,6 @@ PathStep measured_path(RobotState& state, const WheelTravel& wheels) {
 
 }  // namespace
 
-Simulation::Impl::Impl(std::shared_ptr<const world::WorldModel> model,
-                       const SimulationSettings& given)
-    : settings(given),
-      world(std::move(model)),
-      stall_timeout_steps(static_cast<std::uint32_t>(
-          std::max(1.0, std::ceil(given.stall_timeout / given.step - 1e-9)))) {}
-
 void Simulation::Impl::step_robot(RobotIndex robot) {
   RobotState& state = states[robot];
   if (nothing_to_do(state)) return;
@@ -113,7 +105,7 @@ void Simulation::Impl::account(RobotIndex robot, RobotState& state,
     return;
   }
   state.stalled = kStallBoth;
-  ++state.stalled_steps;
+  if (state.stalled_steps < stall_timeout_steps) ++state.stalled_steps;
   if (!state.by_motors && state.controller.state() == DriveState::Driving &&
       state.stalled_steps >= stall_timeout_steps) {
     state.controller.fail();

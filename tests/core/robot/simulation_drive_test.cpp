@@ -127,7 +127,7 @@ TEST(Drive, OdometryCanBeSet) {
   EXPECT_NEAR(rig.sim.odometry(rig.robot).y, 6.25, 1e-9);
 }
 
-TEST(Drive, LaggingMotorsStillEndWithinATenthOfAMillimetreByOdometry) {
+TEST(Drive, LaggingMotorsStillEndAtTheGoalByOdometry) {
   for (const double time_constant : {0.01, 0.05, 0.15}) {
     RobotModel model;
     model.drive.motor_time_constant = time_constant;
@@ -135,11 +135,11 @@ TEST(Drive, LaggingMotorsStillEndWithinATenthOfAMillimetreByOdometry) {
     rig.sim.drive(rig.robot, {1.0, 0.0, 0.4});
     rig.finish();
     rig.steps(200);
-    EXPECT_NEAR(rig.sim.odometry(rig.robot).x, 1.0, 1e-3) << time_constant;
+    EXPECT_NEAR(rig.sim.odometry(rig.robot).x, 1.0, 2e-4) << time_constant;
     rig.sim.drive(rig.robot, {0.0, kPi / 2, 2.0});
     rig.finish();
     rig.steps(200);
-    EXPECT_NEAR(rig.sim.odometry(rig.robot).theta, kPi / 2, 1e-2) << time_constant;
+    EXPECT_NEAR(rig.sim.odometry(rig.robot).theta, kPi / 2, 3e-3) << time_constant;
     EXPECT_EQ(rig.sim.twist(rig.robot), Twist{});
   }
 }

@@ -1,6 +1,5 @@
 #include <array>
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -201,12 +200,6 @@ TEST(Servo, StartsInTheMiddleAndIsClamped) {
   rig.sim.set_servo(rig.robot, 1, 7.0);
   EXPECT_EQ(rig.sim.servo(rig.robot, 0), 0.75);
   EXPECT_EQ(rig.sim.servo(rig.robot, 1), 1.0);
-}
-
-TEST(Simulation, RefusesARobotInAWall) {
-  Simulation sim(room(1.0, 1.0), {});
-  EXPECT_THROW(sim.add_robot({}, {0.05, 0.5, 0.0}), std::invalid_argument);
-  EXPECT_EQ(sim.robot_count(), 0u);
 }
 
 }  // namespace

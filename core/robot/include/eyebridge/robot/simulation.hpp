@@ -57,12 +57,14 @@ struct SimulationSettings {
 /// same seed: same bits. Not thread-safe. Robot indices are checked by assert only.
 class Simulation {
  public:
+  /// Throws std::invalid_argument when the step is not positive or the time-out negative.
   Simulation(std::shared_ptr<const world::WorldModel> model, const SimulationSettings& settings);
   ~Simulation();
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
 
-  /// Adds a robot at `pose`. Throws std::invalid_argument when it would stand in something.
+  /// Adds a robot at `pose`. Throws std::invalid_argument when it would stand in something, or when
+  /// its model cannot be (a wheel of diameter 0, a negative speed).
   RobotIndex add_robot(const RobotModel& model, const Pose& pose);
   [[nodiscard]] std::size_t robot_count() const;
   [[nodiscard]] const RobotModel& model(RobotIndex robot) const;

@@ -1,0 +1,78 @@
+#include "guarded.hpp"
+#include "keys.hpp"
+#include <eyebot.h>
+
+using eyebridge::Errc;
+using eyebridge::fail;
+using eyebridge::Result;
+using eyebridge::Time;
+using eyebridge::robios::guarded;
+using eyebridge::robios::Session;
+using eyebridge::robios::TouchPoint;
+
+namespace {
+
+constexpr int kFailed = 1;
+
+/// Waiting goes through the session, so that timers run meanwhile.
+auto session_wait(Session& session) {
+  return [&session](Time deadline) { session.wait_until(deadline); };
+}
+
+Result<int> wait_for_key(Session& session, int mask) {
+  return session.keys().wait(mask, session_wait(session));
+}
+
+tl::unexpected<eyebridge::Error> null_pointer() {
+  return fail(Errc::OutOfRange, "a null pointer was given");
+}
+
+}  // namespace
+
+int KEYGet(void) {
+  return guarded("KEYGet", NOKEY,
+                 [](Session& session) { return wait_for_key(session, KEY1 | KEY2 | KEY3 | KEY4); });
+}
+
+int KEYRead(void) {
+  return guarded("KEYRead", NOKEY,
+                 [](Session& session) -> Result<int> { return session.keys().read(); });
+}
+
+int KEYWait(int key) {
+  return guarded("KEYWait", NOKEY, [&](Session& session) { return wait_for_key(session, key); });
+}
+
+int KEYGetXY(int* x, int* y) {
+  return guarded("KEYGetXY", kFailed, [&](Session& session) -> Result<int> {
+    if (x == nullptr || y == nullptr) {
+      return null_pointer();
+    }
+    return session.keys().wait_touch(session_wait(session)).map([&](TouchPoint point) {
+      *x = point.x;
+      *y = point.y;
+      return 0;
+    });
+  });
+}
+
+int KEYReadXY(int* x, int* y) {
+  return guarded("KEYReadXY", kFailed, [&](Session& session) -> Result<int> {
+    if (x == nullptr || y == nullptr) {
+      return null_pointer();
+    }
+    const auto point = session.keys().read_touch();
+    if (!point) {
+      return 1;
+    }
+    *x = point->x;
+    *y = point->y;
+    return 0;
+  });
+}
+
+// In no manual, but in the published library, and old programs call them without a declaration.
+extern "C" {
+__attribute__((visibility("default"))) int KEYInit(void) { return 0; }
+__attribute__((visibility("default"))) int KEYRelease(void) { return 0; }
+}

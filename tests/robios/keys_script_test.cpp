@@ -1,0 +1,75 @@
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "eyebridge/base/config_error.hpp"
+#include "key_script.hpp"
+
+namespace eyebridge::robios {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::minutes;
+using std::chrono::seconds;
+
+std::string error_of(std::string_view script) {
+  try {
+    parse_key_script(script);
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(KeyScript, NamesKeysAndTimes) {
+  const auto script = parse_key_script("KEY1@2s, KEY2@250ms,KEY3@1min ,KEY4@10");
+  ASSERT_EQ(script.size(), 4u);
+  EXPECT_EQ(script[0], (ScriptedKey{milliseconds(250), 2, {}}));
+  EXPECT_EQ(script[1], (ScriptedKey{seconds(2), 1, {}}));
+  EXPECT_EQ(script[2], (ScriptedKey{seconds(10), 8, {}}));
+  EXPECT_EQ(script[3], (ScriptedKey{minutes(1), 4, {}}));
+}
+
+TEST(KeyScript, NamesTouches) {
+  const auto script = parse_key_script("120:80@1.5s");
+  ASSERT_EQ(script.size(), 1u);
+  EXPECT_EQ(script[0], (ScriptedKey{milliseconds(1500), 0, {120, 80}}));
+}
+
+TEST(KeyScript, KeepsTheOrderOfKeysAtTheSameTime) {
+  const auto script = parse_key_script("KEY3@1s,KEY1@1s");
+  EXPECT_EQ(script.at(0).key, 4);
+  EXPECT_EQ(script.at(1).key, 1);
+}
+
+TEST(KeyScript, MayBeEmpty) {
+  EXPECT_TRUE(parse_key_script("").empty());
+  EXPECT_TRUE(parse_key_script("  ").empty());
+}
+
+TEST(KeyScript, SaysWhatIsWrongAndWhere) {
+  EXPECT_EQ(error_of("KEY5@2s"), "--keys:1:4: found '5@2s', expected a key number 1..4");
+  EXPECT_EQ(error_of("KEY1@2s,kex"),
+            "--keys:1:9: found 'kex', expected KEY1..KEY4 or a touch like 120:80");
+  EXPECT_EQ(error_of("KEY1"), "--keys:1:5: found nothing, expected '@' and a time");
+  EXPECT_EQ(error_of("KEY1@"), "--keys:1:6: found nothing, expected a time like 2s, 250ms or 1min");
+  EXPECT_EQ(error_of("KEY1@-2s"), "--keys:1:6: found '-2s', expected a time from 0 s to 1e9 s");
+  EXPECT_EQ(error_of("KEY1@2h"), "--keys:1:7: found 'h', expected ',' or the end");
+  EXPECT_EQ(error_of("KEY1@2s,"), "--keys:1:9: found nothing, expected another key after ','");
+  EXPECT_EQ(error_of("12@2s"), "--keys:1:3: found '@2s', expected ':' and the y of a touch");
+}
+
+TEST(KeyScript, RefusesTimesThatAreNone) {
+  for (const char* script : {"KEY1@nan", "KEY1@inf", "KEY1@1e300", "KEY1@1e400s", "KEY1@1e9min"}) {
+    EXPECT_NE(error_of(script), "no error") << script;
+  }
+}
+
+TEST(KeyScript, RefusesNumbersThatDoNotFit) {
+  EXPECT_NE(error_of("99999999999:1@1s"), "no error");
+  EXPECT_NE(error_of("KEY99999999999@1s"), "no error");
+  EXPECT_LT(error_of(std::string(100000, 'x')).size(), 200u);
+}
+
+}  // namespace
+}  // namespace eyebridge::robios

@@ -1,0 +1,196 @@
+#include "keys.hpp"
+
+#include <atomic>
+#include <thread>
+
+#include <gtest/gtest.h>
+
+namespace eyebridge::robios {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+constexpr int kAnyKey = -1;
+
+class FakeClock final : public Clock {
+ public:
+  explicit FakeClock(bool is_virtual = true) : virtual_(is_virtual) {}
+  [[nodiscard]] Time now() const override { return now_.load(); }
+  void wait_until(Time deadline) override {
+    if (deadline > now_.load()) {
+      now_ = deadline;
+    }
+  }
+  void spend(Time cost) override { now_ = now_.load() + cost; }
+  [[nodiscard]] bool is_virtual() const override { return virtual_; }
+
+ private:
+  std::atomic<Time> now_{Time{0}};
+  bool virtual_;
+};
+
+/// Gives its keys one by one, then ends or stays silent.
+class FakeInput final : public KeyInput {
+ public:
+  FakeInput(std::deque<int> keys, bool ends) : keys_(std::move(keys)), ends_(ends) {}
+  int poll(milliseconds) override {
+    if (keys_.empty()) {
+      return 0;
+    }
+    const int key = keys_.front();
+    keys_.pop_front();
+    return key;
+  }
+  [[nodiscard]] bool open() const override { return !(ends_ && keys_.empty()); }
+
+ private:
+  std::deque<int> keys_;
+  bool ends_;
+};
+
+Keys::WaitUntil on(FakeClock& clock) {
+  return [&clock](Time deadline) { clock.wait_until(deadline); };
+}
+
+TEST(KeysRead, ReportsEachPressOnceInOrder) {
+  FakeClock clock;
+  Keys keys(clock, {}, nullptr);
+  EXPECT_EQ(keys.read(), 0);
+  keys.press(4);
+  keys.press(1);
+  EXPECT_EQ(keys.read(), 4);
+  EXPECT_EQ(keys.read(), 1);
+  EXPECT_EQ(keys.read(), 0);
+}
+
+TEST(KeysRead, IgnoresWhatIsNoKey) {
+  FakeClock clock;
+  Keys keys(clock, {}, nullptr);
+  for (const int key : {0, 3, 16, -1}) {
+    keys.press(key);
+  }
+  EXPECT_EQ(keys.read(), 0);
+}
+
+TEST(KeysRead, FollowsTheScriptOnTheClock) {
+  FakeClock clock;
+  Keys keys(clock, parse_key_script("KEY1@2s,KEY4@10s"), nullptr);
+  EXPECT_EQ(keys.read(), 0);
+  clock.spend(milliseconds(1999));
+  EXPECT_EQ(keys.read(), 0);
+  clock.spend(milliseconds(1));
+  EXPECT_EQ(keys.read(), 1);
+  EXPECT_EQ(keys.read(), 0);
+  clock.spend(seconds(60));
+  EXPECT_EQ(keys.read(), 8);
+}
+
+TEST(KeysWait, JumpsToTheScriptedKey) {
+  FakeClock clock;
+  Keys keys(clock, parse_key_script("KEY1@2s,KEY4@10s"), nullptr);
+  EXPECT_EQ(keys.wait(kAnyKey, on(clock)).value(), 1);
+  EXPECT_EQ(clock.now(), seconds(2));
+  EXPECT_EQ(keys.wait(kAnyKey, on(clock)).value(), 8);
+  EXPECT_EQ(clock.now(), seconds(10));
+}
+
+TEST(KeysWait, DropsKeysThatAreNotWaitedFor) {
+  FakeClock clock;
+  Keys keys(clock, parse_key_script("KEY1@1s,KEY2@2s,KEY4@3s"), nullptr);
+  EXPECT_EQ(keys.wait(8 | 4, on(clock)).value(), 8);
+  EXPECT_EQ(clock.now(), seconds(3));
+  EXPECT_EQ(keys.read(), 0);
+}
+
+TEST(KeysWait, TakesAPressThatWasNotReportedYet) {
+  FakeClock clock;
+  Keys keys(clock, {}, nullptr);
+  keys.press(2);
+  EXPECT_EQ(keys.wait(kAnyKey, on(clock)).value(), 2);
+  EXPECT_EQ(clock.now(), Time{0});
+}
+
+TEST(KeysWait, WorksOnARealClockToo) {
+  FakeClock clock(false);
+  Keys keys(clock, parse_key_script("KEY3@2s"), nullptr);
+  EXPECT_EQ(keys.wait(kAnyKey, on(clock)).value(), 4);
+  EXPECT_EQ(clock.now(), seconds(2));
+}
+
+TEST(KeysWait, FailsWhenNoKeyCanEverCome) {
+  for (const bool is_virtual : {true, false}) {
+    FakeClock clock(is_virtual);
+    Keys keys(clock, parse_key_script("KEY1@1s"), nullptr);
+    const auto key = keys.wait(2, on(clock));
+    ASSERT_FALSE(key);
+    EXPECT_EQ(key.error().code, Errc::Unsupported);
+    EXPECT_NE(key.error().what.find("--keys"), std::string::npos);
+  }
+}
+
+TEST(KeysWait, RefusesAMaskWithoutAKey) {
+  FakeClock clock;
+  Keys keys(clock, parse_key_script("KEY1@1s"), nullptr);
+  EXPECT_EQ(keys.wait(0, on(clock)).error().what, "key mask 0, expected KEY1..KEY4");
+  EXPECT_EQ(keys.wait(16, on(clock)).error().code, Errc::OutOfRange);
+}
+
+TEST(KeysWait, AsksTheTerminalWhenTheScriptIsUsedUp) {
+  for (const bool is_virtual : {true, false}) {
+    FakeClock clock(is_virtual);
+    Keys keys(clock, parse_key_script("KEY1@1s"),
+              std::make_unique<FakeInput>(std::deque<int>{0, 0, 2}, false));
+    EXPECT_EQ(keys.wait(2, on(clock)).value(), 2);
+  }
+}
+
+TEST(KeysWait, FailsWhenTheTerminalEnds) {
+  FakeClock clock(false);
+  Keys keys(clock, {}, std::make_unique<FakeInput>(std::deque<int>{1}, true));
+  EXPECT_EQ(keys.wait(8, on(clock)).error().code, Errc::Unsupported);
+}
+
+TEST(KeysWait, VirtualTimeStandsStillForAPersonAtAWindow) {
+  FakeClock clock;
+  Keys keys(clock, {}, nullptr);
+  keys.set_window(true);
+  std::thread person([&keys] { keys.press(8); });
+  EXPECT_EQ(keys.wait(kAnyKey, on(clock)).value(), 8);
+  person.join();
+  EXPECT_EQ(clock.now(), Time{0});
+}
+
+TEST(KeysWait, EndsWhenTheWindowIsClosed) {
+  FakeClock clock;
+  Keys keys(clock, {}, nullptr);
+  keys.set_window(true);
+  std::thread person([&keys] { keys.set_window(false); });
+  EXPECT_EQ(keys.wait(kAnyKey, on(clock)).error().code, Errc::Unsupported);
+  person.join();
+}
+
+TEST(KeysTouch, OnASoftKeyIsThatKeyAndATouch) {
+  FakeClock clock;
+  Keys keys(clock, {}, nullptr);
+  keys.set_touch_map([](int x, int y) { return y >= 362 && x < 140 ? 1 : 0; });
+  keys.touch(10, 380);
+  EXPECT_EQ(keys.read(), 1);
+  EXPECT_EQ(keys.read_touch(), (TouchPoint{10, 380}));
+  keys.touch(10, 20);
+  EXPECT_EQ(keys.read(), 0);
+  EXPECT_EQ(keys.read_touch(), (TouchPoint{10, 20}));
+  EXPECT_EQ(keys.read_touch(), std::nullopt);
+}
+
+TEST(KeysTouch, IsScriptedAndWaitedFor) {
+  FakeClock clock;
+  Keys keys(clock, parse_key_script("KEY1@1s,30:40@2s"), nullptr);
+  EXPECT_EQ(keys.wait_touch(on(clock)).value(), (TouchPoint{30, 40}));
+  EXPECT_EQ(clock.now(), seconds(2));
+  EXPECT_EQ(keys.read(), 1);
+  EXPECT_EQ(keys.wait_touch(on(clock)).error().code, Errc::Unsupported);
+}
+
+}  // namespace
+}  // namespace eyebridge::robios
