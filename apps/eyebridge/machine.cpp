@@ -1,11 +1,5 @@
 #include "machine.hpp"
 
-#include <dlfcn.h>
-#include <fcntl.h>
-#include <linux/can.h>
-#include <sys/socket.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
@@ -13,6 +7,12 @@
 #include <filesystem>
 #include <fstream>
 #include <initializer_list>
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <linux/can.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include "own_files.hpp"
 
@@ -66,8 +66,7 @@ Finding library(const char* what, std::initializer_list<const char*> names, cons
 
 Finding pseudo_terminals() {
   const int descriptor = posix_openpt(O_RDWR | O_NOCTTY);
-  const bool works =
-      descriptor >= 0 && grantpt(descriptor) == 0 && unlockpt(descriptor) == 0;
+  const bool works = descriptor >= 0 && grantpt(descriptor) == 0 && unlockpt(descriptor) == 0;
   const std::string reason = works ? "for tests of serial boards" : std::strerror(errno);
   if (descriptor >= 0) close(descriptor);
   return {"PTY", false, works, reason, "mount devpts on /dev/pts"};
@@ -87,7 +86,8 @@ Finding socket_can() {
     constexpr int kCanHardware = 280;  // ARPHRD_CAN of linux/if_arp.h
     if (type == kCanHardware) buses.push_back(name);
   }
-  return {"CAN", false, !buses.empty(), buses.empty() ? "the kernel can, but there is no bus" : joined(buses),
+  return {"CAN", false, !buses.empty(),
+          buses.empty() ? "the kernel can, but there is no bus" : joined(buses),
           "ip link add vcan0 type vcan && ip link set vcan0 up"};
 }
 
@@ -120,7 +120,8 @@ std::vector<Finding> examine_machine() {
       pseudo_terminals(),
       devices("serial boards", {"ttyACM", "ttyUSB"}, "no /dev/ttyACM* or /dev/ttyUSB*", ""),
       socket_can(),
-      devices("V4L2 cameras", {"video"}, "no /dev/video*", "plug one in; apt install v4l-utils to look at it"),
+      devices("V4L2 cameras", {"video"}, "no /dev/video*",
+              "plug one in; apt install v4l-utils to look at it"),
   };
 }
 

@@ -14,8 +14,9 @@ int run(int argc, char** argv) {
   CLI::App app{"Runs programs for small mobile robots (RoBIOS) in a simulated world.", "eyebridge"};
   app.set_version_flag("--version", "eyebridge " EYEBRIDGE_VERSION);
   app.require_subcommand(1);
-  app.footer("Exit codes: 0 fine, 1 failed while running, 2 bad input (nothing was run).\n"
-             "eyebridge COMMAND --help says more.");
+  app.footer(
+      "Exit codes: 0 fine, 1 failed while running, 2 bad input (nothing was run).\n"
+      "eyebridge COMMAND --help says more.");
   add_run(app, code);
   add_world(app, code);
   add_config(app, code);

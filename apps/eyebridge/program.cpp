@@ -1,12 +1,12 @@
 #include "program.hpp"
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <string_view>
 #include <system_error>
+
+#include <unistd.h>
 
 #include "eyebridge/base/config_error.hpp"
 
@@ -59,7 +59,8 @@ fs::path find_in_path(const std::string& name) {
 fs::path find_program(const std::string& name) {
   if (name.empty()) throw ConfigError({"program"}, "found an empty name, expected a robot program");
   if (name.find('/') != std::string::npos || is_there(name)) {
-    const fs::path program = name.find('/') != std::string::npos ? fs::path(name) : "." / fs::path(name);
+    const fs::path program =
+        name.find('/') != std::string::npos ? fs::path(name) : "." / fs::path(name);
     if (!is_there(program)) throw ConfigError({name}, "no such program");
     check(program);
     return program;

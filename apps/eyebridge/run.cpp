@@ -24,7 +24,8 @@ void check(const hal::Config& config) {
 
 void run(const SettingFlags& flags, const std::vector<std::string>& words) {
   if (words.empty()) {
-    throw ConfigError({"run"}, "found no program, expected: eyebridge run [OPTIONS] PROGRAM [ARGUMENTS]");
+    throw ConfigError({"run"},
+                      "found no program, expected: eyebridge run [OPTIONS] PROGRAM [ARGUMENTS]");
   }
   const std::string& name = words.front();
   if (name.size() > 1 && name.front() == '-') {
@@ -40,8 +41,9 @@ void run(const SettingFlags& flags, const std::vector<std::string>& words) {
 void add_run(CLI::App& root, int& /*code*/) {
   CLI::App* command = root.add_subcommand(
       "run", "Runs a robot program: eyebridge run [OPTIONS] PROGRAM [ARGUMENTS]");
-  command->footer("PROGRAM is an executable (see eyebridge-cc) or a Python file. Every option can also be\n"
-                  "an environment variable (EYEBRIDGE_WORLD) or a line of eyebridge.toml (world = \"...\").");
+  command->footer(
+      "PROGRAM is an executable (see eyebridge-cc) or a Python file. Every option can also be\n"
+      "an environment variable (EYEBRIDGE_WORLD) or a line of eyebridge.toml (world = \"...\").");
   // The program's name ends our options: what follows belongs to it, whatever it looks like.
   command->prefix_command();
   auto flags = std::make_shared<SettingFlags>();

@@ -61,8 +61,8 @@ world::Scene scene_of(const files::Scenario& scenario) {
                             model.height, Rgb{60, 120, 200}});
   }
   for (const world::ObjectSpec& object : scenario.world.objects) {
-    const auto shape = object.kind == world::ObjectKind::Ball ? world::BodyShape::Ball
-                                                              : world::BodyShape::Can;
+    const auto shape =
+        object.kind == world::ObjectKind::Ball ? world::BodyShape::Ball : world::BodyShape::Can;
     scene.bodies.push_back({id++, shape, object.pose, object.radius, object.height, object.colour});
   }
   return scene;
@@ -89,7 +89,8 @@ void add_world(CLI::App& root, int& code) {
 
   CLI::App* checking = world->add_subcommand("check", "Reads files; names what is wrong or odd");
   auto paths = std::make_shared<std::vector<std::string>>();
-  checking->add_option("FILE", *paths, "World, maze, scenario, robot or parameter file")->required();
+  checking->add_option("FILE", *paths, "World, maze, scenario, robot or parameter file")
+      ->required();
   checking->callback([paths, &code] { code = check(*paths); });
 
   CLI::App* drawing = world->add_subcommand("draw", "Writes a picture of a world seen from above");

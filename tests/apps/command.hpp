@@ -18,8 +18,9 @@ inline ProgramRun run_command(const std::vector<std::string>& arguments, const s
 
 /// Runs `script` with sh in `folder`, our commands first in PATH.
 inline ProgramRun run_shell(const std::string& script, const std::string& folder) {
-  return run_program(
-      {{"sh", "-euc", "PATH=" EYEBRIDGE_BIN ":$PATH\n" + script}, {{"EYEBRIDGE_FAST", "true"}}, folder});
+  return run_program({{"sh", "-euc", "PATH=" EYEBRIDGE_BIN ":$PATH\n" + script},
+                      {{"EYEBRIDGE_FAST", "true"}},
+                      folder});
 }
 
 }  // namespace eyebridge::testing

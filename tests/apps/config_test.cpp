@@ -1,8 +1,9 @@
+#include "eyebridge/hal/config.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "command.hpp"
-#include "eyebridge/hal/config.hpp"
 
 namespace eyebridge {
 namespace {
@@ -63,8 +64,11 @@ TEST(Command, HelpOfRunListsAFlagForEverySetting) {
 }
 
 TEST(Command, NoSubcommandOrAnUnknownOneIsBadInput) {
-  for (const std::vector<std::string>& arguments :
-       {std::vector<std::string>{}, {"fly"}, {"world"}, {"world", "check"}, {"config", "--wrold=1"}}) {
+  for (const std::vector<std::string>& arguments : {std::vector<std::string>{},
+                                                    {"fly"},
+                                                    {"world"},
+                                                    {"world", "check"},
+                                                    {"config", "--wrold=1"}}) {
     const ProgramRun r = run_command(arguments, ".");
     EXPECT_EQ(r.exit_code, 2);
     EXPECT_THAT(r.err, HasSubstr("eyebridge --help"));
@@ -75,9 +79,11 @@ TEST(Command, NoSubcommandOrAnUnknownOneIsBadInput) {
 TEST(Doctor, NamesWhatThereIsAndWhatIsMissing) {
   const ProgramRun r = run_command({"doctor"}, ".");
   EXPECT_THAT(r.out, ContainsRegex("gcc +ok +/"));
-  EXPECT_THAT(r.out, ContainsRegex("libeyebridge +ok +" EYEBRIDGE_BUILD_DIR "/lib/libeyebridge.so"));
+  EXPECT_THAT(r.out,
+              ContainsRegex("libeyebridge +ok +" EYEBRIDGE_BUILD_DIR "/lib/libeyebridge.so"));
   EXPECT_THAT(r.out, ContainsRegex("sim +a simulated robot"));
-  for (const char* row : {"g++", "python3", "eyebot.h", "worlds", "OSMesa", "EGL", "PTY", "CAN", "V4L2"}) {
+  for (const char* row :
+       {"g++", "python3", "eyebot.h", "worlds", "OSMesa", "EGL", "PTY", "CAN", "V4L2"}) {
     EXPECT_THAT(r.out, HasSubstr(row));
   }
 }
@@ -101,7 +107,8 @@ TEST(ConfigurationDocument, NamesEverySettingWithItsDefaultAndMeaning) {
     ++rows;
   }
   std::size_t written = 0;
-  for (std::size_t at = text.find("\n| `"); at != std::string::npos; at = text.find("\n| `", at + 1)) {
+  for (std::size_t at = text.find("\n| `"); at != std::string::npos;
+       at = text.find("\n| `", at + 1)) {
     ++written;
   }
   EXPECT_EQ(written, rows) << "docs/configuration.md lists a setting that does not exist";

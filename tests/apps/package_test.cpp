@@ -45,9 +45,13 @@ class Package : public ::testing::Test {
 
 TEST_F(Package, CMakeFindsTheBuildTree) { expect_it_drives(with_cmake(EYEBRIDGE_BUILD_DIR)); }
 
-TEST_F(Package, PkgConfigFindsTheBuildTree) { expect_it_drives(with_pkg_config(EYEBRIDGE_BUILD_DIR)); }
+TEST_F(Package, PkgConfigFindsTheBuildTree) {
+  expect_it_drives(with_pkg_config(EYEBRIDGE_BUILD_DIR));
+}
 
-TEST_F(Package, CMakeFindsAnInstallation) { expect_it_drives(installed() + with_cmake("$PWD/moved")); }
+TEST_F(Package, CMakeFindsAnInstallation) {
+  expect_it_drives(installed() + with_cmake("$PWD/moved"));
+}
 
 TEST_F(Package, PkgConfigFindsAnInstallation) {
   expect_it_drives(installed() + with_pkg_config("$PWD/moved"));

@@ -16,13 +16,16 @@ using testing::ScratchFolder;
 class Run : public ::testing::Test {
  protected:
   Run() {
-    write_program("prog", "#!/bin/sh\necho started \"$EYEBRIDGE_FLAGS\"\nfor a; do echo \"<$a>\"; done\nexit 7\n");
+    write_program(
+        "prog",
+        "#!/bin/sh\necho started \"$EYEBRIDGE_FLAGS\"\nfor a; do echo \"<$a>\"; done\nexit 7\n");
   }
   void write_program(const std::string& name, const std::string& text) {
     const std::string path = folder_.write(name, text);
     chmod(path.c_str(), 0755);
   }
-  ProgramRun run(std::vector<std::string> arguments, std::map<std::string, std::string> environment = {}) {
+  ProgramRun run(std::vector<std::string> arguments,
+                 std::map<std::string, std::string> environment = {}) {
     arguments.insert(arguments.begin(), "run");
     return run_command(arguments, folder_.path(), std::move(environment));
   }

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,7 +14,8 @@ using testing::ProgramRun;
 using testing::run_command;
 using testing::ScratchFolder;
 
-constexpr const char* kRoom = "floor 2000 1000\n0 0 2000 0\n0 1000 2000 1000\n0 0 0 1000\n2000 0 2000 1000\n";
+constexpr const char* kRoom =
+    "floor 2000 1000\n0 0 2000 0\n0 1000 2000 1000\n0 0 0 1000\n2000 0 2000 1000\n";
 constexpr const char* kMaze = " _ _\n|   |\n|S|_|\n";
 
 TEST(WorldCheck, SaysWhatIsInAWorld) {
@@ -62,15 +65,20 @@ TEST_P(WorldCheckOfABadFile, IsOneClearMessage) {
 
 INSTANTIATE_TEST_SUITE_P(
     Files, WorldCheckOfABadFile,
-    ::testing::Values(
-        BadFile{"Empty", "a.wld", "", "a.wld"}, BadFile{"EmptyMaze", "a.maz", "", "a.maz"},
-        BadFile{"BinaryJunk", "a.wld", std::string("\x7f" "ELF\0\1\2\xff\xfe", 9), "a.wld"},
-        BadFile{"UnknownKeyword", "a.wld", "floor 1000 1000\nhedge 1 2 3 4\n", "a.wld:2:1"},
-        BadFile{"PopWithoutPush", "a.wld", "floor 1000 1000\npop\n", "a.wld:2:1"},
-        BadFile{"WallOfNoLength", "a.wld", "floor 1000 1000\n5 5 5 5\n", "a.wld:2:1"},
-        BadFile{"NotANumber", "a.wld", "floor 1000 1000\n0 nan 5 5\n", "a.wld:2:3"},
-        BadFile{"UnknownEnding", "a.xyz", "floor 1000 1000\n", "a.xyz"}),
-    [](const auto& info) { return std::string(info.param.name); });
+    ::testing::Values(BadFile{"Empty", "a.wld", "", "a.wld"},
+                      BadFile{"EmptyMaze", "a.maz", "", "a.maz"},
+                      BadFile{"BinaryJunk", "a.wld",
+                              std::string("\x7f"
+                                          "ELF\0\1\2\xff\xfe",
+                                          9),
+                              "a.wld"},
+                      BadFile{"UnknownKeyword", "a.wld", "floor 1000 1000\nhedge 1 2 3 4\n",
+                              "a.wld:2:1"},
+                      BadFile{"PopWithoutPush", "a.wld", "floor 1000 1000\npop\n", "a.wld:2:1"},
+                      BadFile{"WallOfNoLength", "a.wld", "floor 1000 1000\n5 5 5 5\n", "a.wld:2:1"},
+                      BadFile{"NotANumber", "a.wld", "floor 1000 1000\n0 nan 5 5\n", "a.wld:2:3"},
+                      BadFile{"UnknownEnding", "a.xyz", "floor 1000 1000\n", "a.xyz"}),
+    [](const auto& bad) { return std::string(bad.param.name); });
 
 TEST(WorldDraw, WritesAPictureInTheShapeOfTheWorld) {
   const ScratchFolder folder;

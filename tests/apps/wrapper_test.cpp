@@ -16,7 +16,8 @@ const std::string kSources = EYEBRIDGE_SOURCE_DIR "/tests/apps/consumer/";
 
 TEST(Wrapper, ATextBookProgramCompilesWithoutAWarningAndRuns) {
   const ScratchFolder folder;
-  const ProgramRun r = run_shell("eyebridge-cc " + kSources + "prog.c -o prog\n./prog\n", folder.path());
+  const ProgramRun r =
+      run_shell("eyebridge-cc " + kSources + "prog.c -o prog\n./prog\n", folder.path());
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_EQ(r.err, "");
   EXPECT_EQ(r.out, "at 300 0 90\n");
@@ -41,7 +42,8 @@ TEST(Wrapper, ACppProgramCompiles) {
 
 TEST(Wrapper, OldCWithImplicitIntAndUndeclaredFunctionsStillCompiles) {
   const ScratchFolder folder;
-  const ProgramRun r = run_shell("eyebridge-cc " + kSources + "old.c -o old\n./old\n", folder.path());
+  const ProgramRun r =
+      run_shell("eyebridge-cc " + kSources + "old.c -o old\n./old\n", folder.path());
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.err, HasSubstr("warning"));
   EXPECT_EQ(r.out, "counted 2, root 2.0\nlater\n");
@@ -68,8 +70,9 @@ TEST(Wrapper, AnErrorInTheProgramIsTheCompilers) {
 TEST(Wrapper, ArgumentsWithSpacesReachTheCompilerWhole) {
   const ScratchFolder folder;
   folder.write("two words.c", "#include \"eyebot.h\"\nint main() { puts(TEXT); return 0; }\n");
-  const ProgramRun r = run_shell(
-      "eyebridge-cc '-DTEXT=\"a  b\"' 'two words.c' -o 'the program'\n'./the program'\n", folder.path());
+  const ProgramRun r =
+      run_shell("eyebridge-cc '-DTEXT=\"a  b\"' 'two words.c' -o 'the program'\n'./the program'\n",
+                folder.path());
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_EQ(r.out, "a  b\n");
 }
