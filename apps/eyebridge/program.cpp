@@ -81,7 +81,12 @@ void become(const fs::path& program, const std::vector<std::string>& arguments) 
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
-  execvp(argv.front(), argv.data());
+  // Not execvp for the program itself: it would hand what the kernel refuses to sh.
+  if (is_python(program)) {
+    execvp(argv.front(), argv.data());
+  } else {
+    execv(argv.front(), argv.data());
+  }
   const int error = errno;
   const char* reason = error == ENOEXEC
                            ? "neither a program for this machine nor a script that starts with #!"

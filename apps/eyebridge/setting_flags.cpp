@@ -38,8 +38,11 @@ std::string help_of(const hal::Setting& setting) {
 
 void add_flag(CLI::App& command, SettingFlags& flags, const hal::Setting& setting) {
   const std::string key(setting.key);
-  const auto store = [&flags, key](const CLI::results_t& values) {
-    flags[key] = values.back();
+  const bool is_boolean = setting.kind == hal::Setting::Kind::Boolean;
+  const auto store = [&flags, key, is_boolean](const CLI::results_t& values) {
+    // A boolean flag without a value arrives as an empty one.
+    const bool alone = is_boolean && values.back().empty();
+    flags[key] = alone ? "true" : values.back();
     return true;
   };
   std::string names = hal::Config::flag_name(setting.key);
@@ -47,7 +50,7 @@ void add_flag(CLI::App& command, SettingFlags& flags, const hal::Setting& settin
   CLI::Option* option = command.add_option(names, store, help_of(setting));
   option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   option->type_name(std::string(kind_name(setting.kind)));
-  if (setting.kind == hal::Setting::Kind::Boolean) {
+  if (is_boolean) {
     // "--fast" alone is true; another value needs "--fast=false", for the next word is the program.
     option->type_size(0)->expected(0, 1);
   }
