@@ -11,12 +11,16 @@ function(eyebridge_library name)
 endfunction()
 
 # eyebridge_test(core_base SOURCES … LIBRARIES … [LABEL slow]): one GoogleTest program; every test in
-# it becomes a ctest named core_base.Suite.Test, so that `./test core` picks a group by its prefix.
-# LABEL is unit unless given: unit tests together stay under two minutes.
+# it becomes a ctest named core_base.Suite.Test@preset, so that `./test core` picks a group by its
+# prefix. LABEL is unit unless given: unit tests together stay under two minutes. Those with LABEL
+# threads are all that the thread sanitizer builds; the fuzz preset builds no tests at all.
 function(eyebridge_test name)
   cmake_parse_arguments(arg "" "LABEL" "SOURCES;LIBRARIES" ${ARGN})
   if(NOT arg_LABEL)
     set(arg_LABEL unit)
+  endif()
+  if(EYEBRIDGE_FUZZ OR (EYEBRIDGE_SANITIZE MATCHES "thread" AND NOT arg_LABEL STREQUAL threads))
+    return()
   endif()
   add_executable(test_${name} ${arg_SOURCES})
   target_link_libraries(test_${name} PRIVATE ${arg_LIBRARIES} GTest::gmock GTest::gtest_main
@@ -25,11 +29,19 @@ function(eyebridge_test name)
   target_compile_definitions(test_${name} PRIVATE
                              EYEBRIDGE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                              EYEBRIDGE_SHARED_DIR="${CMAKE_SOURCE_DIR}/../shared")
-  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. NO_PRETTY_VALUES DISCOVERY_TIMEOUT 60
-                       PROPERTIES LABELS ${arg_LABEL} TIMEOUT 300)
+  cmake_path(GET CMAKE_BINARY_DIR FILENAME preset)
+  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_SUFFIX @${preset} NO_PRETTY_VALUES
+                       DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${arg_LABEL} TIMEOUT 300)
+  if(arg_LABEL STREQUAL threads)
+    add_dependencies(threaded_tests test_${name})
+  endif()
 endfunction()
 
-# eyebridge_fuzzer(world LIBRARIES …): fuzz_world from fuzz_world.cpp, built with EYEBRIDGE_FUZZ.
+add_custom_target(threaded_tests)  # What `./test` builds with the thread sanitizer.
+add_custom_target(fuzzers)
+
+# eyebridge_fuzzer(world LIBRARIES …): fuzz_world from fuzz_world.cpp, built with EYEBRIDGE_FUZZ, and
+# a ctest fuzz.world that feeds it for a bounded time from corpus/world.
 function(eyebridge_fuzzer name)
   cmake_parse_arguments(arg "" "" "LIBRARIES" ${ARGN})
   if(NOT EYEBRIDGE_FUZZ)
@@ -38,4 +50,10 @@ function(eyebridge_fuzzer name)
   add_executable(fuzz_${name} fuzz_${name}.cpp)
   target_link_libraries(fuzz_${name} PRIVATE ${arg_LIBRARIES} eyebridge_warnings)
   target_link_options(fuzz_${name} PRIVATE -fsanitize=fuzzer)
+  add_dependencies(fuzzers fuzz_${name})
+  add_test(NAME fuzz.${name}
+           COMMAND "${CMAKE_SOURCE_DIR}/cmake/run-fuzzer.sh" $<TARGET_FILE:fuzz_${name}>
+                   "${CMAKE_CURRENT_SOURCE_DIR}/corpus/${name}"
+                   "${CMAKE_CURRENT_BINARY_DIR}/scratch/${name}")
+  set_tests_properties(fuzz.${name} PROPERTIES LABELS fuzz TIMEOUT 600 COST 500)
 endfunction()

@@ -1,0 +1,24 @@
+#include <cstdio>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "command.hpp"
+#include "setting_flags.hpp"
+
+namespace eyebridge::apps {
+
+void add_config(CLI::App& root, int& code) {
+  CLI::App* command =
+      root.add_subcommand("config", "Shows every setting's value and where it came from");
+  auto flags = std::make_shared<SettingFlags>();
+  add_setting_flags(*command, *flags);
+  auto program = std::make_shared<std::string>();
+  command->add_option("program", *program, "Also look for eyebridge.toml beside this program");
+  command->callback([flags, program, &code] {
+    std::fputs(hand_on(*flags, *program).describe().c_str(), stdout);
+    code = kFine;
+  });
+}
+
+}  // namespace eyebridge::apps

@@ -1,0 +1,47 @@
+#include <cstdio>
+#include <exception>
+
+#include <CLI/CLI.hpp>
+
+#include "command.hpp"
+#include "eyebridge/base/config_error.hpp"
+
+namespace {
+
+int run(int argc, char** argv) {
+  using namespace eyebridge::apps;
+  int code = kFine;
+  CLI::App app{"Runs programs for small mobile robots (RoBIOS) in a simulated world.", "eyebridge"};
+  app.set_version_flag("--version", "eyebridge " EYEBRIDGE_VERSION);
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 fine, 1 failed while running, 2 bad input (nothing was run).\n"
+      "eyebridge COMMAND --help says more.");
+  add_run(app, code);
+  add_world(app, code);
+  add_config(app, code);
+  add_doctor(app, code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& done) {  // --help, --version
+    return app.exit(done);
+  } catch (const CLI::ParseError& error) {
+    std::fprintf(stderr, "eyebridge: %s\nSee eyebridge --help.\n", error.what());
+    return kBadInput;
+  }
+  return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const eyebridge::ConfigError& error) {
+    std::fprintf(stderr, "eyebridge: %s\n", error.what());
+    return eyebridge::apps::kBadInput;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "eyebridge: %s\n", error.what());
+    return eyebridge::apps::kFailed;
+  }
+}

@@ -1,0 +1,17 @@
+#include "own_files.hpp"
+
+namespace eyebridge::apps {
+
+OwnFiles own_files() {
+  namespace fs = std::filesystem;
+  const fs::path bin = fs::read_symlink("/proc/self/exe").parent_path();
+  const fs::path prefix = bin.parent_path();
+  if (bin == fs::path(EYEBRIDGE_BUILD_DIR) / "bin") {
+    const fs::path source = EYEBRIDGE_SOURCE_DIR;
+    return {prefix / "lib/libeyebridge.so", source / "robios/include/eyebot.h", source / "worlds"};
+  }
+  return {prefix / "lib/libeyebridge.so", prefix / "include/eyebridge/eyebot.h",
+          prefix / "share/eyebridge/worlds"};
+}
+
+}  // namespace eyebridge::apps

@@ -1,0 +1,97 @@
+#include "program.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+#include <system_error>
+
+#include <unistd.h>
+
+#include "eyebridge/base/config_error.hpp"
+
+namespace eyebridge::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_python(const fs::path& program) { return program.extension() == ".py"; }
+
+bool is_there(const fs::path& path) {
+  std::error_code ignored;  // A folder that may not be searched holds nothing for us.
+  return fs::exists(path, ignored);
+}
+
+/// Throws unless `program` can be started.
+void check(const fs::path& program) {
+  const SourceLocation where{program.string()};
+  std::error_code ignored;
+  if (fs::is_directory(program, ignored)) {
+    throw ConfigError(where, "found a folder, expected a robot program");
+  }
+  if (is_python(program)) {
+    if (access(program.c_str(), R_OK) != 0) {
+      throw ConfigError(where, std::string("cannot be read: ") + std::strerror(errno));
+    }
+  } else if (access(program.c_str(), X_OK) != 0) {
+    throw ConfigError(where,
+                      std::string("not executable (") + std::strerror(errno) +
+                          "); expected a program built with eyebridge-cc, or a Python file (.py)");
+  }
+}
+
+fs::path find_in_path(const std::string& name) {
+  const char* path = std::getenv("PATH");
+  std::string_view rest = path == nullptr ? "" : path;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(':'), rest.size());
+    const fs::path candidate = fs::path(rest.substr(0, end)) / name;
+    if (end > 0 && access(candidate.c_str(), X_OK) == 0 && !fs::is_directory(candidate)) {
+      return candidate;
+    }
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return {};
+}
+
+}  // namespace
+
+fs::path find_program(const std::string& name) {
+  if (name.empty()) throw ConfigError({"program"}, "found an empty name, expected a robot program");
+  if (name.find('/') != std::string::npos || is_there(name)) {
+    const fs::path program =
+        name.find('/') != std::string::npos ? fs::path(name) : "." / fs::path(name);
+    if (!is_there(program)) throw ConfigError({name}, "no such program");
+    check(program);
+    return program;
+  }
+  fs::path program = find_in_path(name);
+  if (program.empty()) {
+    throw ConfigError({name}, "no such program in this folder or in PATH");
+  }
+  return program;
+}
+
+void become(const fs::path& program, const std::vector<std::string>& arguments) {
+  std::vector<std::string> words;
+  if (is_python(program)) words.emplace_back("python3");
+  words.push_back(program.string());
+  words.insert(words.end(), arguments.begin(), arguments.end());
+
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  // Not execvp for the program itself: it would hand what the kernel refuses to sh.
+  if (is_python(program)) {
+    execvp(argv.front(), argv.data());
+  } else {
+    execv(argv.front(), argv.data());
+  }
+  const int error = errno;
+  const char* reason = error == ENOEXEC
+                           ? "neither a program for this machine nor a script that starts with #!"
+                           : std::strerror(error);
+  throw ConfigError({words.front()}, std::string("cannot be started: ") + reason);
+}
+
+}  // namespace eyebridge::apps

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace eyebridge::apps {
+
+/// Finds the robot program `name`: with a slash as it stands, else in the working folder, else in
+/// PATH. Throws ConfigError when there is none, or when it cannot be executed (a .py need only be
+/// readable).
+std::filesystem::path find_program(const std::string& name);
+
+/// Becomes `program` with `arguments`; a .py is run by python3. Throws ConfigError when the system
+/// refuses; returns never.
+[[noreturn]] void become(const std::filesystem::path& program,
+                         const std::vector<std::string>& arguments);
+
+}  // namespace eyebridge::apps

@@ -1,0 +1,54 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "command.hpp"
+#include "eyebridge/base/log.hpp"
+#include "eyebridge/hal/registry.hpp"
+#include "program.hpp"
+#include "setting_flags.hpp"
+
+namespace eyebridge::apps {
+namespace {
+
+/// Throws for what the program would fail on in its first call, before it has done anything.
+void check(const hal::Config& config) {
+  // The program opens it again. That is free for a world; a board must not be opened twice.
+  const hal::ConfigValue& url = config.value("hal");
+  if (hal::parse_backend_url(url.text, url.where).scheme.starts_with("serial")) return;
+  NullLog log;
+  hal::open_backend({config, log});
+}
+
+void run(const SettingFlags& flags, const std::vector<std::string>& words) {
+  if (words.empty()) {
+    throw ConfigError({"run"},
+                      "found no program, expected: eyebridge run [OPTIONS] PROGRAM [ARGUMENTS]");
+  }
+  const std::string& name = words.front();
+  if (name.size() > 1 && name.front() == '-') {
+    throw ConfigError({name}, "unknown option; eyebridge run --help lists those there are");
+  }
+  const auto program = find_program(name);
+  check(hand_on(flags, program));
+  become(program, {words.begin() + 1, words.end()});
+}
+
+}  // namespace
+
+void add_run(CLI::App& root, int& /*code*/) {
+  CLI::App* command = root.add_subcommand(
+      "run", "Runs a robot program: eyebridge run [OPTIONS] PROGRAM [ARGUMENTS]");
+  command->footer(
+      "PROGRAM is an executable (see eyebridge-cc) or a Python file. Every option can also be\n"
+      "an environment variable (EYEBRIDGE_WORLD) or a line of eyebridge.toml (world = \"...\").");
+  // The program's name ends our options: what follows belongs to it, whatever it looks like.
+  command->prefix_command();
+  auto flags = std::make_shared<SettingFlags>();
+  add_setting_flags(*command, *flags);
+  command->callback([command, flags] { run(*flags, command->remaining()); });
+}
+
+}  // namespace eyebridge::apps

@@ -1,0 +1,72 @@
+#include "setting_flags.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <string_view>
+#include <system_error>
+
+#include <CLI/CLI.hpp>
+
+namespace eyebridge::apps {
+namespace {
+
+std::string_view kind_name(hal::Setting::Kind kind) {
+  using Kind = hal::Setting::Kind;
+  switch (kind) {
+    case Kind::Text:
+      return "TEXT";
+    case Kind::Path:
+      return "PATH";
+    case Kind::Boolean:
+      return "";
+    case Kind::Integer:
+      return "INTEGER";
+    case Kind::Number:
+      return "NUMBER";
+    case Kind::Duration:
+      return "TIME";
+  }
+  return "";
+}
+
+std::string help_of(const hal::Setting& setting) {
+  std::string help(setting.help);
+  if (!setting.choices.empty()) help += " (" + std::string(setting.choices) + ")";
+  if (!setting.fallback.empty()) help += " [" + std::string(setting.fallback) + "]";
+  return help;
+}
+
+void add_flag(CLI::App& command, SettingFlags& flags, const hal::Setting& setting) {
+  const std::string key(setting.key);
+  const bool is_boolean = setting.kind == hal::Setting::Kind::Boolean;
+  const auto store = [&flags, key, is_boolean](const CLI::results_t& values) {
+    // A boolean flag without a value arrives as an empty one.
+    const bool alone = is_boolean && values.back().empty();
+    flags[key] = alone ? "true" : values.back();
+    return true;
+  };
+  std::string names = hal::Config::flag_name(setting.key);
+  if (setting.key == "world") names += ",--sim";
+  CLI::Option* option = command.add_option(names, store, help_of(setting));
+  option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  option->type_name(std::string(kind_name(setting.kind)));
+  if (is_boolean) {
+    // "--fast" alone is true; another value needs "--fast=false", for the next word is the program.
+    option->type_size(0)->expected(0, 1);
+  }
+}
+
+}  // namespace
+
+void add_setting_flags(CLI::App& command, SettingFlags& flags) {
+  for (const hal::Setting& setting : hal::settings()) add_flag(command, flags, setting);
+}
+
+hal::Config hand_on(const SettingFlags& flags, const std::filesystem::path& program) {
+  if (setenv("EYEBRIDGE_FLAGS", hal::Config::flags_variable(flags).c_str(), 1) != 0) {
+    throw std::system_error(errno, std::generic_category(), "setting EYEBRIDGE_FLAGS");
+  }
+  return hal::Config::from_process(program);
+}
+
+}  // namespace eyebridge::apps

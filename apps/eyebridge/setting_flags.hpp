@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "eyebridge/hal/config.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace eyebridge::apps {
+
+/// Values of settings as flags gave them: key -> text.
+using SettingFlags = std::map<std::string, std::string>;
+
+/// Adds a flag to `command` for every row of hal::settings(), and --sim, which is --world. What is
+/// given lands in `flags`, which must outlive the parsing; the last one of a flag wins.
+void add_setting_flags(CLI::App& command, SettingFlags& flags);
+
+/// Hands `flags` on to this process and the program it becomes, as EYEBRIDGE_FLAGS, and returns the
+/// configuration that `program` will see. Throws ConfigError.
+hal::Config hand_on(const SettingFlags& flags, const std::filesystem::path& program);
+
+}  // namespace eyebridge::apps

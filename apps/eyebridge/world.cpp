@@ -1,0 +1,107 @@
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "command.hpp"
+#include "eyebridge/camera/birdseye.hpp"
+#include "eyebridge/camera/png.hpp"
+#include "eyebridge/files/load.hpp"
+
+namespace eyebridge::apps {
+namespace {
+
+std::string counted(std::size_t count, const char* noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+std::string summary(const files::Scenario& scenario) {
+  const world::WorldModel& world = scenario.world;
+  std::string text = fmt::format("{:g} m x {:g} m", world.width, world.height);
+  if (world.maze) {
+    text += fmt::format(", {} x {} cells of {:g} m", world.maze->columns, world.maze->rows,
+                        world.maze->cell);
+  }
+  text += ", " + counted(world.walls.size(), "wall");
+  text += ", " + counted(scenario.robots.size(), "robot");
+  text += ", " + counted(world.objects.size(), "object");
+  return text + ", " + counted(scenario.warnings.size(), "warning");
+}
+
+/// Goes through all files, so that one bad file does not hide the next.
+int check(const std::vector<std::string>& paths) {
+  int code = kFine;
+  for (const std::string& path : paths) {
+    try {
+      const files::Scenario scenario = files::load_scenario(path);
+      std::printf("%s: %s\n", path.c_str(), summary(scenario).c_str());
+      for (const Warning& warning : scenario.warnings) {
+        std::printf("  %s\n", warning.str().c_str());
+      }
+    } catch (const ConfigError& error) {
+      std::fprintf(stderr, "eyebridge: %s\n", error.what());
+      code = kBadInput;
+    }
+  }
+  return code;
+}
+
+world::Scene scene_of(const files::Scenario& scenario) {
+  world::Scene scene;
+  scene.model = std::make_shared<const world::WorldModel>(scenario.world);
+  std::uint32_t id = 0;
+  for (const files::RobotPlacement& placement : scenario.robots) {
+    const robot::RobotModel& model = scenario.models.at(placement.model);
+    scene.bodies.push_back({id++, world::BodyShape::Robot, placement.pose, model.radius(),
+                            model.height, Rgb{60, 120, 200}});
+  }
+  for (const world::ObjectSpec& object : scenario.world.objects) {
+    const auto shape =
+        object.kind == world::ObjectKind::Ball ? world::BodyShape::Ball : world::BodyShape::Can;
+    scene.bodies.push_back({id++, shape, object.pose, object.radius, object.height, object.colour});
+  }
+  return scene;
+}
+
+int draw(const std::string& path, const std::string& output, int longest_side) {
+  const files::Scenario scenario = files::load_scenario(path);
+  for (const Warning& warning : scenario.warnings) {
+    std::fprintf(stderr, "eyebridge: %s\n", warning.str().c_str());
+  }
+  const auto target = output.empty() ? std::filesystem::path(path).stem().concat(".png")
+                                     : std::filesystem::path(output);
+  camera::write_png(camera::draw_birdseye(scene_of(scenario), {}, {.longest_side = longest_side}),
+                    target);
+  std::printf("%s\n", target.c_str());
+  return kFine;
+}
+
+}  // namespace
+
+void add_world(CLI::App& root, int& code) {
+  CLI::App* world = root.add_subcommand("world", "Checks or draws world files");
+  world->require_subcommand(1);
+
+  CLI::App* checking = world->add_subcommand("check", "Reads files; names what is wrong or odd");
+  auto paths = std::make_shared<std::vector<std::string>>();
+  checking->add_option("FILE", *paths, "World, maze, scenario, robot or parameter file")
+      ->required();
+  checking->callback([paths, &code] { code = check(*paths); });
+
+  CLI::App* drawing = world->add_subcommand("draw", "Writes a picture of a world seen from above");
+  auto path = std::make_shared<std::string>();
+  auto output = std::make_shared<std::string>();
+  auto side = std::make_shared<int>(camera::BirdseyeOptions{}.longest_side);
+  drawing->add_option("FILE", *path, "World, maze, scenario, robot or parameter file")->required();
+  drawing->add_option("-o,--output", *output, "Picture [the file's name with .png, here]");
+  drawing->add_option("--size", *side, "Longest side of the picture, pixels [1000]")
+      ->check(CLI::Range(50, 8000));
+  drawing->callback([path, output, side, &code] { code = draw(*path, *output, *side); });
+}
+
+}  // namespace eyebridge::apps

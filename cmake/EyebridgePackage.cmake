@@ -1,0 +1,51 @@
+# How others find EyeBridge: eyebridge-cc and eyebridge-c++, eyebridge.pc, find_package(EyeBridge).
+# Each works from the build tree and from an installation, which can be moved: apart from the
+# headers of the build tree, all paths are relative to the file itself.
+include(CMakePackageConfigHelpers)
+
+# What a program must be built with to load a library of ours that has a sanitizer in it.
+set(sanitizer_flags "")
+if(EYEBRIDGE_SANITIZE AND NOT EYEBRIDGE_FUZZ)
+  set(sanitizer_flags "-fsanitize=${EYEBRIDGE_SANITIZE}")
+endif()
+
+# Writes bin/eyebridge-cc, bin/eyebridge-c++ and lib/pkgconfig/eyebridge.pc under `folder`.
+# `include_folder` may start with @PREFIX@, which each file replaces by the way it finds itself.
+function(eyebridge_package_files folder include_folder)
+  string(REPLACE "@PREFIX@" "$prefix" shell_include "${include_folder}")
+  string(REPLACE "@PREFIX@" "\${prefix}" pc_include "${include_folder}")
+  foreach(wrapper "eyebridge-cc:gcc" "eyebridge-c++:g++")
+    string(REPLACE ":" ";" wrapper "${wrapper}")
+    list(GET wrapper 0 name)
+    list(GET wrapper 1 compiler)
+    configure_file("${CMAKE_SOURCE_DIR}/apps/wrappers/wrapper.sh.in" "${folder}/bin/${name}" @ONLY
+                   FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
+                                    WORLD_READ WORLD_EXECUTE)
+  endforeach()
+  configure_file("${CMAKE_SOURCE_DIR}/cmake/eyebridge.pc.in" "${folder}/lib/pkgconfig/eyebridge.pc"
+                 @ONLY)
+endfunction()
+
+set(for_installation "${CMAKE_BINARY_DIR}/for_installation")
+eyebridge_package_files("${CMAKE_BINARY_DIR}" "${CMAKE_SOURCE_DIR}/robios/include")
+eyebridge_package_files("${for_installation}" "@PREFIX@/include/eyebridge")
+
+install(TARGETS eyebridge_robios EXPORT EyeBridgeTargets LIBRARY DESTINATION lib)
+install(TARGETS eyebridge_command RUNTIME DESTINATION bin)
+install(PROGRAMS "${for_installation}/bin/eyebridge-cc" "${for_installation}/bin/eyebridge-c++"
+        DESTINATION bin)
+install(FILES "${for_installation}/lib/pkgconfig/eyebridge.pc" DESTINATION lib/pkgconfig)
+install(DIRECTORY "${CMAKE_SOURCE_DIR}/robios/include/" DESTINATION include/eyebridge
+        FILES_MATCHING PATTERN "*.h")
+install(DIRECTORY "${CMAKE_SOURCE_DIR}/worlds" DESTINATION share/eyebridge)
+
+configure_file("${CMAKE_SOURCE_DIR}/cmake/EyeBridgeConfig.cmake.in"
+               "${CMAKE_BINARY_DIR}/EyeBridgeConfig.cmake" @ONLY)
+write_basic_package_version_file("${CMAKE_BINARY_DIR}/EyeBridgeConfigVersion.cmake"
+                                 COMPATIBILITY SameMinorVersion)
+export(EXPORT EyeBridgeTargets NAMESPACE EyeBridge::
+       FILE "${CMAKE_BINARY_DIR}/EyeBridgeTargets.cmake")
+install(EXPORT EyeBridgeTargets NAMESPACE EyeBridge:: DESTINATION lib/cmake/EyeBridge)
+install(FILES "${CMAKE_BINARY_DIR}/EyeBridgeConfig.cmake"
+              "${CMAKE_BINARY_DIR}/EyeBridgeConfigVersion.cmake"
+        DESTINATION lib/cmake/EyeBridge)

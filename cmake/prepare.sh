@@ -1,0 +1,78 @@
+# Sourced by ./run, ./test and nothing else: messages, packages, building.
+
+say() { printf '\033[1m== %s\033[0m\n' "$*"; }
+[ -t 1 ] || say() { printf '== %s\n' "$*"; }
+
+# Ends the script: what failed, and what can be done about it.
+die() {
+  printf '%s: %s\n' "${0##*/}" "$1" >&2
+  shift
+  for line in "$@"; do printf '  %s\n' "$line" >&2; done
+  exit 1
+}
+
+# Names of the packages in cmake/packages.txt, down to [test] or (with "test") all of them.
+wanted_packages() {
+  awk -v all="${1:-}" '{ sub(/#.*/, "") } $1 == "[test]" { if (all != "test") exit; next } NF { print $1 }' \
+    cmake/packages.txt
+}
+
+missing_packages() {
+  local package
+  for package in $(wanted_packages "$1"); do
+    dpkg-query -W -f '${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed ||
+      printf '%s\n' "$package"
+  done
+}
+
+# Installs what is missing; says nothing when nothing is.
+install_packages() {
+  command -v dpkg-query >/dev/null ||
+    die "this is not a Debian system (no dpkg-query)" \
+      "install what cmake/packages.txt lists, then: cmake --preset release && cmake --build --preset release"
+  local missing log as_root=()
+  missing=$(missing_packages "${1:-}")
+  [ -n "$missing" ] || return 0
+  if [ "$(id -u)" != 0 ]; then
+    command -v sudo >/dev/null ||
+      die "packages are missing, and there is no sudo to install them with" \
+        "as root: apt-get install" $missing
+    as_root=(sudo --)
+  fi
+  say "Installing" $missing
+  log=$(mktemp)
+  if ! "${as_root[@]}" apt-get update -qq >"$log" 2>&1 </dev/null; then
+    tail -n 3 "$log" >&2
+    say "the package lists could not be refreshed; trying with the old ones"
+  fi
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
+    $missing >"$log" 2>&1 </dev/null || {
+    tail -n 5 "$log" >&2
+    die "apt-get could not install the packages above" \
+      "no network, or not Debian 12? The list is cmake/packages.txt."
+  }
+  rm -f "$log"
+}
+
+# A build folder remembers its path; one that was moved or copied here cannot be used.
+forget_moved_build() {
+  local cache=build/$1/CMakeCache.txt home
+  [ -f "$cache" ] || return 0
+  home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$cache")
+  [ "$home" = "$PWD" ] || rm -rf "build/$1"
+}
+
+# build_preset PRESET [cmake --build arguments…]
+build_preset() {
+  local preset=$1 log=build/$1.configure.log quiet=()
+  shift
+  mkdir -p build
+  forget_moved_build "$preset"
+  cmake --preset "$preset" >"$log" 2>&1 </dev/null || {
+    tail -n 20 "$log" >&2
+    die "cmake could not configure the preset '$preset' (all of it: $log)"
+  }
+  [ -t 1 ] || quiet=(-- --quiet)
+  cmake --build --preset "$preset" "$@" "${quiet[@]}" </dev/null ||
+    die "the preset '$preset' does not build; the compiler's messages are above"
+}

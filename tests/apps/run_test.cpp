@@ -1,0 +1,145 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "command.hpp"
+
+namespace eyebridge {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::ProgramRun;
+using testing::run_command;
+using testing::ScratchFolder;
+
+/// A folder with a program that shows how it was started.
+class Run : public ::testing::Test {
+ protected:
+  Run() {
+    write_program(
+        "prog",
+        "#!/bin/sh\necho started \"$EYEBRIDGE_FLAGS\"\nfor a; do echo \"<$a>\"; done\nexit 7\n");
+  }
+  void write_program(const std::string& name, const std::string& text) {
+    const std::string path = folder_.write(name, text);
+    chmod(path.c_str(), 0755);
+  }
+  ProgramRun run(std::vector<std::string> arguments,
+                 std::map<std::string, std::string> environment = {}) {
+    arguments.insert(arguments.begin(), "run");
+    return run_command(arguments, folder_.path(), std::move(environment));
+  }
+  /// Nothing may have been started, and one line says why.
+  void expect_bad_input(const ProgramRun& r, const std::string& message) {
+    EXPECT_EQ(r.exit_code, 2) << r.err;
+    EXPECT_THAT(r.err, HasSubstr(message));
+    EXPECT_EQ(r.out, "");
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(Run, TheProgramGetsItsArgumentsAndItsExitCodeIsReturned) {
+  const ProgramRun r = run({"prog", "--fast", "two words", "doctor"});
+  EXPECT_EQ(r.exit_code, 7) << r.err;
+  EXPECT_EQ(r.out, "started \n<--fast>\n<two words>\n<doctor>\n");
+}
+
+TEST_F(Run, FlagsBeforeTheProgramAreHandedOn) {
+  const ProgramRun r = run({"--fast", "--seed", "42", "--keys", "KEY1@2s", "./prog"});
+  EXPECT_EQ(r.exit_code, 7) << r.err;
+  EXPECT_EQ(r.out, "started fast=true\nkeys=KEY1@2s\nseed=42\n\n");
+}
+
+TEST_F(Run, ABooleanFlagCanBeTurnedOff) {
+  const ProgramRun r = run({"--fast=false", "prog"});
+  EXPECT_EQ(r.out, "started fast=false\n\n") << r.err;
+}
+
+TEST_F(Run, TheLastOfTwoFlagsWins) {
+  const ProgramRun r = run({"--seed=1", "--seed=2", "prog"});
+  EXPECT_EQ(r.out, "started seed=2\n\n") << r.err;
+}
+
+TEST_F(Run, FlagsOfAnOuterRunAreNotInherited) {
+  const ProgramRun r = run({"--seed=2", "prog"}, {{"EYEBRIDGE_FLAGS", "fast=true\n"}});
+  EXPECT_EQ(r.out, "started seed=2\n\n") << r.err;
+}
+
+TEST_F(Run, APythonProgramIsRunByPython) {
+  folder_.write("prog.py", "import sys\nprint('python', *sys.argv[1:])\n");
+  const ProgramRun r = run({"prog.py", "a", "-b"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.out, "python a -b\n");
+}
+
+TEST_F(Run, AProgramThatIsNotInTheFolderIsFoundInPath) {
+  const ProgramRun r = run({"echo", "found"});
+  EXPECT_EQ(r.out, "found\n") << r.err;
+}
+
+TEST_F(Run, AProgramInTheFolderComesBeforeOneInPath) {
+  write_program("echo", "#!/bin/sh\nprintf 'mine\\n'\n");
+  EXPECT_EQ(run({"echo"}).out, "mine\n");
+}
+
+TEST_F(Run, NoProgramIsAnError) { expect_bad_input(run({"--fast"}), "found no program"); }
+
+TEST_F(Run, AMissingProgramIsAnError) {
+  expect_bad_input(run({"./nothing"}), "./nothing: no such program");
+  expect_bad_input(run({"nothing-of-this-name"}), "no such program in this folder or in PATH");
+}
+
+TEST_F(Run, AProgramThatIsNotExecutableIsAnError) {
+  folder_.write("prog.c", "int main() {}\n");
+  expect_bad_input(run({"prog.c"}), "prog.c: not executable");
+  expect_bad_input(run({"prog.c"}), "eyebridge-cc");
+}
+
+TEST_F(Run, AFolderIsNoProgram) { expect_bad_input(run({"."}), "found a folder"); }
+
+TEST_F(Run, AFileThatTheKernelCannotStartIsAnError) {
+  write_program("junk", std::string("\0\1\2junk", 7));
+  expect_bad_input(run({"junk"}), "neither a program for this machine nor a script");
+}
+
+TEST_F(Run, AnUnknownOptionIsNotTakenForAProgram) {
+  expect_bad_input(run({"--wrold", "x.maz", "prog"}), "--wrold: unknown option");
+}
+
+TEST_F(Run, AnUnknownBackendIsAnErrorThatNamesTheKnownOnes) {
+  const ProgramRun r = run({"--hal", "telepathy", "prog"});
+  expect_bad_input(r, "--hal: unknown backend 'telepathy'");
+  EXPECT_THAT(r.err, HasSubstr("sim"));
+}
+
+TEST_F(Run, AValueOfTheWrongKindIsAnError) {
+  expect_bad_input(run({"--seed", "many", "prog"}), "--seed");
+  expect_bad_input(run({"--fast=maybe", "prog"}), "--fast");
+}
+
+TEST_F(Run, AValueOfTwoLinesIsAnError) {
+  expect_bad_input(run({"--keys", "KEY1@1s\nseed=3", "prog"}), "--keys: found a line end");
+}
+
+TEST_F(Run, AnUnknownVariableIsAnError) {
+  expect_bad_input(run({"prog"}, {{"EYEBRIDGE_WRLD", "x"}}), "EYEBRIDGE_WORLD");
+}
+
+TEST_F(Run, AnUnknownKeyInTheConfigurationFileIsNamedWithItsPlace) {
+  folder_.write("eyebridge.toml", "seed = 1\nwrld = \"x\"\n");
+  expect_bad_input(run({"prog"}), "eyebridge.toml:2:1");
+}
+
+TEST_F(Run, AMissingWorldIsAnError) {
+  expect_bad_input(run({"--world", "nowhere.maz", "prog"}), "nowhere.maz");
+  expect_bad_input(run({"--sim", "nowhere.sim", "prog"}), "nowhere.sim");
+}
+
+TEST_F(Run, ABadWorldIsAnErrorBeforeTheProgramStarts) {
+  folder_.write("bad.wld", "floor 1000 1000\npop\n");
+  expect_bad_input(run({"--world", "bad.wld", "prog"}), "bad.wld:2:1");
+}
+
+}  // namespace
+}  // namespace eyebridge

@@ -1,0 +1,114 @@
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "command.hpp"
+#include "eyebridge/camera/png.hpp"
+
+namespace eyebridge {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::ProgramRun;
+using testing::run_command;
+using testing::ScratchFolder;
+
+constexpr const char* kRoom =
+    "floor 2000 1000\n0 0 2000 0\n0 1000 2000 1000\n0 0 0 1000\n2000 0 2000 1000\n";
+constexpr const char* kMaze = " _ _\n|   |\n|S|_|\n";
+
+TEST(WorldCheck, SaysWhatIsInAWorld) {
+  const ScratchFolder folder;
+  folder.write("room.wld", kRoom);
+  const ProgramRun r = run_command({"world", "check", "room.wld"}, folder.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("room.wld: 2 m x 1 m, 4 walls, 1 robot, 0 objects, 0 warnings\n"));
+}
+
+TEST(WorldCheck, SaysHowManyCellsAMazeHas) {
+  const ScratchFolder folder;
+  folder.write("small.maz", kMaze);
+  const ProgramRun r = run_command({"world", "check", "small.maz"}, folder.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("small.maz: 0.72 m x 0.72 m, 2 x 2 cells of 0.36 m"));
+}
+
+TEST(WorldCheck, GoesOnAfterABadFile) {
+  const ScratchFolder folder;
+  folder.write("room.wld", kRoom);
+  const ProgramRun r = run_command({"world", "check", "missing.wld", "room.wld"}, folder.path());
+  EXPECT_EQ(r.exit_code, 2);
+  EXPECT_THAT(r.err, HasSubstr("missing.wld"));
+  EXPECT_THAT(r.out, HasSubstr("room.wld: 2 m x 1 m"));
+}
+
+struct BadFile {
+  const char* name;
+  const char* file;
+  std::string text;
+  const char* place;
+};
+void PrintTo(const BadFile& bad, std::ostream* out) { *out << bad.name; }
+
+class WorldCheckOfABadFile : public ::testing::TestWithParam<BadFile> {};
+
+TEST_P(WorldCheckOfABadFile, IsOneClearMessage) {
+  const ScratchFolder folder;
+  folder.write(GetParam().file, GetParam().text);
+  const ProgramRun r = run_command({"world", "check", GetParam().file}, folder.path());
+  EXPECT_EQ(r.exit_code, 2) << r.out;
+  EXPECT_THAT(r.err, HasSubstr(GetParam().place));
+  EXPECT_EQ(r.out, "");
+  EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << r.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, WorldCheckOfABadFile,
+    ::testing::Values(BadFile{"Empty", "a.wld", "", "a.wld"},
+                      BadFile{"EmptyMaze", "a.maz", "", "a.maz"},
+                      BadFile{"BinaryJunk", "a.wld",
+                              std::string("\x7f"
+                                          "ELF\0\1\2\xff\xfe",
+                                          9),
+                              "a.wld"},
+                      BadFile{"UnknownKeyword", "a.wld", "floor 1000 1000\nhedge 1 2 3 4\n",
+                              "a.wld:2:1"},
+                      BadFile{"PopWithoutPush", "a.wld", "floor 1000 1000\npop\n", "a.wld:2:1"},
+                      BadFile{"WallOfNoLength", "a.wld", "floor 1000 1000\n5 5 5 5\n", "a.wld:2:1"},
+                      BadFile{"NotANumber", "a.wld", "floor 1000 1000\n0 nan 5 5\n", "a.wld:2:3"},
+                      BadFile{"UnknownEnding", "a.xyz", "floor 1000 1000\n", "a.xyz"}),
+    [](const auto& bad) { return std::string(bad.param.name); });
+
+TEST(WorldDraw, WritesAPictureInTheShapeOfTheWorld) {
+  const ScratchFolder folder;
+  folder.write("room.wld", kRoom);
+  const ProgramRun r = run_command({"world", "draw", "room.wld"}, folder.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.out, "room.png\n");
+  const camera::Frame picture = camera::read_png(folder.path() + "/room.png");
+  EXPECT_EQ(picture.width, 1000);
+  EXPECT_GT(picture.height, 480);
+  EXPECT_LT(picture.height, 600);
+}
+
+TEST(WorldDraw, TakesANameAndASize) {
+  const ScratchFolder folder;
+  folder.write("room.wld", kRoom);
+  const ProgramRun r =
+      run_command({"world", "draw", "room.wld", "-o", "other.png", "--size", "300"}, folder.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(camera::read_png(folder.path() + "/other.png").width, 300);
+}
+
+TEST(WorldDraw, APictureThatCannotBeWrittenIsAFailure) {
+  const ScratchFolder folder;
+  folder.write("room.wld", kRoom);
+  const ProgramRun r =
+      run_command({"world", "draw", "room.wld", "-o", "no/such/folder.png"}, folder.path());
+  EXPECT_EQ(r.exit_code, 1);
+  EXPECT_THAT(r.err, HasSubstr("no/such/folder.png"));
+}
+
+}  // namespace
+}  // namespace eyebridge

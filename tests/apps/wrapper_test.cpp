@@ -1,0 +1,103 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "command.hpp"
+
+namespace eyebridge {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::ProgramRun;
+using testing::run_shell;
+using testing::ScratchFolder;
+
+const std::string kSources = EYEBRIDGE_SOURCE_DIR "/tests/apps/consumer/";
+
+TEST(Wrapper, ATextBookProgramCompilesWithoutAWarningAndRuns) {
+  const ScratchFolder folder;
+  const ProgramRun r =
+      run_shell("eyebridge-cc " + kSources + "prog.c -o prog\n./prog\n", folder.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  EXPECT_EQ(r.out, "at 300 0 90\n");
+}
+
+TEST(Wrapper, EyebridgeRunGivesTheSameAsTheProgramAlone) {
+  const ScratchFolder folder;
+  const ProgramRun r =
+      run_shell("eyebridge-cc " + kSources + "prog.c -o prog\neyebridge run prog\n", folder.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.out, "at 300 0 90\n");
+}
+
+TEST(Wrapper, ACppProgramCompiles) {
+  const ScratchFolder folder;
+  const ProgramRun r =
+      run_shell("eyebridge-c++ -o prog " + kSources + "prog.cpp\n./prog\n", folder.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  EXPECT_EQ(r.out, "sorted 1\n");
+}
+
+TEST(Wrapper, OldCWithImplicitIntAndUndeclaredFunctionsStillCompiles) {
+  const ScratchFolder folder;
+  const ProgramRun r =
+      run_shell("eyebridge-cc " + kSources + "old.c -o old\n./old\n", folder.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.err, HasSubstr("warning"));
+  EXPECT_EQ(r.out, "counted 2, root 2.0\nlater\n");
+}
+
+TEST(Wrapper, ObjectsCanBeCompiledAndLinkedInTwoSteps) {
+  const ScratchFolder folder;
+  const ProgramRun r = run_shell(
+      "eyebridge-cc -c " + kSources + "prog.c -o prog.o\neyebridge-cc prog.o -o prog\n./prog\n",
+      folder.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  EXPECT_EQ(r.out, "at 300 0 90\n");
+}
+
+TEST(Wrapper, AnErrorInTheProgramIsTheCompilers) {
+  const ScratchFolder folder;
+  folder.write("bad.c", "#include \"eyebot.h\"\nint main() { return 0 }\n");
+  const ProgramRun r = run_shell("eyebridge-cc bad.c -o bad\n", folder.path());
+  EXPECT_EQ(r.exit_code, 1);
+  EXPECT_THAT(r.err, HasSubstr("bad.c:2:23: error"));
+}
+
+TEST(Wrapper, ArgumentsWithSpacesReachTheCompilerWhole) {
+  const ScratchFolder folder;
+  folder.write("two words.c", "#include \"eyebot.h\"\nint main() { puts(TEXT); return 0; }\n");
+  const ProgramRun r =
+      run_shell("eyebridge-cc '-DTEXT=\"a  b\"' 'two words.c' -o 'the program'\n'./the program'\n",
+                folder.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.out, "a  b\n");
+}
+
+TEST(Wrapper, AddsNoOptimisationAndPutsLibrariesLast) {
+  const ScratchFolder folder;
+  const ProgramRun r = run_shell(
+      "EYEBRIDGE_TEST_PRINT=1 eyebridge-cc " + kSources + "prog.c -o prog -DMINE\n", folder.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.err, Not(HasSubstr(" -O")));
+  EXPECT_THAT(r.err, Not(HasSubstr(" -std")));
+  EXPECT_THAT(r.err, HasSubstr(" -Wall "));
+  EXPECT_THAT(r.err, HasSubstr(" -rdynamic "));
+  EXPECT_THAT(r.err, HasSubstr(" -leyebridge -lm -lpthread\n"));
+  EXPECT_LT(r.err.find("-DMINE"), r.err.find("-leyebridge"));
+}
+
+TEST(Wrapper, WithoutAProgramItAnswersAsTheCompilerDoes) {
+  const ScratchFolder folder;
+  const ProgramRun r = run_shell("eyebridge-cc -dumpversion\ngcc -dumpversion\n", folder.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  const std::size_t half = r.out.size() / 2;
+  EXPECT_GT(half, 1U);
+  EXPECT_EQ(r.out.substr(0, half), r.out.substr(half));
+}
+
+}  // namespace
+}  // namespace eyebridge

@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+"""Checks the tree against the design: who includes whom, a README in each folder, no long files.
+
+check_arrows.py ROOT prints one line for each offence and exits with 1 when there is any.
+"""
+
+import pathlib
+import re
+import sys
+
+SOURCES = {".c", ".h", ".cpp", ".hpp", ".ipp", ".py", ".sh", ".cmake"}
+CODE = {".c", ".h", ".cpp", ".hpp", ".ipp"}
+LONGEST_SOURCE = 400
+LONGEST_README = 29
+SKIPPED = {"build", "out", ".git", "__pycache__", ".cache"}
+
+CORE = ["core/base", "core/world", "core/robot", "core/files", "core/mapping"]
+BACKENDS = ["hal/sim", "hal/board"]
+EVERYTHING = [*CORE, "hal", *BACKENDS, "camera", "robios", "bridges", "firmware-stubs", "apps", "tests"]
+
+# Room -> what it may include besides itself. The longest room that holds a file is the file's.
+ALLOWED = {
+    "core/base": [],
+    "core/world": ["core/base"],
+    "core/robot": ["core/base", "core/world"],
+    "core/files": ["core/base", "core/world", "core/robot"],
+    "core/mapping": ["core/base", "core/world"],
+    "camera": CORE,
+    "bridges": ["core/base"],
+    "hal": [*CORE, "camera:view.hpp"],
+    "hal/registry": [*CORE, "hal", *BACKENDS],
+    "hal/sim": [*CORE, "hal", "camera"],
+    "hal/board": [*CORE, "hal", "bridges"],
+    "robios": [*CORE, "hal", "camera"],
+    "firmware-stubs": CORE,
+    "firmware-stubs/board": ["bridges:opcodes.h"],
+    "gui": [*CORE, "camera", "robios"],
+    "python": [*CORE, "robios"],
+    "apps": [*CORE, "hal", "camera", "robios"],
+    "examples": ["robios:eyebot.h", "robios:eyebot++.h"],
+    "tests": EVERYTHING,
+    "bench": EVERYTHING,
+}
+
+# eyebridge/<this>/… -> the room whose public header it is.
+PUBLIC = {room.split("/")[-1]: room for room in ALLOWED if room.startswith("core/")} | {
+    name: name for name in ("hal", "camera", "bridges", "robios", "gui")
+}
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<(eye[^>]+)>)')
+
+
+def room_of(path: pathlib.PurePosixPath) -> str | None:
+    """The room that `path`, relative to the root, lies in."""
+    rooms = [room for room in ALLOWED if path.is_relative_to(room)]
+    return max(rooms, key=len, default=None)
+
+
+def files_in(root: pathlib.Path) -> list[pathlib.PurePosixPath]:
+    """All files of the tree, without what is built or hidden, relative to `root`."""
+    found = []
+    for path in sorted(root.rglob("*")):
+        relative = path.relative_to(root)
+        hidden = any(part in SKIPPED or part.startswith(".") for part in relative.parts)
+        if path.is_file() and not hidden:
+            found.append(pathlib.PurePosixPath(relative))
+    return found
+
+
+def target_of(include: str, source: pathlib.PurePosixPath, headers: dict[str, list]) -> str | None:
+    """The room that `include`, written in `source`, reaches; None when it is nobody's of ours."""
+    words = include.split("/")
+    if words[0] == "eyebridge" and len(words) > 2:
+        return PUBLIC.get(words[1], words[1])
+    # Private headers: the nearest file whose path ends so is the one the compiler finds.
+    normal = [word for word in words if word not in ("..", ".")]
+    candidates = [file for file in headers.get(normal[-1], []) if file.parts[-len(normal) :] == tuple(normal)]
+    if not candidates:
+        return None
+    home = room_of(source)
+    rooms = {room_of(file) for file in candidates}
+    if ".." not in words and home in rooms:
+        return home
+    own_top = {room for room in rooms if room and source.parts[0] == room.split("/")[0]}
+    return sorted(own_top or {room or "(no room)" for room in rooms})[0]
+
+
+def may_include(home: str, target: str, include: str) -> bool:
+    if target == home:
+        return True
+    for rule in ALLOWED[home]:
+        room, _, header = rule.partition(":")
+        if room == target and (not header or include.endswith(header)):
+            return True
+    return False
+
+
+def check_includes(root: pathlib.Path, files: list[pathlib.PurePosixPath]) -> list[str]:
+    headers: dict[str, list] = {}
+    for file in files:
+        if file.suffix in {".h", ".hpp", ".ipp"}:
+            headers.setdefault(file.name, []).append(file)
+    offences = []
+    for file in files:
+        if file.suffix not in CODE:
+            continue
+        home = room_of(file)
+        if home is None:
+            offences.append(f"{file}: this folder is no room of the architecture")
+            continue
+        for number, line in enumerate((root / file).read_text(errors="replace").splitlines(), 1):
+            match = INCLUDE.match(line)
+            if not match:
+                continue
+            include = match[1] or match[2]
+            target = target_of(include, file, headers)
+            if target is not None and not may_include(home, target, include):
+                offences.append(f"{file}:{number}: {home} may not include {target} ({include})")
+    return offences
+
+
+def check_sizes(root: pathlib.Path, files: list[pathlib.PurePosixPath]) -> list[str]:
+    offences = []
+    for file in files:
+        if file.name == "README.md" and len(file.parts) > 1:
+            limit = LONGEST_README
+        elif file.suffix in SOURCES or file.name == "CMakeLists.txt":
+            limit = LONGEST_SOURCE
+        else:
+            continue
+        lines = len((root / file).read_text(errors="replace").splitlines())
+        if lines > limit:
+            offences.append(f"{file}: {lines} lines; expected at most {limit}")
+    return offences
+
+
+def check_readmes(files: list[pathlib.PurePosixPath]) -> list[str]:
+    folders = {file.parts[0] for file in files if len(file.parts) > 1}
+    folders |= {str(pathlib.PurePosixPath(*file.parts[:2])) for file in files if file.parts[0] == "core" and len(file.parts) > 2}
+    have = {str(file.parent) for file in files if file.name == "README.md"}
+    return [f"{folder}: has no README.md" for folder in sorted(folders - have)]
+
+
+def offences_in(root: pathlib.Path) -> list[str]:
+    """One line for each rule that the tree under `root` breaks."""
+    files = files_in(root)
+    return check_includes(root, files) + check_sizes(root, files) + check_readmes(files)
+
+
+def main() -> int:
+    root = pathlib.Path(sys.argv[1])
+    if not files_in(root):
+        print(f"{root}: found no files; expected the source tree")
+        return 1
+    offences = offences_in(root)
+    for offence in offences:
+        print(offence)
+    return 1 if offences else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

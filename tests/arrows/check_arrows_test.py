@@ -1,0 +1,115 @@
+"""A check that finds nothing is worth nothing: small trees with one offence each."""
+
+import pathlib
+import tempfile
+import unittest
+
+import check_arrows
+
+
+class Tree(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.root = pathlib.Path(scratch.name)
+
+    def write(self, path, text=""):
+        file = self.root / path
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+        top = pathlib.Path(path).parts
+        for readme in [top[:1], top[:2] if top[0] == "core" else top[:1]]:
+            (self.root.joinpath(*readme) / "README.md").touch()
+
+    def offences(self):
+        return check_arrows.offences_in(self.root)
+
+
+class Arrows(Tree):
+    def expect_include(self, path, include, allowed):
+        self.write(path, f'#pragma once\n#include "{include}"\n')
+        found = self.offences()
+        if allowed:
+            self.assertEqual(found, [])
+        else:
+            self.assertEqual(len(found), 1, found)
+            self.assertIn(f"{path}:2: ", found[0])
+            self.assertIn(include, found[0])
+
+    def test_core_includes_nobody_outside_core(self):
+        self.expect_include("core/robot/src/a.cpp", "eyebridge/hal/drive.hpp", allowed=False)
+
+    def test_rooms_of_core_have_an_order(self):
+        self.expect_include("core/world/src/a.cpp", "eyebridge/robot/simulation.hpp", allowed=False)
+
+    def test_files_may_include_robot(self):
+        self.expect_include("core/files/src/a.cpp", "eyebridge/robot/robot_model.hpp", allowed=True)
+
+    def test_hal_sees_of_the_camera_only_its_view(self):
+        self.expect_include("hal/registry/a.cpp", "eyebridge/camera/source.hpp", allowed=False)
+
+    def test_hal_may_include_the_view(self):
+        self.expect_include("hal/registry/a.cpp", "eyebridge/camera/view.hpp", allowed=True)
+
+    def test_the_simulated_backend_may_include_the_camera(self):
+        self.expect_include("hal/sim/a.cpp", "eyebridge/camera/source.hpp", allowed=True)
+
+    def test_camera_does_not_know_the_hal(self):
+        self.expect_include("camera/src/a.cpp", "eyebridge/hal/config.hpp", allowed=False)
+
+    def test_nobody_includes_the_gui(self):
+        self.expect_include("robios/src/a.cpp", "eyebridge/gui/window.hpp", allowed=False)
+
+    def test_a_private_header_of_another_room_is_found_by_its_name(self):
+        self.write("tests/support/rig.hpp")
+        self.expect_include("hal/sim/a.cpp", "rig.hpp", allowed=False)
+
+    def test_a_way_around_by_dots_is_found(self):
+        self.write("apps/eyebridge/command.hpp")
+        self.write("robios/src/command.hpp")
+        self.expect_include("hal/sim/a.cpp", "../../apps/eyebridge/command.hpp", allowed=False)
+
+    def test_a_private_header_of_the_same_room_is_fine(self):
+        self.write("apps/eyebridge/session.hpp")
+        self.write("robios/src/session.hpp")
+        self.expect_include("robios/v7/a.cpp", "session.hpp", allowed=True)
+
+    def test_examples_know_the_c_api_alone(self):
+        self.expect_include("examples/a.cpp", "eyebridge/base/pose.hpp", allowed=False)
+
+    def test_an_example_may_include_the_c_api(self):
+        self.write("robios/include/eyebot.h")
+        self.expect_include("examples/a.cpp", "eyebot.h", allowed=True)
+
+    def test_a_folder_that_is_no_room_is_found(self):
+        self.write("misc/a.cpp")
+        self.assertEqual(self.offences(), ["misc/a.cpp: this folder is no room of the architecture"])
+
+    def test_what_is_built_does_not_count(self):
+        self.write("misc/README.md")
+        (self.root / "build").mkdir()
+        (self.root / "build" / "a.cpp").write_text('#include "eyebridge/gui/window.hpp"\n')
+        self.assertEqual(self.offences(), [])
+
+
+class Sizes(Tree):
+    def test_400_lines_are_allowed(self):
+        self.write("hal/sim/a.cpp", "\n" * 400)
+        self.assertEqual(self.offences(), [])
+
+    def test_401_lines_are_too_long(self):
+        self.write("hal/sim/a.cpp", "\n" * 401)
+        self.assertEqual(self.offences(), ["hal/sim/a.cpp: 401 lines; expected at most 400"])
+
+    def test_a_readme_has_less_than_30_lines(self):
+        self.write("hal/README.md", "\n" * 30)
+        self.assertEqual(self.offences(), ["hal/README.md: 30 lines; expected at most 29"])
+
+    def test_a_folder_without_readme_is_found(self):
+        self.write("core/base/src/a.cpp")
+        (self.root / "core/base/README.md").unlink()
+        self.assertEqual(self.offences(), ["core/base: has no README.md"])
+
+
+if __name__ == "__main__":
+    unittest.main()
