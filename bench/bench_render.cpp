@@ -135,5 +135,3 @@ BENCHMARK(birdseye)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace eyebridge
-
-BENCHMARK_MAIN();
