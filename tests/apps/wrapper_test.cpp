@@ -64,7 +64,7 @@ TEST(Wrapper, AnErrorInTheProgramIsTheCompilers) {
   folder.write("bad.c", "#include \"eyebot.h\"\nint main() { return 0 }\n");
   const ProgramRun r = run_shell("eyebridge-cc bad.c -o bad\n", folder.path());
   EXPECT_EQ(r.exit_code, 1);
-  EXPECT_THAT(r.err, HasSubstr("bad.c:2:23: error"));
+  EXPECT_THAT(r.err, HasSubstr("bad.c:2:22: error"));
 }
 
 TEST(Wrapper, ArgumentsWithSpacesReachTheCompilerWhole) {

@@ -28,7 +28,7 @@ ALLOWED = {
     "camera": CORE,
     "bridges": ["core/base"],
     "hal": [*CORE, "camera:view.hpp"],
-    "hal/registry": [*CORE, "hal", *BACKENDS],
+    "hal/registry": [*CORE, "hal", "camera:view.hpp", *BACKENDS],
     "hal/sim": [*CORE, "hal", "camera"],
     "hal/board": [*CORE, "hal", "bridges"],
     "robios": [*CORE, "hal", "camera"],
