@@ -100,8 +100,8 @@ TEST(ConfigurationDocument, NamesEverySettingWithItsDefaultAndMeaning) {
   std::size_t rows = 0;
   for (const hal::Setting& setting : hal::settings()) {
     const std::string fallback =
-        setting.fallback.empty() ? "" : "`" + std::string(setting.fallback) + "`";
-    const std::string row = "| `" + std::string(setting.key) + "` | " + fallback + " | " +
+        setting.fallback.empty() ? "" : std::string("`").append(setting.fallback) + "`";
+    const std::string row = std::string("| `").append(setting.key) + "` | " + fallback + " | " +
                             std::string(setting.help) + " |\n";
     EXPECT_THAT(text, HasSubstr(row));
     ++rows;
