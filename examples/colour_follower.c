@@ -11,7 +11,7 @@
 static BYTE image[QQVGA_SIZE];
 
 /* Counts red pixels and gives their mean column; 0 when there are too few. */
-static int find_red(int *column) {
+static int find_red(int* column) {
   long sum = 0;
   int count = 0;
   int i;

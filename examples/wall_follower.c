@@ -1,6 +1,8 @@
-/* Keeps a wall on its left at 150 mm, until KEY4 is pressed or a minute is over.
+/* Drives to the first wall ahead and follows it on its left at 150 mm, until KEY4 is pressed or a
+ * minute is over.
  *
- * Proportional-derivative steering on the left PSD; a wall ahead is turned away from on the spot. */
+ * Proportional-derivative steering on the left PSD; a wall ahead is turned away from on the
+ * spot. */
 #include "eyebot.h"
 
 #define KEEP_MM 150
@@ -17,6 +19,7 @@ static int limit(int value, int most) {
 int main() {
   int last = KEEP_MM;
   int steps = 0;
+  int found = 0;
 
   LCDMenu("", "", "", "END");
   while (KEYRead() != KEY4 && OSGetCount() < 60000) {
@@ -24,7 +27,12 @@ int main() {
     int front = PSDGet(PSD_FRONT);
 
     if (front < FRONT_STOP_MM) {
-      VWSetSpeed(0, -90); /* turn right until the way is free */
+      VWTurn(-90, 90); /* to the right, along the wall */
+      VWWait();
+      left = PSDGet(PSD_LEFT);
+      found = 1;
+    } else if (!found) {
+      VWSetSpeed(SPEED_MM_S, 0);
     } else {
       int error = limit(left - KEEP_MM, 100);
       int rate = limit(left, 300) - limit(last, 300);

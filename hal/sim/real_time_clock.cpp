@@ -1,5 +1,7 @@
 #include "sim/real_time_clock.hpp"
 
+#include <pthread.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -24,6 +26,8 @@ RealTimeClock::RealTimeClock(Time step, double factor, std::function<void()> ste
       step_world_(std::move(step_world)),
       anchor_wall_(Wall::now()) {
   thread_ = std::thread([this] { run(); });
+  // By this name robios knows that it is none of the program's own threads.
+  pthread_setname_np(thread_.native_handle(), "eb:world");
 }
 
 RealTimeClock::~RealTimeClock() {

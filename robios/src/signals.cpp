@@ -1,12 +1,16 @@
 #include "signals.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <system_error>
 #include <thread>
+
+#include "library_threads.hpp"
 
 namespace eyebridge::robios {
 namespace {
@@ -21,11 +25,17 @@ void on_signal(int signal) {
   errno = saved;
 }
 
+// How long a process lives on after its last thread but ours.
+constexpr int kLookPeriod_ms = 100;
+
 void wait_for_signal(void (*stop)(int)) {
-  unsigned char number = 0;
-  while (read(wake_up[0], &number, 1) != 1) {
-    if (errno != EINTR) return;
+  pthread_setname_np(pthread_self(), "eb:signals");
+  pollfd pipe{wake_up[0], POLLIN, 0};
+  while (poll(&pipe, 1, kLookPeriod_ms) <= 0) {
+    if (only_library_threads_left()) std::exit(0);
   }
+  unsigned char number = 0;
+  if (read(wake_up[0], &number, 1) != 1) return;
   stop(number);
   ::signal(number, SIG_DFL);
   kill(getpid(), number);

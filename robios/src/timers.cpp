@@ -1,5 +1,7 @@
 #include "timers.hpp"
 
+#include <pthread.h>
+
 #include <algorithm>
 #include <vector>
 
@@ -85,6 +87,7 @@ void Timers::call_due(Time now, std::unique_lock<std::mutex>& lock) {
 }
 
 void Timers::run_thread() {
+  pthread_setname_np(pthread_self(), "eb:timers");
   std::unique_lock lock(mutex_);
   while (!stopping_) {
     const std::optional<Time> due = earliest();

@@ -65,7 +65,7 @@ TEST(Programs, DrivingEndsWhereItShould) {
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("done 0 remain about half\ndone 1 remain 0\n"));
   EXPECT_THAT(r.out, HasSubstr("straight 200 0 0\nback -200 0 0\nturn 0 0 -90\nturn 0 0 90\n"));
-  EXPECT_THAT(r.out, HasSubstr("curve 0 200 180\n"));
+  EXPECT_THAT(r.out, HasSubstr("curve 100 100 90\n"));
   EXPECT_THAT(r.out, HasSubstr("not ahead 1\n"));
   EXPECT_THAT(r.out, HasSubstr("drive 200 100 53\n"));
   EXPECT_THAT(r.out, HasSubstr("nothing 0 0 0\n"));

@@ -28,7 +28,7 @@ int main() {
   VWTurn(90, 90);
   VWWait();
   show("turn");
-  VWCurve(314, 180, 100);
+  VWCurve(157, 90, 100);
   VWWait();
   show("curve");
   printf("not ahead %d\n", VWDrive(100, 200, 100));

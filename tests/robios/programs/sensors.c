@@ -8,7 +8,8 @@ int main() {
   SIMSetRobot(0, 500, 1000, 0, 0); /* west wall 500, east 1500, north and south 1000 away */
   printf("psd %d %d %d %d\n", PSDGet(PSD_FRONT), PSDGet(PSD_LEFT), PSDGet(PSD_RIGHT),
          PSDGetRaw(PSD_FRONT));
-  printf("no such psd %d: %s\n", PSDGet(42), EYEBRIDGELastError());
+  i = PSDGet(42);
+  printf("no such psd %d: %s\n", i, EYEBRIDGELastError());
   LIDARGet(scan);
   printf("lidar %d %d %d %d\n", scan[0], scan[90], scan[180], scan[270]);
   LIDARSet(180, 0, 5);
