@@ -1,10 +1,10 @@
 #include "library_threads.hpp"
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 #include <string>
+
+#include <unistd.h>
 
 namespace eyebridge::robios {
 namespace {
@@ -21,7 +21,8 @@ Task read_task(const std::filesystem::path& folder) {
   std::getline(file, line);
   const std::size_t open = line.find('(');
   const std::size_t close = line.rfind(')');
-  if (open == std::string::npos || close == std::string::npos || close + 2 >= line.size()) return {};
+  if (open == std::string::npos || close == std::string::npos || close + 2 >= line.size())
+    return {};
   return {line.substr(open + 1, close - open - 1), line[close + 2]};
 }
 

@@ -2,8 +2,8 @@
 
 namespace eyebridge::robios {
 
-/// True when main() has left by pthread_exit() and every thread of the program has ended since: only
-/// threads of the library are left, and nobody but them keeps the process alive.
+/// True when main() has left by pthread_exit() and every thread of the program has ended since:
+/// only threads of the library are left, and nobody but them keeps the process alive.
 ///
 /// Programs end that way while workers go on; threads of ours must not make them immortal. Threads
 /// of ours are told by their names, which begin with kLibraryThread.

@@ -5,8 +5,9 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
-#include "eyebridge/camera/birdseye.hpp"
+#include "eyebridge/base/pose.hpp"
 #include "eyebridge/camera/frame.hpp"
 #include "eyebridge/hal/trace.hpp"
 #include "eyebridge/world/scene.hpp"
@@ -39,7 +40,7 @@ class RunOutput final : public hal::TraceSink {
   std::mutex mutex_;
   std::unique_ptr<std::FILE, Close> trace_;
   Time next_row_{0};
-  camera::Trail trail_;
+  std::vector<Vec2> trail_;
 };
 
 }  // namespace eyebridge::robios

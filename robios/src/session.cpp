@@ -1,7 +1,5 @@
 #include "session.hpp"
 
-#include <fmt/format.h>
-
 #include <atomic>
 #include <chrono>
 #include <cstdio>
@@ -10,6 +8,8 @@
 #include <mutex>
 #include <optional>
 #include <set>
+
+#include <fmt/format.h>
 
 #include "camera_port.hpp"
 #include "costs.hpp"
@@ -62,6 +62,19 @@ std::unique_ptr<Keys> make_keys(const hal::Config& config, Clock& clock, Lcd& lc
   return keys;
 }
 
+/// A camera that the user asked for must be possible; one that nobody mentioned may be missing
+/// until the program wants it.
+void check_camera(const hal::Config& config, const camera::SourceContext& context) {
+  const hal::ConfigValue& value = config.value("camera");
+  const bool asked_for = value.where.file != "default";
+  if (value.text == "none" || (!asked_for && context.view == nullptr)) return;
+  try {
+    camera::check_source(value.text, context);
+  } catch (const ConfigError& error) {
+    throw ConfigError(value.where, error.text());
+  }
+}
+
 }  // namespace
 
 struct Session::Impl {
@@ -75,6 +88,7 @@ struct Session::Impl {
         camera(config.text("camera"), {&clock, backend->camera_view(), &log}),
         timers(clock),
         cost_scale(config.number("cost_scale")) {
+    check_camera(config, {&clock, backend->camera_view(), &log});
     if (config.is_set("time_limit")) limit = from_seconds(config.number("time_limit"));
     if (config.boolean("mirror")) mirror.emplace(*lcd);
     if (config.is_set("out")) {
@@ -120,7 +134,8 @@ struct Session::Impl {
     if (view != nullptr) scene = view->scene();
     output->finish(scene ? &*scene : nullptr, lcd->snapshot());
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_start;
-    fmt::print(stderr, "eyebridge: {:.2f} s on the robot's clock in {:.2f} s ({:.0f}x); results in {}\n",
+    fmt::print(stderr,
+               "eyebridge: {:.2f} s on the robot's clock in {:.2f} s ({:.0f}x); results in {}\n",
                to_seconds(simulated), wall.count(), to_seconds(simulated) / wall.count(),
                config.path("out").string());
   }
@@ -177,8 +192,8 @@ void Session::wait_until(Time deadline) {
 
 void Session::check_limit() {
   if (!impl_->limit || impl_->clock.now() < *impl_->limit) return;
-  impl_->log.write(Severity::Info, fmt::format("the time limit of {} s is reached",
-                                               to_seconds(*impl_->limit)));
+  impl_->log.write(Severity::Info,
+                   fmt::format("the time limit of {} s is reached", to_seconds(*impl_->limit)));
   std::exit(0);
 }
 

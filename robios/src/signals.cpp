@@ -1,21 +1,22 @@
 #include "signals.hpp"
 
-#include <fcntl.h>
-#include <poll.h>
-#include <signal.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstdlib>
 #include <system_error>
 #include <thread>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <unistd.h>
 
 #include "library_threads.hpp"
 
 namespace eyebridge::robios {
 namespace {
 
-// A handler may do next to nothing: it writes the signal's number into this pipe, a thread reads it.
+// A handler may do next to nothing: it writes the signal's number into this pipe, a thread reads
+// it.
 int wake_up[2] = {-1, -1};
 
 void on_signal(int signal) {

@@ -1,9 +1,9 @@
 #include "timers.hpp"
 
-#include <pthread.h>
-
 #include <algorithm>
 #include <vector>
+
+#include <pthread.h>
 
 namespace eyebridge::robios {
 namespace {

@@ -1,10 +1,10 @@
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <memory>
 #include <string>
+
+#include <fmt/format.h>
 
 #include "eyebot.h"
 #include "guarded.hpp"
@@ -45,8 +45,9 @@ int OSWait(int n) {
 TIMER OSAttachTimer(int scale, void (*fct)(void)) {
   return robios::guarded("OSAttachTimer", 0, [&](Session& session) -> Result<int> {
     if (scale <= 0 || fct == nullptr) {
-      return fail(Errc::OutOfRange,
-                  fmt::format("OSAttachTimer({}): a timer needs a function and at least 1 ms", scale));
+      return fail(
+          Errc::OutOfRange,
+          fmt::format("OSAttachTimer({}): a timer needs a function and at least 1 ms", scale));
     }
     return session.timers().attach(milliseconds(scale), fct);
   });
@@ -116,8 +117,7 @@ int OSMachineSpeed(void) {
 }
 
 int OSMachineType(void) {
-  return robios::guarded("OSMachineType", VEHICLE,
-                         [](Session&) -> Result<int> { return VEHICLE; });
+  return robios::guarded("OSMachineType", VEHICLE, [](Session&) -> Result<int> { return VEHICLE; });
 }
 
 int OSMachineName(char* buf) {
@@ -128,6 +128,7 @@ int OSMachineName(char* buf) {
 }
 
 int OSMachineID(void) {
-  return robios::guarded("OSMachineID", 0,
-                         [](Session& session) -> Result<int> { return session.backend().robot_id(); });
+  return robios::guarded("OSMachineID", 0, [](Session& session) -> Result<int> {
+    return session.backend().robot_id();
+  });
 }

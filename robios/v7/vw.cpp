@@ -1,7 +1,7 @@
-#include <fmt/format.h>
-
 #include <cmath>
 #include <cstdlib>
+
+#include <fmt/format.h>
 
 #include "convert.hpp"
 #include "eyebot.h"
@@ -112,9 +112,12 @@ int VWDone(void) {
   return with_drive("VWDone", -1, [](hal::Drive& drive, Session&) -> Result<int> {
     return drive.status().map([](const hal::DriveStatus& s) {
       switch (s.progress) {
-        case hal::DriveProgress::Done: return 1;
-        case hal::DriveProgress::Driving: return 0;
-        case hal::DriveProgress::Failed: return -1;
+        case hal::DriveProgress::Done:
+          return 1;
+        case hal::DriveProgress::Driving:
+          return 0;
+        case hal::DriveProgress::Failed:
+          return -1;
       }
       return -1;
     });
@@ -136,8 +139,9 @@ int VWWait(void) {
 
 int VWStalled(void) {
   return with_drive("VWStalled", 0, [](hal::Drive& drive, Session&) -> Result<int> {
-    return drive.status().map(
-        [](const hal::DriveStatus& s) { return (s.stalled_left ? 1 : 0) + (s.stalled_right ? 2 : 0); });
+    return drive.status().map([](const hal::DriveStatus& s) {
+      return (s.stalled_left ? 1 : 0) + (s.stalled_right ? 2 : 0);
+    });
   });
 }
 
