@@ -71,8 +71,8 @@ class PatternSource final : public Source {
 
 void check_pattern_source(std::string_view rest, const SourceContext&) {
   if (rest.empty()) return;
-  throw ConfigError({"--camera"},
-                    "pattern takes nothing after the colon, found \"" + std::string(rest) + "\"");
+  throw ConfigError({"--camera"}, "pattern takes nothing after the colon, found \"pattern:" +
+                                      std::string(rest) + "\"");
 }
 
 std::unique_ptr<Source> open_pattern_source(std::string_view, const SourceContext& context) {
