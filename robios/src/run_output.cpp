@@ -1,11 +1,11 @@
 #include "run_output.hpp"
 
-#include <fmt/format.h>
-
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
 #include <system_error>
+
+#include <fmt/format.h>
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/camera/png.hpp"
@@ -61,6 +61,13 @@ void RunOutput::frame(const camera::Frame& frame) {
   std::filesystem::create_directories(directory_ / "frames");
   camera::write_png(frame, directory_ / "frames" / fmt::format("{:04}.png", frames_written_++));
 }
+
+void RunOutput::before_fork() {
+  mutex_.lock();
+  std::fflush(trace_.get());
+}
+
+void RunOutput::after_fork() { mutex_.unlock(); }
 
 void RunOutput::finish(const world::Scene* scene, const camera::Frame& lcd) {
   const std::lock_guard lock(mutex_);
