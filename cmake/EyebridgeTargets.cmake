@@ -1,3 +1,22 @@
+# eyebridge_headers(tests EXECUTABLE|STATIC HEADERS … [LIBRARIES …]): headers that many targets with
+# the same flags include, compiled once. clang-tidy sees every source without them, so that none
+# can forget an include of its own.
+function(eyebridge_headers name kind)
+  cmake_parse_arguments(arg "" "" "HEADERS;LIBRARIES" ${ARGN})
+  set(source "${CMAKE_BINARY_DIR}/headers/${name}.cpp")
+  file(CONFIGURE OUTPUT "${source}" CONTENT "int main() {}\n")
+  if(kind STREQUAL EXECUTABLE)
+    add_executable(headers_${name} EXCLUDE_FROM_ALL "${source}")
+  else()
+    add_library(headers_${name} STATIC EXCLUDE_FROM_ALL "${source}")
+  endif()
+  target_link_libraries(headers_${name} PRIVATE ${arg_LIBRARIES} eyebridge_warnings)
+  target_precompile_headers(headers_${name} PRIVATE ${arg_HEADERS})
+endfunction()
+eyebridge_headers(libraries STATIC
+  HEADERS <algorithm> <array> <cmath> <filesystem> <memory> <optional> <span> <string> <vector>
+          <tl/expected.hpp>)
+
 # eyebridge_library(base SOURCES … PUBLIC … PRIVATE …): the static library eyebridge_base, alias
 # eyebridge::base, with its own include folder, so that a forbidden include does not compile.
 function(eyebridge_library name)
@@ -8,6 +27,7 @@ function(eyebridge_library name)
                              PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/src")
   target_link_libraries(eyebridge_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE}
                         eyebridge_warnings)
+  target_precompile_headers(eyebridge_${name} REUSE_FROM headers_libraries)
 endfunction()
 
 # eyebridge_test(core_base SOURCES … LIBRARIES … [LABEL slow]): one GoogleTest program; every test in
@@ -25,7 +45,7 @@ function(eyebridge_test name)
   add_executable(test_${name} ${arg_SOURCES})
   target_link_libraries(test_${name} PRIVATE ${arg_LIBRARIES} GTest::gmock GTest::gtest_main
                         eyebridge_warnings)
-  target_precompile_headers(test_${name} PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
+  target_precompile_headers(test_${name} REUSE_FROM headers_tests)
   target_compile_definitions(test_${name} PRIVATE
                              EYEBRIDGE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                              EYEBRIDGE_SHARED_DIR="${CMAKE_SOURCE_DIR}/../shared")
