@@ -61,7 +61,7 @@ add_custom_target(threaded_tests)  # What `./test` builds with the thread saniti
 add_custom_target(fuzzers)
 
 # eyebridge_fuzzer(world LIBRARIES …): fuzz_world from fuzz_world.cpp, built with EYEBRIDGE_FUZZ, and
-# a ctest fuzz.world that feeds it for a bounded time from corpus/world.
+# a ctest fuzz.world that feeds it for a bounded time from corpus/world; both in tests/fuzz.
 function(eyebridge_fuzzer name)
   cmake_parse_arguments(arg "" "" "LIBRARIES" ${ARGN})
   if(NOT EYEBRIDGE_FUZZ)
