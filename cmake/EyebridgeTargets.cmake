@@ -33,14 +33,11 @@ endfunction()
 # eyebridge_test(core_base SOURCES … LIBRARIES … [LABEL slow]): one GoogleTest program; every test in
 # it becomes a ctest named core_base.Suite.Test@preset, so that `./test core` picks a group by its
 # prefix. LABEL is unit unless given: unit tests together stay under two minutes. Those with LABEL
-# threads are all that the thread sanitizer builds; the fuzz preset builds no tests at all.
+# threads are all that the thread sanitizer runs; the fuzz preset runs only fuzzers.
 function(eyebridge_test name)
   cmake_parse_arguments(arg "" "LABEL" "SOURCES;LIBRARIES" ${ARGN})
   if(NOT arg_LABEL)
     set(arg_LABEL unit)
-  endif()
-  if(EYEBRIDGE_FUZZ OR (EYEBRIDGE_SANITIZE MATCHES "thread" AND NOT arg_LABEL STREQUAL threads))
-    return()
   endif()
   add_executable(test_${name} ${arg_SOURCES})
   target_link_libraries(test_${name} PRIVATE ${arg_LIBRARIES} GTest::gmock GTest::gtest_main
@@ -49,6 +46,9 @@ function(eyebridge_test name)
   target_compile_definitions(test_${name} PRIVATE
                              EYEBRIDGE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                              EYEBRIDGE_SHARED_DIR="${CMAKE_SOURCE_DIR}/../shared")
+  if(EYEBRIDGE_FUZZ OR (EYEBRIDGE_SANITIZE MATCHES "thread" AND NOT arg_LABEL STREQUAL threads))
+    return()
+  endif()
   cmake_path(GET CMAKE_BINARY_DIR FILENAME preset)
   gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_SUFFIX @${preset} NO_PRETTY_VALUES
                        DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${arg_LABEL} TIMEOUT 300)
@@ -73,7 +73,7 @@ function(eyebridge_fuzzer name)
   add_dependencies(fuzzers fuzz_${name})
   add_test(NAME fuzz.${name}
            COMMAND "${CMAKE_SOURCE_DIR}/cmake/run-fuzzer.sh" $<TARGET_FILE:fuzz_${name}>
-                   "${CMAKE_CURRENT_SOURCE_DIR}/corpus/${name}"
+                   "${CMAKE_SOURCE_DIR}/tests/fuzz/corpus/${name}"
                    "${CMAKE_CURRENT_BINARY_DIR}/scratch/${name}")
   set_tests_properties(fuzz.${name} PROPERTIES LABELS fuzz TIMEOUT 600 COST 500)
 endfunction()

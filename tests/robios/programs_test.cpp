@@ -1,5 +1,6 @@
 // Real programs, compiled against eyebot.h, run as users run them: the C API from outside.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
