@@ -139,8 +139,9 @@ TEST(Objects, ABallPassesItsSpeedOnToAnotherBall) {
 TEST(Objects, BallsLoseEnergyAndStayInTheirRoom) {
   WorldModel model = room(1, 1);
   for (int i = 0; i < 20; ++i) {
+    const int row = i / 5;
     model.objects.push_back(object(i % 4 == 3 ? ObjectKind::Can : ObjectKind::Ball,
-                                   0.15 + 0.17 * (i % 5), 0.3 + 0.17 * (i / 5)));
+                                   0.15 + 0.17 * (i % 5), 0.3 + 0.17 * row));
   }
   World world(shared(model));
   const BodyId robot = world.add_robot({0.5, 0.1, kPi / 2}, 0.06, 0.1, {});
