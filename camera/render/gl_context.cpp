@@ -28,6 +28,16 @@ void prefer_one_thread() {
 
 std::span<const GlContextMaker> gl_context_makers() { return kMakers; }
 
+void check_gl_context_maker(std::string_view name) {
+  std::string known;
+  for (const GlContextMaker& maker : kMakers) {
+    if (name == maker.name) return;
+    known += (known.empty() ? "" : ", ") + std::string(maker.name);
+  }
+  throw ConfigError({"--camera"},
+                    "render:" + std::string(name) + " is not known, expected one of: " + known);
+}
+
 bool exchange_current(const GlContext* context) {
   const bool same = current_context == context;
   current_context = context;
@@ -42,10 +52,9 @@ bool forget_current(const GlContext* context) {
 
 std::unique_ptr<GlContext> make_gl_context(std::string_view name, LogSink& log) {
   prefer_one_thread();
-  std::string known;
+  if (!name.empty()) check_gl_context_maker(name);
   std::string failures;
   for (const GlContextMaker& maker : kMakers) {
-    known += (known.empty() ? "" : ", ") + std::string(maker.name);
     if (!name.empty() && name != maker.name) continue;
     try {
       auto context = maker.make();
@@ -57,10 +66,6 @@ std::unique_ptr<GlContext> make_gl_context(std::string_view name, LogSink& log) 
       if (!name.empty()) throw;
       failures += (failures.empty() ? "" : "; ") + error.text();
     }
-  }
-  if (!name.empty()) {
-    throw ConfigError({"--camera"},
-                      "render:" + std::string(name) + " is not known, expected one of: " + known);
   }
   throw ConfigError({"--camera"}, "render: " + failures);
 }

@@ -38,6 +38,9 @@ struct GlContextMaker {
 /// All makers, in order of preference.
 std::span<const GlContextMaker> gl_context_makers();
 
+/// Throws ConfigError, naming the known makers, unless `name` is one.
+void check_gl_context_maker(std::string_view name);
+
 /// A context from the maker `name`, current on return; "" takes the first maker that works and
 /// tells `log` when that is not the first row. Throws ConfigError naming what is known or missing.
 std::unique_ptr<GlContext> make_gl_context(std::string_view name, LogSink& log);

@@ -3,6 +3,7 @@
 
 #include "eyebridge/base/config_error.hpp"
 #include "render/engine.hpp"
+#include "render/gl_context.hpp"
 #include "render/noise.hpp"
 #include "src/frame_schedule.hpp"
 #include "src/sources.hpp"
@@ -56,11 +57,15 @@ class RenderSource final : public Source {
 
 }  // namespace
 
-std::unique_ptr<Source> open_render_source(std::string_view rest, const SourceContext& context) {
+void check_render_source(std::string_view rest, const SourceContext& context) {
   if (context.view == nullptr) {
     throw ConfigError({"--camera"},
-                      "render needs a simulated robot, and this backend has no world to show");
+                      "render needs a simulated robot with a camera, and this robot has none");
   }
+  if (!rest.empty()) check_gl_context_maker(rest);
+}
+
+std::unique_ptr<Source> open_render_source(std::string_view rest, const SourceContext& context) {
   return std::make_unique<RenderSource>(rest, context);
 }
 

@@ -8,27 +8,45 @@ namespace eyebridge::camera {
 namespace {
 
 constexpr std::array<SourceFactory, 2> kSources{{
-    {"render", "pictures of the simulated world (render:osmesa, render:egl)", &open_render_source},
-    {"pattern", "colour bars with the frame's number, needs no world", &open_pattern_source},
+    {"render", "pictures of the simulated world (render:osmesa, render:egl)", &check_render_source,
+     &open_render_source},
+    {"pattern", "colour bars with the frame's number, needs no world", &check_pattern_source,
+     &open_pattern_source},
 }};
+
+struct Found {
+  const SourceFactory& factory;
+  std::string_view rest;
+};
+
+/// The row that `url` names. `url` is lent for as long as the answer is used.
+Found find_source(std::string_view url) {
+  const std::size_t colon = url.find(':');
+  const std::string_view scheme = url.substr(0, colon);
+  const std::string_view rest =
+      colon == std::string_view::npos ? std::string_view{} : url.substr(colon + 1);
+  std::string known;
+  for (const SourceFactory& factory : kSources) {
+    if (factory.scheme == scheme) return {factory, rest};
+    known += (known.empty() ? "" : ", ") + std::string(factory.scheme);
+  }
+  throw ConfigError({"--camera"}, "camera source \"" + std::string(url) +
+                                      "\" is not known, expected one of: " + known);
+}
 
 }  // namespace
 
 std::span<const SourceFactory> source_table() { return kSources; }
 
+void check_source(const std::string& url, const SourceContext& context) {
+  const Found found = find_source(url);
+  found.factory.check(found.rest, context);
+}
+
 std::unique_ptr<Source> open_source(const std::string& url, const SourceContext& context) {
-  const std::string_view text = url;
-  const std::size_t colon = text.find(':');
-  const std::string_view scheme = text.substr(0, colon);
-  const std::string_view rest =
-      colon == std::string_view::npos ? std::string_view{} : text.substr(colon + 1);
-  std::string known;
-  for (const SourceFactory& factory : kSources) {
-    if (factory.scheme == scheme) return factory.open(rest, context);
-    known += (known.empty() ? "" : ", ") + std::string(factory.scheme);
-  }
-  throw ConfigError({"--camera"},
-                    "camera source \"" + url + "\" is not known, expected one of: " + known);
+  const Found found = find_source(url);
+  found.factory.check(found.rest, context);
+  return found.factory.open(found.rest, context);
 }
 
 }  // namespace eyebridge::camera

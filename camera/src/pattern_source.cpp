@@ -69,11 +69,13 @@ class PatternSource final : public Source {
 
 }  // namespace
 
-std::unique_ptr<Source> open_pattern_source(std::string_view rest, const SourceContext& context) {
-  if (!rest.empty()) {
-    throw ConfigError({"--camera"},
-                      "pattern takes nothing after the colon, found \"" + std::string(rest) + "\"");
-  }
+void check_pattern_source(std::string_view rest, const SourceContext&) {
+  if (rest.empty()) return;
+  throw ConfigError({"--camera"}, "pattern takes nothing after the colon, found \"pattern:" +
+                                      std::string(rest) + "\"");
+}
+
+std::unique_ptr<Source> open_pattern_source(std::string_view, const SourceContext& context) {
   return std::make_unique<PatternSource>(*context.clock);
 }
 

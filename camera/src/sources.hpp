@@ -7,12 +7,15 @@
 
 namespace eyebridge::camera {
 
-// The functions behind the rows of the table in open.cpp. `rest` is the URL after the colon.
+// The functions behind the rows of the table in open.cpp. `rest` is the URL after the colon; a
+// source is only opened after its check has passed.
 
 /// Pictures of the simulated world; `rest` names the maker of the OpenGL context, or is empty.
+void check_render_source(std::string_view rest, const SourceContext& context);
 std::unique_ptr<Source> open_render_source(std::string_view rest, const SourceContext& context);
 
 /// A test picture: colour bars and a moving bar-code of the frame's number; `rest` is empty.
+void check_pattern_source(std::string_view rest, const SourceContext& context);
 std::unique_ptr<Source> open_pattern_source(std::string_view rest, const SourceContext& context);
 
 }  // namespace eyebridge::camera

@@ -6,8 +6,8 @@
 
 namespace eyebridge::robios {
 
-/// What `call` ("PSDGet") takes on a real robot, from the table in costs.cpp; virtual clocks advance
-/// by it, so that a program that only polls still sees time pass. Never zero.
+/// What `call` ("PSDGet") takes on a real robot, from the table in costs.cpp; virtual clocks
+/// advance by it, so that a program that only polls still sees time pass. Never zero.
 Time cost_of(std::string_view call);
 
 }  // namespace eyebridge::robios

@@ -15,7 +15,8 @@ class LcdMirror {
  public:
   explicit LcdMirror(Lcd& lcd) : lcd_(lcd) {}
 
-  /// Prints what changed to standard output. `now` on the robot's clock; `force` at the end of a run.
+  /// Prints what changed to standard output. `now` on the robot's clock; `force` at the end of a
+  /// run.
   void update(Time now, bool force);
 
  private:

@@ -5,8 +5,9 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
-#include "eyebridge/camera/birdseye.hpp"
+#include "eyebridge/base/pose.hpp"
 #include "eyebridge/camera/frame.hpp"
 #include "eyebridge/hal/trace.hpp"
 #include "eyebridge/world/scene.hpp"
@@ -25,6 +26,9 @@ class RunOutput final : public hal::TraceSink {
   void point(const hal::TracePoint& point) override;
   /// Keeps the first frames as frames/0000.png …
   void frame(const camera::Frame& frame);
+  /// Around fork(): the child must not write what the parent has in hand.
+  void before_fork();
+  void after_fork();
   /// Writes map.png and lcd.png. Throws std::runtime_error.
   void finish(const world::Scene* scene, const camera::Frame& lcd);
 
@@ -39,7 +43,7 @@ class RunOutput final : public hal::TraceSink {
   std::mutex mutex_;
   std::unique_ptr<std::FILE, Close> trace_;
   Time next_row_{0};
-  camera::Trail trail_;
+  std::vector<Vec2> trail_;
 };
 
 }  // namespace eyebridge::robios

@@ -13,9 +13,9 @@ namespace eyebridge::robios {
 
 /// Functions called every so often: OSAttachTimer().
 ///
-/// On a clock that runs by itself they are called from a thread of their own, beside the program, as
-/// on the robot. On a virtual clock they are called by run_due(), between two calls of the program.
-/// A timer that is late is called once, not once for each period missed. Any thread.
+/// On a clock that runs by itself they are called from a thread of their own, beside the program,
+/// as on the robot. On a virtual clock they are called by run_due(), between two calls of the
+/// program. A timer that is late is called once, not once for each period missed. Any thread.
 class Timers {
  public:
   using Callback = void (*)();
@@ -52,6 +52,7 @@ class Timers {
   std::map<int, Entry> entries_;
   int next_handle_ = 1;
   bool stopping_ = false;
+  bool calling_ = false;  ///< One thread is in callbacks: as on the robot, never two at once.
   std::thread thread_;
 };
 

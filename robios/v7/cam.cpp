@@ -1,7 +1,7 @@
-#include <fmt/format.h>
-
 #include <array>
 #include <cstring>
+
+#include <fmt/format.h>
 
 #include "camera_port.hpp"
 #include "eyebot.h"
@@ -47,8 +47,9 @@ void publish(int mode, Size size) {
 int CAMInit(int resolution) {
   return robios::guarded("CAMInit", CAM_FAILURE, [&](Session& session) -> Result<int> {
     if (resolution < 0 || static_cast<std::size_t>(resolution) >= kModes.size()) {
-      return fail(Errc::OutOfRange,
-                  fmt::format("{} is no camera mode; expected QQVGA (0) to CAM5MP (5)", resolution));
+      return fail(
+          Errc::OutOfRange,
+          fmt::format("{} is no camera mode; expected QQVGA (0) to CAM5MP (5)", resolution));
     }
     const Size size = kModes[static_cast<std::size_t>(resolution)];
     return session.camera().init(size.width, size.height).map([&] {
@@ -71,6 +72,7 @@ int CAMRelease(void) {
 
 int CAMGet(BYTE* buf) {
   return robios::guarded("CAMGet", CAM_FAILURE, [&](Session& session) -> Result<int> {
+    if (buf == nullptr) return robios::null_pointer();
     return session.camera().next().map([&](const camera::FramePtr& frame) {
       for (int y = 0; y < frame->height; ++y) {
         const auto row = frame->row(y);
@@ -83,6 +85,7 @@ int CAMGet(BYTE* buf) {
 
 int CAMGetGray(BYTE* buf) {
   return robios::guarded("CAMGetGray", CAM_FAILURE, [&](Session& session) -> Result<int> {
+    if (buf == nullptr) return robios::null_pointer();
     return session.camera().next().map([&](const camera::FramePtr& frame) {
       const camera::Frame grey = camera::to_grey8(*frame);
       for (int y = 0; y < grey.height; ++y) {

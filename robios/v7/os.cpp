@@ -1,10 +1,10 @@
-#include <fmt/format.h>
-
 #include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <memory>
 #include <string>
+
+#include <fmt/format.h>
 
 #include "eyebot.h"
 #include "guarded.hpp"
@@ -46,7 +46,7 @@ TIMER OSAttachTimer(int scale, void (*fct)(void)) {
   return robios::guarded("OSAttachTimer", 0, [&](Session& session) -> Result<int> {
     if (scale <= 0 || fct == nullptr) {
       return fail(Errc::OutOfRange,
-                  fmt::format("OSAttachTimer({}): a timer needs a function and at least 1 ms", scale));
+                  fmt::format("a timer needs a function and at least 1 ms, found {} ms", scale));
     }
     return session.timers().attach(milliseconds(scale), fct);
   });
@@ -81,6 +81,7 @@ int OSGetCount(void) {
 
 char* OSExecute(const char* command) {
   return robios::guarded("OSExecute", static_cast<char*>(nullptr), [&](Session&) -> Result<char*> {
+    if (command == nullptr) return robios::null_pointer();
     struct Close {
       void operator()(std::FILE* pipe) const { pclose(pipe); }
     };
@@ -98,6 +99,7 @@ char* OSExecute(const char* command) {
 
 int OSVersion(char* buf) {
   return robios::guarded("OSVersion", 1, [&](Session&) -> Result<int> {
+    if (buf == nullptr) return robios::null_pointer();
     std::strcpy(buf, VERSION);
     return 0;
   });
@@ -105,6 +107,7 @@ int OSVersion(char* buf) {
 
 int OSVersionIO(char* buf) {
   return robios::guarded("OSVersionIO", 1, [&](Session&) -> Result<int> {
+    if (buf == nullptr) return robios::null_pointer();
     buf[0] = '\0';
     return fail(Errc::Unsupported, "a simulated robot has no IO board");
   });
@@ -116,18 +119,19 @@ int OSMachineSpeed(void) {
 }
 
 int OSMachineType(void) {
-  return robios::guarded("OSMachineType", VEHICLE,
-                         [](Session&) -> Result<int> { return VEHICLE; });
+  return robios::guarded("OSMachineType", VEHICLE, [](Session&) -> Result<int> { return VEHICLE; });
 }
 
 int OSMachineName(char* buf) {
   return robios::guarded("OSMachineName", 1, [&](Session&) -> Result<int> {
+    if (buf == nullptr) return robios::null_pointer();
     std::strcpy(buf, MACHINE_NAME);
     return 0;
   });
 }
 
 int OSMachineID(void) {
-  return robios::guarded("OSMachineID", 0,
-                         [](Session& session) -> Result<int> { return session.backend().robot_id(); });
+  return robios::guarded("OSMachineID", 0, [](Session& session) -> Result<int> {
+    return session.backend().robot_id();
+  });
 }

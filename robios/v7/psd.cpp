@@ -10,7 +10,8 @@ using namespace eyebridge;
 
 Result<hal::RangeSensor*> find(robios::Session& session, int psd) {
   hal::RangeSensor* sensor = session.backend().range_sensor(psd);
-  if (sensor == nullptr) return fail(Errc::OutOfRange, fmt::format("this robot has no PSD {}", psd));
+  if (sensor == nullptr)
+    return fail(Errc::OutOfRange, fmt::format("this robot has no PSD {}", psd));
   return sensor;
 }
 

@@ -1,6 +1,6 @@
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include <fmt/format.h>
 
 #include "eyebot.h"
 #include "guarded.hpp"
@@ -32,7 +32,8 @@ int SERVOSetRaw(int servo, int angle) { return set("SERVOSetRaw", servo, angle);
 int SERVORange(int servo, int low, int high) {
   return robios::guarded("SERVORange", 1, [&](robios::Session& session) -> Result<int> {
     if (low < 0 || high > 255 || low >= high) {
-      return fail(Errc::OutOfRange, fmt::format("servo limits {}..{} are outside 0..255", low, high));
+      return fail(Errc::OutOfRange,
+                  fmt::format("servo limits {}..{} are outside 0..255", low, high));
     }
     if (session.backend().servo(servo) == nullptr) {
       return fail(Errc::OutOfRange, fmt::format("this robot has no servo {}", servo));

@@ -1,7 +1,7 @@
-#include <fmt/format.h>
-
 #include <cmath>
 #include <cstdlib>
+
+#include <fmt/format.h>
 
 #include "convert.hpp"
 #include "eyebot.h"
@@ -83,7 +83,7 @@ int VWTurn(int angle, int ang_speed) {
 int VWCurve(int dist, int angle, int lin_speed) {
   // As in EyeSim: no distance, no motion; driven backwards, the same turn of the wheels turns the
   // heading the other way.
-  const double turn = dist == 0 ? 0.0 : deg_to_rad(dist < 0 ? -angle : angle);
+  const double turn = dist == 0 ? 0.0 : deg_to_rad(angle) * (dist < 0 ? -1.0 : 1.0);
   return start("VWCurve", {mm_to_m(dist), turn, magnitude_mm(lin_speed)});
 }
 
@@ -91,7 +91,7 @@ int VWDrive(int dx, int dy, int lin_speed) {
   if (dx <= std::abs(static_cast<long>(dy))) {
     return robios::guarded("VWDrive", 1, [&](Session&) -> Result<int> {
       return fail(Errc::OutOfRange,
-                  fmt::format("VWDrive({}, {}): the point must lie ahead, dx > |dy|", dx, dy));
+                  fmt::format("the point {}, {} must lie ahead: dx > |dy|", dx, dy));
     });
   }
   // The circle through the robot, tangent to its heading, and the point: half the turn is the
@@ -112,9 +112,12 @@ int VWDone(void) {
   return with_drive("VWDone", -1, [](hal::Drive& drive, Session&) -> Result<int> {
     return drive.status().map([](const hal::DriveStatus& s) {
       switch (s.progress) {
-        case hal::DriveProgress::Done: return 1;
-        case hal::DriveProgress::Driving: return 0;
-        case hal::DriveProgress::Failed: return -1;
+        case hal::DriveProgress::Done:
+          return 1;
+        case hal::DriveProgress::Driving:
+          return 0;
+        case hal::DriveProgress::Failed:
+          return -1;
       }
       return -1;
     });
@@ -136,8 +139,9 @@ int VWWait(void) {
 
 int VWStalled(void) {
   return with_drive("VWStalled", 0, [](hal::Drive& drive, Session&) -> Result<int> {
-    return drive.status().map(
-        [](const hal::DriveStatus& s) { return (s.stalled_left ? 1 : 0) + (s.stalled_right ? 2 : 0); });
+    return drive.status().map([](const hal::DriveStatus& s) {
+      return (s.stalled_left ? 1 : 0) + (s.stalled_right ? 2 : 0);
+    });
   });
 }
 

@@ -38,11 +38,17 @@ struct SourceContext {
 struct SourceFactory {
   std::string_view scheme;   ///< "render", "pattern"
   std::string_view summary;  ///< One line for `eyebridge doctor` and error messages.
+  /// Throws ConfigError when `open` could only fail; opens nothing, loads nothing.
+  void (*check)(std::string_view rest, const SourceContext& context);
   std::unique_ptr<Source> (*open)(std::string_view rest, const SourceContext& context);
 };
 
 /// All sources, in order of preference.
 std::span<const SourceFactory> source_table();
+
+/// Throws what open_source() would throw for a bad `url`, without opening anything: at the start of a
+/// run, long before the program asks for a frame. A library that is missing shows only on opening.
+void check_source(const std::string& url, const SourceContext& context);
 
 /// Opens `url`: "render", "render:egl", "pattern", … Throws ConfigError{"--camera"} for an unknown
 /// scheme (naming the known ones) or a source that cannot work here.
