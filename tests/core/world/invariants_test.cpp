@@ -92,7 +92,8 @@ TEST(Invariants, FewBodiesAndManyBodiesMoveBitForBitAlike) {
   World few(shared(model));
   World many(shared(model));
   for (int i = 0; i < 10; ++i) {
-    const Pose pose{1.0 + 0.25 * (i % 4), 1.0 + 0.25 * (i / 4), 0.7 * i};
+    const int row = i / 4;
+    const Pose pose{1.0 + 0.25 * (i % 4), 1.0 + 0.25 * row, 0.7 * i};
     few.add_robot(pose, 0.1, 0.1, {});
     many.add_robot(pose, 0.1, 0.1, {});
   }
