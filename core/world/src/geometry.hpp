@@ -1,6 +1,9 @@
 #pragma once
 
+#include <bit>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "eyebridge/base/pose.hpp"
@@ -26,13 +29,14 @@ std::vector<Segment> outlines_of(const std::vector<Wall>& walls);
 /// joint of two walls against rounding, metres.
 inline constexpr double kRayTolerance = 1e-9;
 
+/// Below this sine of the angle between them ray and wall are parallel: over 1 km the ray drifts by
+/// less than kRayTolerance.
+inline constexpr double kParallel = 1e-12;
+
 /// Range along the ray (`direction` is a unit vector) to `wall` where that is less than `best`,
 /// else `best`. A ray along the wall's own line meets its nearer end; one from a point on the wall
 /// reads 0.
 inline double nearer_hit(const Segment& wall, Vec2 origin, Vec2 direction, double best) {
-  // Below this sine of the angle between ray and wall they are parallel: over 1 km the ray drifts
-  // by less than kRayTolerance.
-  constexpr double kParallel = 1e-12;
   const Vec2 w = wall.a - origin;
   const double signed_den = cross(direction, wall.u);
   const double sign = std::copysign(1.0, signed_den);  // a branch would be a coin's toss
@@ -50,11 +54,14 @@ inline double nearer_hit(const Segment& wall, Vec2 origin, Vec2 direction, doubl
     return range < best ? range : best;
   }
   const double slack = kRayTolerance * den;
-  if (along_wall < -slack || along_wall > wall.length * den + slack) return best;
-  // The factor is above the roundings of this test, so that the least range wins in any order.
-  if (along_ray < -slack || along_ray > best * den * (1.0 + 1e-15)) return best;
   const double range = along_ray / den;
-  return range < 0.0 ? 0.0 : (range < best ? range : best);
+  // Nobody can foresee these answers, so they are data and not branches.
+  const bool hit = (along_wall >= -slack) & (along_wall <= wall.length * den + slack) &
+                   (along_ray >= -slack) & (range < best);
+  const std::uint64_t mask = std::uint64_t{0} - static_cast<std::uint64_t>(hit);
+  const double nearer = range > 0.0 ? range : 0.0;
+  return std::bit_cast<double>((std::bit_cast<std::uint64_t>(nearer) & mask) |
+                               (std::bit_cast<std::uint64_t>(best) & ~mask));
 }
 
 /// Same for a disc. From within the disc the range is 0.
