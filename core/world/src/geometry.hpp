@@ -1,9 +1,7 @@
 #pragma once
 
-#include <bit>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include "eyebridge/base/pose.hpp"
@@ -54,14 +52,11 @@ inline double nearer_hit(const Segment& wall, Vec2 origin, Vec2 direction, doubl
     return range < best ? range : best;
   }
   const double slack = kRayTolerance * den;
+  if (along_wall < -slack || along_wall > wall.length * den + slack) return best;
+  // The factor is above the roundings of this test, so that the least range wins in any order.
+  if (along_ray < -slack || along_ray > best * den * (1.0 + 1e-15)) return best;
   const double range = along_ray / den;
-  // Nobody can foresee these answers, so they are data and not branches.
-  const bool hit = (along_wall >= -slack) & (along_wall <= wall.length * den + slack) &
-                   (along_ray >= -slack) & (range < best);
-  const std::uint64_t mask = std::uint64_t{0} - static_cast<std::uint64_t>(hit);
-  const double nearer = range > 0.0 ? range : 0.0;
-  return std::bit_cast<double>((std::bit_cast<std::uint64_t>(nearer) & mask) |
-                               (std::bit_cast<std::uint64_t>(best) & ~mask));
+  return range < 0.0 ? 0.0 : (range < best ? range : best);
 }
 
 /// Same for a disc. From within the disc the range is 0.
