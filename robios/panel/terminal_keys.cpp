@@ -13,8 +13,9 @@ namespace eyebridge::robios {
 namespace {
 
 // Process-wide, because a terminal's mode is, and signal handlers have to reach it.
-std::atomic<int> g_switched{-1};  // the terminal switched over, or -1
-termios g_before{};               // its mode before; written only while g_switched is -1
+std::atomic<int> g_switched{-1};       // the terminal switched over, or -1
+std::atomic<bool> g_released = false;  // once true, it stays as it was found
+termios g_before{};                    // its mode before; written only while g_switched is -1
 
 extern "C" void restore_and_die(int signal) {
   restore_terminal();
@@ -42,7 +43,7 @@ bool in_background(int descriptor) {
 
 /// Takes keys without Enter and without echo.
 void switch_over(int descriptor) {
-  if (g_switched.load() >= 0) {
+  if (g_switched.load() >= 0 || g_released) {
     return;
   }
   if (tcgetattr(descriptor, &g_before) != 0) {
@@ -60,6 +61,9 @@ void switch_over(int descriptor) {
   static_cast<void>(watched);
   g_switched.store(descriptor);
   tcsetattr(descriptor, TCSANOW, &mode);
+  if (g_released) {  // meanwhile
+    tcsetattr(descriptor, TCSANOW, &g_before);
+  }
 }
 
 }  // namespace
@@ -69,6 +73,11 @@ void restore_terminal() noexcept {
   if (descriptor >= 0) {
     tcsetattr(descriptor, TCSANOW, &g_before);
   }
+}
+
+void release_terminal() noexcept {
+  g_released = true;
+  restore_terminal();
 }
 
 TerminalKeys::TerminalKeys(int descriptor) : descriptor_(descriptor) {}

@@ -1,8 +1,6 @@
 #include "run_output.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <stdexcept>
 #include <system_error>
 
@@ -15,7 +13,6 @@
 namespace eyebridge::robios {
 namespace {
 
-constexpr Time kRowPeriod = std::chrono::milliseconds(50);
 constexpr double kTrailStep = 0.005;  // metres; finer does not show on the map
 // Pieces of the trail, from the first, pale, to the last, dark.
 constexpr std::size_t kTrailPieces = 24;
@@ -43,62 +40,69 @@ std::vector<camera::Trail> fading(const std::vector<Vec2>& points) {
 
 }  // namespace
 
-RunOutput::RunOutput(std::filesystem::path directory, long long frames_to_keep)
-    : directory_(std::move(directory)), frames_left_(frames_to_keep) {
-  std::error_code error;
-  std::filesystem::create_directories(directory_, error);
-  const std::filesystem::path file = directory_ / "trace.csv";
-  trace_.reset(std::fopen(file.c_str(), "w"));
-  if (!trace_) {
-    throw ConfigError({"--out"}, fmt::format("cannot write {}: {}", file.string(),
-                                             std::strerror(error ? error.value() : errno)));
-  }
+RunOutput::RunOutput(std::filesystem::path directory, long long frames_to_keep) try
+    : directory_(std::move(directory)),
+      frames_left_(frames_to_keep),
+      trace_((std::filesystem::create_directories(directory_), directory_ / "trace.csv")) {
+} catch (const std::filesystem::filesystem_error& error) {
+  throw ConfigError({}, fmt::format("cannot make the folder {}: {}", error.path1().string(),
+                                    error.code().message()));
+} catch (const std::system_error& error) {
+  throw ConfigError({}, fmt::format("cannot write trace.csv: {}", error.code().message()));
 }
 
 RunOutput::~RunOutput() = default;
 
-void RunOutput::point(const hal::TracePoint& p) {
+void RunOutput::point(const hal::TracePoint& p) noexcept {
   const std::lock_guard lock(mutex_);
   const Vec2 here = p.pose.position();
   if (trail_.empty() || norm(here - trail_.back()) >= kTrailStep) trail_.push_back(here);
-  if (p.time < next_row_) return;
-  if (next_row_ == Time{0}) {
-    fmt::print(trace_.get(), "t,x,y,theta,linear,angular,odometry_x,odometry_y,odometry_theta");
-    for (std::size_t i = 0; i < p.ranges.size(); ++i) fmt::print(trace_.get(), ",range_{}", i + 1);
-    fmt::print(trace_.get(), "\n");
-  }
-  next_row_ = p.time + kRowPeriod;
-  fmt::print(trace_.get(), "{:.3f},{:.6f},{:.6f},{:.6f},{:.4f},{:.4f},{:.6f},{:.6f},{:.6f}",
-             to_seconds(p.time), p.pose.x, p.pose.y, p.pose.theta, p.twist.linear, p.twist.angular,
-             p.odometry.x, p.odometry.y, p.odometry.theta);
-  for (const double range : p.ranges) fmt::print(trace_.get(), ",{:.4f}", range);
-  fmt::print(trace_.get(), "\n");
+  trace_.add(p);
 }
 
 void RunOutput::frame(const camera::Frame& frame) {
-  const std::lock_guard lock(mutex_);
-  if (frames_left_ <= 0) return;
-  --frames_left_;
-  std::filesystem::create_directories(directory_ / "frames");
-  camera::write_png(frame, directory_ / "frames" / fmt::format("{:04}.png", frames_written_++));
+  std::filesystem::path file;
+  {
+    const std::lock_guard lock(mutex_);
+    if (frames_left_ <= 0) return;
+    --frames_left_;
+    file = directory_ / "frames" / fmt::format("{:04}.png", frames_taken_++);
+  }
+  write(frame, file);
+}
+
+void RunOutput::write(const camera::Frame& frame, const std::filesystem::path& path) {
+  try {
+    std::filesystem::create_directories(path.parent_path());
+    camera::write_png(frame, path);
+  } catch (const std::runtime_error& error) {
+    const std::lock_guard lock(mutex_);
+    if (failure_.empty()) failure_ = error.what();
+  }
 }
 
 void RunOutput::before_fork() {
   mutex_.lock();
-  std::fflush(trace_.get());
+  trace_.flush();
 }
 
 void RunOutput::after_fork() { mutex_.unlock(); }
 
 void RunOutput::finish(const world::Scene* scene, const camera::Frame& lcd) {
+  std::vector<camera::Trail> trail;
+  {
+    const std::lock_guard lock(mutex_);
+    trace_.flush();
+    if (trace_.failure() != 0 && failure_.empty()) {
+      failure_ = (directory_ / "trace.csv").string() + ": " +
+                 std::generic_category().message(trace_.failure());
+    }
+    trail = fading(trail_);
+  }
+  write(lcd, directory_ / "lcd.png");
+  if (scene != nullptr) write(camera::draw_birdseye(*scene, trail), directory_ / "map.png");
   const std::lock_guard lock(mutex_);
-  if (std::fflush(trace_.get()) != 0 || std::ferror(trace_.get()) != 0) {
-    throw std::runtime_error((directory_ / "trace.csv").string() + ": " + std::strerror(errno));
-  }
-  camera::write_png(lcd, directory_ / "lcd.png");
-  if (scene != nullptr) {
-    camera::write_png(camera::draw_birdseye(*scene, fading(trail_)), directory_ / "map.png");
-  }
+  if (!failure_.empty()) throw std::runtime_error(failure_);
 }
 
 }  // namespace eyebridge::robios

@@ -1,16 +1,14 @@
 #pragma once
 
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
 
-#include "eyebridge/base/pose.hpp"
 #include "eyebridge/camera/frame.hpp"
 #include "eyebridge/hal/trace.hpp"
 #include "eyebridge/world/scene.hpp"
+#include "trace_file.hpp"
 
 namespace eyebridge::robios {
 
@@ -18,32 +16,32 @@ namespace eyebridge::robios {
 /// the camera's frames as PNG. Any thread.
 class RunOutput final : public hal::TraceSink {
  public:
-  /// Makes `directory`. Throws ConfigError{"--out"} when it cannot be written.
+  /// Makes `directory`. Throws ConfigError, without a place, when it cannot be written.
   RunOutput(std::filesystem::path directory, long long frames_to_keep);
   ~RunOutput() override;
 
-  /// One row of trace.csv every 50 ms of the robot's time.
-  void point(const hal::TracePoint& point) override;
-  /// Keeps the first frames as frames/0000.png …
+  void point(const hal::TracePoint& point) noexcept override;
+  /// Keeps the first frames as frames/0000.png … One that cannot be written fails finish(), not the
+  /// program.
   void frame(const camera::Frame& frame);
   /// Around fork(): the child must not write what the parent has in hand.
   void before_fork();
   void after_fork();
-  /// Writes map.png and lcd.png. Throws std::runtime_error.
+  /// Writes map.png and lcd.png. Throws std::runtime_error naming the first file, of the whole run,
+  /// that could not be written, after trying all others.
   void finish(const world::Scene* scene, const camera::Frame& lcd);
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
+  /// Writes a PNG and remembers why not.
+  void write(const camera::Frame& frame, const std::filesystem::path& path);
 
   std::filesystem::path directory_;
-  long long frames_left_;
-  int frames_written_ = 0;
   std::mutex mutex_;
-  std::unique_ptr<std::FILE, Close> trace_;
-  Time next_row_{0};
+  long long frames_left_;
+  int frames_taken_ = 0;
+  TraceFile trace_;
   std::vector<Vec2> trail_;
+  std::string failure_;  ///< "" while everything could be written.
 };
 
 }  // namespace eyebridge::robios

@@ -65,8 +65,23 @@ std::unique_ptr<Lcd> make_lcd(const hal::Config& config) {
   return std::make_unique<Lcd>(width, height);
 }
 
+/// What `use` makes of the setting `name`; a mistake in it is reported where the setting was made.
+template <class Use>
+auto from_setting(const hal::Config& config, const char* name, Use&& use) {
+  const hal::ConfigValue& value = config.value(name);
+  try {
+    return use(value.text);
+  } catch (const ConfigError& error) {
+    const int column = error.where().column;
+    throw ConfigError(value.where,
+                      column > 0 ? fmt::format("{}, character {}: {}", name, column, error.text())
+                                 : fmt::format("{}: {}", name, error.text()));
+  }
+}
+
 std::unique_ptr<Keys> make_keys(const hal::Config& config, Clock& clock, Lcd& lcd) {
-  auto keys = std::make_unique<Keys>(clock, parse_key_script(config.text("keys")), terminal_keys());
+  auto script = from_setting(config, "keys", parse_key_script);
+  auto keys = std::make_unique<Keys>(clock, std::move(script), terminal_keys());
   keys->set_touch_map([&lcd](int x, int y) { return lcd.key_at(x, y); });
   return keys;
 }
@@ -77,11 +92,8 @@ void check_camera(const hal::Config& config, const camera::SourceContext& contex
   const hal::ConfigValue& value = config.value("camera");
   const bool asked_for = value.where.file != "default";
   if (value.text == "none" || (!asked_for && context.view == nullptr)) return;
-  try {
-    camera::check_source(value.text, context);
-  } catch (const ConfigError& error) {
-    throw ConfigError(value.where, error.text());
-  }
+  from_setting(config, "camera",
+               [&](const std::string& url) { camera::check_source(url, context); });
 }
 
 }  // namespace
@@ -101,7 +113,9 @@ struct Session::Impl {
     if (config.is_set("time_limit")) limit = from_seconds(config.number("time_limit"));
     if (config.boolean("mirror")) mirror.emplace(*lcd);
     if (config.is_set("out")) {
-      output.emplace(config.path("out"), config.integer("save_frames"));
+      from_setting(config, "out", [&](const std::string&) {
+        output.emplace(config.path("out"), config.integer("save_frames"));
+      });
       backend->trace_to(&*output);
       camera.on_frame([this](const camera::Frame& frame) { output->frame(frame); });
     }
@@ -122,6 +136,7 @@ struct Session::Impl {
   std::optional<RunOutput> output;
   const std::chrono::steady_clock::time_point wall_start = std::chrono::steady_clock::now();
   std::once_flag ended;
+  bool results_lost = false;
 
   Failures failures;
   std::atomic<Stage> stage = Stage::Running;
@@ -140,6 +155,7 @@ struct Session::Impl {
     mirror->update(clock.now(), force);
   }
 
+  /// Throws std::runtime_error when something could not be written.
   void finish() {
     const Time simulated = clock.now();
     update_mirror(true);
@@ -162,14 +178,25 @@ Session& Session::instance() {
     try {
       auto* made = new Session;
       the_session = made;
-      std::atexit([] { instance().end(); });
+      // Not atexit(): a run whose results are missing must not end as one that succeeded.
+      on_exit(
+          [](int status, void*) {
+            instance().end();
+            if (status != 0 || !instance().impl_->results_lost) return;
+            std::fflush(nullptr);
+            _exit(1);
+          },
+          nullptr);
       watch_forks();
       watch_signals([](int) { instance().end(); }, [] { instance().look_around(); });
       return made;
     } catch (const ConfigError& error) {
       fmt::print(stderr, "eyebridge: {}\n", error.what());
+      std::exit(2);
+    } catch (const std::exception& error) {
+      fmt::print(stderr, "eyebridge: the robot cannot be started: {}\n", error.what());
+      std::exit(1);
     }
-    std::exit(2);
   }();
   return *session;
 }
@@ -275,13 +302,14 @@ void Session::end() noexcept {
   std::call_once(impl_->ended, [this] {
     impl_->claim_end();
     impl_->stage = Stage::Ended;
-    restore_terminal();
+    release_terminal();
     impl_->timers.stop();
     impl_->backend->stop();
     impl_->backend->trace_to(nullptr);
     try {
       impl_->finish();
     } catch (const std::exception& error) {
+      impl_->results_lost = true;
       impl_->log.write(Severity::Error, error.what());
     }
     impl_->backend->stop();  // again: a call of another thread may have been under way

@@ -1,13 +1,13 @@
 #include "signals.hpp"
 
 #include <array>
+#include <atomic>
 #include <cerrno>
-#include <cstdlib>
+#include <ctime>
 #include <system_error>
 #include <thread>
 
-#include <fcntl.h>
-#include <poll.h>
+#include <semaphore.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -16,25 +16,27 @@
 namespace eyebridge::robios {
 namespace {
 
-// A handler may do next to nothing: it writes the signal's number into this pipe, a thread reads
-// it.
-int wake_up[2] = {-1, -1};
+// A handler may do next to nothing: it leaves the signal's number here and wakes a thread. No pipe:
+// programs that become daemons close all descriptors.
+std::atomic<int> arrived = 0;
+sem_t wake_up;
 pid_t owner = 0;
 
 void on_signal(int signal) {
-  if (getpid() != owner) {  // a child of fork(), before it could leave_signals_alone()
+  // A child of fork(), before it could leave_signals_alone(); or the second one, of a person who
+  // does not want to wait until results are written.
+  if (getpid() != owner || arrived.exchange(signal) != 0) {
     ::signal(signal, SIG_DFL);
     raise(signal);
     return;
   }
   const int saved = errno;
-  const auto number = static_cast<unsigned char>(signal);
-  [[maybe_unused]] const ssize_t written = write(wake_up[1], &number, 1);
+  sem_post(&wake_up);
   errno = saved;
 }
 
 constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
-constexpr int kLookPeriod_ms = 100;
+constexpr long kLookPeriod_ns = 100'000'000;
 
 /// A main thread that left by pthread_exit() takes no signals, and libraries' threads block them.
 void take_signals_without_main() {
@@ -45,27 +47,36 @@ void take_signals_without_main() {
   pthread_sigmask(SIG_UNBLOCK, &ours, nullptr);
 }
 
+/// False when the look period passed without a signal.
+bool woken() {
+  timespec until{};
+  clock_gettime(CLOCK_MONOTONIC, &until);
+  until.tv_nsec += kLookPeriod_ns;
+  until.tv_sec += until.tv_nsec / 1'000'000'000;
+  until.tv_nsec %= 1'000'000'000;
+  while (sem_clockwait(&wake_up, CLOCK_MONOTONIC, &until) != 0) {
+    if (errno != EINTR) return false;
+  }
+  return true;
+}
+
 void wait_for_signal(void (*stop)(int), void (*look)()) {
   pthread_setname_np(pthread_self(), "eb:signals");
-  pollfd pipe{wake_up[0], POLLIN, 0};
-  while (poll(&pipe, 1, kLookPeriod_ms) <= 0) {
+  while (!woken()) {
     take_signals_without_main();
     look();
   }
-  unsigned char number = 0;
-  if (read(wake_up[0], &number, 1) != 1) return;
-  stop(number);
-  ::signal(number, SIG_DFL);
-  kill(getpid(), number);
+  const int signal = arrived;
+  stop(signal);
+  ::signal(signal, SIG_DFL);
+  kill(getpid(), signal);
 }
 
 }  // namespace
 
 void watch_signals(void (*stop)(int signal), void (*look)()) {
   owner = getpid();
-  if (pipe2(wake_up, O_CLOEXEC) != 0) {
-    throw std::system_error(errno, std::generic_category(), "pipe for signals");
-  }
+  sem_init(&wake_up, 0, 0);
   // The thread itself takes no signal: handlers of the program run on the program's threads.
   sigset_t all;
   sigset_t before;

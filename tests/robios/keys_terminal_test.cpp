@@ -76,6 +76,20 @@ TEST(TerminalKeys, LeavesTheTerminalAsItWas) {
   EXPECT_TRUE(terminal.takes_lines_and_echoes());
 }
 
+TEST(TerminalKeys, LeavesTheTerminalAloneOnceItIsReleased) {
+  EXPECT_EXIT(
+      {
+        const FakeTerminal terminal;
+        TerminalKeys keys(terminal.program());
+        keys.poll(milliseconds(0));
+        release_terminal();
+        const bool restored = terminal.takes_lines_and_echoes();
+        keys.poll(milliseconds(0));
+        _exit(restored && terminal.takes_lines_and_echoes() ? 0 : 1);
+      },
+      ::testing::ExitedWithCode(0), "");
+}
+
 TEST(TerminalKeys, EndsWithTheTerminal) {
   FakeTerminal terminal;
   TerminalKeys keys(terminal.program());

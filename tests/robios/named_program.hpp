@@ -14,4 +14,8 @@ inline ProgramRun run_named(const std::string& name,
   return run_program({{std::string(EYEBRIDGE_TEST_PROGRAMS) + "/" + name}, settings, ""});
 }
 
+/// Both clocks; the settings of a real-time run that does not keep a person waiting.
+inline const std::map<std::string, std::string> kClocks[] = {
+    {{"EYEBRIDGE_FAST", "true"}}, {{"EYEBRIDGE_FAST", "false"}, {"EYEBRIDGE_FACTOR", "20"}}};
+
 }  // namespace eyebridge::testing

@@ -1,4 +1,4 @@
-// How programs end, whatever way, and what they may do to the library meanwhile.
+// What programs may do to the library while they run.
 
 #include <algorithm>
 #include <filesystem>
@@ -12,55 +12,10 @@ namespace eyebridge {
 namespace {
 
 using ::testing::HasSubstr;
+using testing::kClocks;
 using testing::ProgramRun;
 using testing::run_named;
 using testing::ScratchFolder;
-
-/// Both clocks; the settings of a real-time run that does not keep a person waiting.
-const std::map<std::string, std::string> kClocks[] = {
-    {{"EYEBRIDGE_FAST", "true"}}, {{"EYEBRIDGE_FAST", "false"}, {"EYEBRIDGE_FACTOR", "20"}}};
-
-void expect_results(const ScratchFolder& folder) {
-  for (const char* name : {"map.png", "lcd.png", "trace.csv"}) {
-    EXPECT_GT(std::filesystem::file_size(folder.path() + "/" + name), 100U) << name;
-  }
-}
-
-ProgramRun end_by(const std::string& how, std::map<std::string, std::string> settings,
-                  const ScratchFolder& folder) {
-  settings["EYEBRIDGE_TEST_HOW"] = how;
-  settings["EYEBRIDGE_OUT"] = folder.path();
-  return run_named("ends", settings);
-}
-
-TEST(ProgramLife, ResultsAreWrittenHoweverAProgramEnds) {
-  const std::map<std::string, int> ways = {{"return", 5}, {"timer", 7}, {"signal", 128 + 15}};
-  for (const auto& clock : kClocks) {
-    for (const auto& [how, code] : ways) {
-      const ScratchFolder folder;
-      const ProgramRun r = end_by(how, clock, folder);
-      EXPECT_EQ(r.exit_code, code) << how << r.err;
-      expect_results(folder);
-    }
-  }
-}
-
-TEST(ProgramLife, ATimeLimitEndsThreadsThatPollAndMainsThatSleep) {
-  for (const auto& clock : kClocks) {
-    for (const char* how : {"wait", "idle"}) {
-      const ScratchFolder folder;
-      auto settings = clock;
-      settings["EYEBRIDGE_TIME_LIMIT"] = "1s";
-      EXPECT_EQ(end_by(how, settings, folder).exit_code, 0) << how;
-      expect_results(folder);
-    }
-  }
-}
-
-TEST(ProgramLife, CallsAfterTheEndMoveNothing) {
-  const ScratchFolder folder;
-  EXPECT_THAT(end_by("return", {}, folder).out, HasSubstr("late call 1\n"));
-}
 
 TEST(ProgramLife, AForkedChildLeavesItsParentAlone) {
   const ScratchFolder folder;

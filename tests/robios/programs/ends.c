@@ -7,6 +7,14 @@ static void* poll(void* unused) {
   return NULL;
 }
 
+static pthread_t main_thread;
+
+static void* stop_without_main(void* unused) {
+  pthread_join(main_thread, &unused);
+  kill(getpid(), SIGTERM);
+  return NULL;
+}
+
 static void leave(void) { exit(7); }
 
 static void after(void) { printf("late call %d\n", VWSetSpeed(100, 0)); }
@@ -23,6 +31,11 @@ int main() {
   if (strcmp(how, "return") == 0) return 5;
   if (strcmp(how, "timer") == 0) OSAttachTimer(10, leave);
   if (strcmp(how, "signal") == 0) kill(getpid(), SIGTERM);
+  if (strcmp(how, "main left") == 0) {
+    main_thread = pthread_self();
+    pthread_create(&a, NULL, stop_without_main, NULL);
+    pthread_exit(0);
+  }
   for (;;) {
     if (strcmp(how, "idle") == 0) pause();
     OSWait(1);

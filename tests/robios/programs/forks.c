@@ -1,4 +1,5 @@
-/* fork(): the child is not the robot's program; what it does and suffers leaves the parent alone. */
+/* fork(): the child is not the robot's program; what it does and suffers leaves the parent alone.
+ */
 #include <sys/wait.h>
 
 #include "eyebot.h"

@@ -22,7 +22,7 @@ struct TracePoint {
 class TraceSink {
  public:
   virtual ~TraceSink() = default;
-  virtual void point(const TracePoint& point) = 0;
+  virtual void point(const TracePoint& point) noexcept = 0;
 };
 
 }  // namespace eyebridge::hal
