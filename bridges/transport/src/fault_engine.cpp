@@ -6,7 +6,7 @@
 namespace eyebridge::bridges {
 namespace {
 
-bool is_probability(double p) { return p >= 0.0 && p <= 1.0; }
+[[maybe_unused]] bool is_probability(double p) { return p >= 0.0 && p <= 1.0; }
 
 }  // namespace
 
