@@ -64,7 +64,9 @@ TEST(CanCodec, BothEndsOfEverySignalSurviveTheRoundTrip) {
 
 TEST(CanCodec, OneBeyondEverySignalIsRefusedAndNamed) {
   for_each_signal([](const MessageSpec& spec, std::size_t i, const Signal& signal) {
-    for (const std::int64_t value : {signal.first - 1, signal.last + 1}) {
+    // The value behind the last one may be the one that means "none".
+    const bool none_is_next = signal.may_be_absent && signal.last + 1 == EYECAN_ABSENT;
+    for (const std::int64_t value : {signal.first - 1, signal.last + (none_is_next ? 2 : 1)}) {
       RawValues raw = values_of(spec, i, false, std::max(0, signal.bank));
       raw.values[place_of(spec, i)] = value;
       const auto frame = encode_raw(spec, spec.last_node, raw.view());
@@ -104,10 +106,10 @@ TEST(CanCodec, OnlyTheNodesOfTheTableAreWritten) {
 
 TEST(CanCodec, ShortFramesAreRefusedAndLongerOnesRead) {
   for (const auto& words : test::golden_lines("can.hex")) {
-    const Frame golden = test::frame_from_text(words[0]);
+    const CanFrame golden = test::frame_from_text(words[0]);
     const MessageSpec& spec = *find_message(words[1]);
     for (std::uint8_t length = 0; length < 8; ++length) {
-      Frame frame = golden;
+      CanFrame frame = golden;
       frame.length = length;
       EXPECT_EQ(decode_raw(spec, frame).has_value(), length >= spec.length) << words[0];
     }
@@ -115,7 +117,7 @@ TEST(CanCodec, ShortFramesAreRefusedAndLongerOnesRead) {
 }
 
 TEST(CanCodec, BytesAndBitsThatAreNotUsedAreIgnored) {
-  Frame frame = test::frame_from_text("701#05FFFFFFFFFFFFFF");
+  CanFrame frame = test::frame_from_text("701#05FFFFFFFFFFFFFF");
   EXPECT_EQ(decode<Heartbeat>(frame)->state, EYECAN_STATE_OPERATIONAL);
   frame = test::frame_from_text("231#0000000001070909");
   EXPECT_EQ(decode<MotorCommand>(frame)->seq, 7);
@@ -125,9 +127,23 @@ TEST(CanCodec, AMessageIsNotReadAsAnother) {
   const auto frame = encode(1, PoseStatus{});
   ASSERT_TRUE(frame);
   EXPECT_EQ(decode<PoseCommand>(*frame).error().code, Errc::Unsupported);
-  Frame flexible = *frame;
+  CanFrame flexible = *frame;
   flexible.fd = true;
   EXPECT_EQ(decode<PoseStatus>(flexible).error().code, Errc::Unsupported);
+}
+
+TEST(CanCodec, FramesOfOtherFormatsAreNoneOfOurs) {
+  const auto ours = encode(1, PoseStatus{});
+  ASSERT_TRUE(ours);
+  for (bool CanFrame::*flag : {&CanFrame::extended, &CanFrame::remote, &CanFrame::error}) {
+    CanFrame other = *ours;
+    other.*flag = true;
+    EXPECT_EQ(decode<PoseStatus>(other).error().code, Errc::Unsupported);
+    EXPECT_EQ(decode_any(other).error().code, Errc::Unsupported);
+  }
+  CanFrame long_id = *ours;
+  long_id.id |= 0x1000U;
+  EXPECT_EQ(decode_any(long_id).error().code, Errc::Unsupported);
 }
 
 TEST(CanCodec, MotorPercentEndsAt100ButTicksAt127) {
@@ -155,7 +171,7 @@ TEST(CanCodec, AnyFrameGivesAMessageThatIsWrittenTheSameOrAnError) {
   int read = 0;
   for (int round = 0; round < 200000; ++round) {
     const MessageSpec& spec = messages()[random() % messages().size()];
-    Frame frame{
+    CanFrame frame{
         .id = spec.id(static_cast<int>(random() % 16)), .length = spec.length, .fd = spec.fd};
     if (random() % 8 == 0) frame.id = static_cast<std::uint16_t>(random() % 0x800);
     if (random() % 8 == 0) frame.length = static_cast<std::uint8_t>(random() % 80);

@@ -36,7 +36,7 @@ TEST(CanGolden, EveryFrameIsReadAsInTheFile) {
 TEST(CanGolden, EveryFrameIsWrittenAsInTheFile) {
   for (const auto& words : golden_lines("can.hex")) {
     const MessageSpec& spec = *find_message(words[1]);
-    const Frame expected = frame_from_text(words[0]);
+    const CanFrame expected = frame_from_text(words[0]);
     RawValues raw;
     for (std::size_t i = 2; i < words.size(); ++i) {
       const std::size_t equals = words[i].find('=');
@@ -55,7 +55,7 @@ TEST(CanGolden, EveryFrameIsWrittenAsInTheFile) {
 
 TEST(CanGolden, EveryFrameSurvivesTheTypedRoundTrip) {
   for (const auto& words : golden_lines("can.hex")) {
-    const Frame frame = frame_from_text(words[0]);
+    const CanFrame frame = frame_from_text(words[0]);
     const auto message = decode_any(frame);
     ASSERT_TRUE(message) << words[0] << " " << message.error().what;
     EXPECT_EQ(message->node, node_of(frame.id));

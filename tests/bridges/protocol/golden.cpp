@@ -35,8 +35,8 @@ std::vector<std::uint8_t> bytes_from_hex(std::string_view hex) {
   return bytes;
 }
 
-can::Frame frame_from_text(std::string_view text) {
-  can::Frame frame;
+CanFrame frame_from_text(std::string_view text) {
+  CanFrame frame;
   const std::size_t hash = text.find('#');
   std::from_chars(text.data(), text.data() + hash, frame.id, 16);
   text.remove_prefix(hash + 1);

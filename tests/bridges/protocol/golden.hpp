@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "eyebridge/bridges/can/frame.hpp"
+#include "eyebridge/bridges/can/identifier.hpp"
 #include "eyebridge/bridges/io7/command_table.hpp"
 #include "eyebridge/bridges/io7/profile.hpp"
 
@@ -19,7 +19,7 @@ std::vector<std::vector<std::string>> golden_lines(const std::string& name);
 std::vector<std::uint8_t> bytes_from_hex(std::string_view hex);
 
 /// "183#C01D…" or "2D1##1…" as a frame.
-can::Frame frame_from_text(std::string_view text);
+CanFrame frame_from_text(std::string_view text);
 
 /// A profile with all letters, v-omega too, and what a form word of io7.hex says.
 io7::Profile profile_of(std::string_view form);

@@ -36,7 +36,8 @@ TEST(LineUrl, RefusesBadSerialPorts) {
             "serial:/dev/ttyACM0");
   EXPECT_EQ(complaint(serial_settings, "serial:x?baud=fast"),
             "--hal: found 'fast' for 'baud', expected 50 … 12000000");
-  for (const char* const baud : {"", "-1", "0", "49", "12000001", "1e5", "9600 ", "99999999999999999999"}) {
+  for (const char* const baud :
+       {"", "-1", "0", "49", "12000001", "1e5", "9600 ", "99999999999999999999"}) {
     EXPECT_THAT(complaint(serial_settings, std::string("serial:x?baud=") + baud),
                 HasSubstr("for 'baud', expected"));
   }
@@ -53,7 +54,8 @@ TEST(LineUrl, ReadsTcpAddresses) {
 }
 
 TEST(LineUrl, RefusesBadTcpAddresses) {
-  for (const char* const rest : {"", "robot", ":1", "[]:1", "::1:4711", "a b:1", "[::1:1", "a]:1"}) {
+  for (const char* const rest :
+       {"", "robot", ":1", "[]:1", "::1:4711", "a b:1", "[::1:1", "a]:1"}) {
     EXPECT_THAT(complaint(tcp_settings, std::string("tcp:") + rest),
                 HasSubstr("expected a host and a port, as in tcp:robot:4711"))
         << rest;
@@ -86,14 +88,14 @@ TEST(LineUrl, RefusesBadCanInterfaces) {
 
 TEST(OpenLine, NamesTheSchemesWhenItKnowsNoSuchOne) {
   MonotonicClock clock;
-  EXPECT_EQ(complaint([&](const Url& url, const SourceLocation& where) {
-              return open_stream(url, where, clock);
-            }, "can:can0"),
+  EXPECT_EQ(complaint([&](const Url& url,
+                          const SourceLocation& where) { return open_stream(url, where, clock); },
+                      "can:can0"),
             "--hal: found 'can:', expected serial:DEVICE?baud=115200 or "
             "tcp:HOST:PORT?connect_ms=3000");
-  EXPECT_THAT(complaint([&](const Url& url, const SourceLocation& where) {
-                return open_bus(url, where, clock);
-              }, "serial:x"),
+  EXPECT_THAT(complaint([&](const Url& url,
+                            const SourceLocation& where) { return open_bus(url, where, clock); },
+                        "serial:x"),
               HasSubstr("expected can:INTERFACE"));
 }
 

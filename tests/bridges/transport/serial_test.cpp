@@ -1,10 +1,12 @@
 #include "eyebridge/bridges/serial.hpp"
 
+#include <asm/termbits.h>  // termios2, which has the bit rate as a number
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
-#include <termios.h>
+#include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "rigs.hpp"
@@ -13,6 +15,20 @@ namespace eyebridge::bridges::testing {
 namespace {
 
 using ::testing::HasSubstr;
+
+termios2 settings_of(const UniqueFd& terminal) {
+  termios2 settings{};
+  EXPECT_EQ(::ioctl(terminal.get(), TCGETS2, &settings), 0);
+  return settings;
+}
+
+void apply(const UniqueFd& terminal, const termios2& settings) {
+  ASSERT_EQ(::ioctl(terminal.get(), TCSETS2, &settings), 0);
+}
+
+UniqueFd open_as_another(const std::string& path) {
+  return UniqueFd(::open(path.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
+}
 
 class Serial : public ::testing::Test {
  protected:
@@ -26,39 +42,38 @@ class Serial : public ::testing::Test {
 
 TEST_F(Serial, MakesTheLineRawWithTheBitRateAndWithoutHangingUp) {
   const auto [master, path] = open_pty();
-  const UniqueFd other(::open(path.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
-  termios before{};
-  ::tcgetattr(other.get(), &before);
-  before.c_cflag |= HUPCL;
-  ::tcsetattr(other.get(), TCSANOW, &before);
+  const UniqueFd other = open_as_another(path);
+  termios2 before = settings_of(other);
+  before.c_cflag |= HUPCL | CSTOPB | PARENB;
+  apply(other, before);
 
   const auto opened = open_serial({path, 921600}, clock_);
   ASSERT_TRUE(opened) << what(opened);
 
-  termios now{};
-  ASSERT_EQ(::tcgetattr(other.get(), &now), 0);
+  const termios2 now = settings_of(other);
   EXPECT_EQ(now.c_lflag & (ICANON | ECHO | ISIG | IEXTEN), 0u);
   EXPECT_EQ(now.c_oflag & OPOST, 0u);
   EXPECT_EQ(now.c_iflag & (IXON | ICRNL | INLCR | ISTRIP | BRKINT), 0u);
   EXPECT_EQ(now.c_cflag & (CSIZE | PARENB | CSTOPB | HUPCL), static_cast<tcflag_t>(CS8));
   EXPECT_NE(now.c_cflag & CLOCAL, 0u);
-  EXPECT_EQ(::cfgetospeed(&now), static_cast<speed_t>(B921600));
+  EXPECT_EQ(now.c_ospeed, 921600u);
+  EXPECT_EQ(now.c_ispeed, 921600u);
 }
 
 TEST_F(Serial, TakesBitRatesThatHaveNoName) {
   const auto [master, path] = open_pty();
   const auto opened = open_serial({path, 123456}, clock_);
-  EXPECT_TRUE(opened) << what(opened);
+  ASSERT_TRUE(opened) << what(opened);
+  EXPECT_EQ(settings_of(master).c_ospeed, 123456u);
 }
 
 TEST_F(Serial, ForgetsWhatCameBeforeItWasOpened) {
   const auto [master, path] = open_pty();
   // A program before us left the line raw and something unread.
-  const UniqueFd before(::open(path.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
-  termios raw{};
-  ::tcgetattr(before.get(), &raw);
-  ::cfmakeraw(&raw);
-  ::tcsetattr(before.get(), TCSANOW, &raw);
+  const UniqueFd before = open_as_another(path);
+  termios2 raw = settings_of(before);
+  raw.c_lflag = raw.c_iflag = 0;
+  apply(before, raw);
   ASSERT_EQ(::write(master.get(), "AT+E", 4), 4);
   char first = 0;
   ASSERT_EQ(::read(before.get(), &first, 1), 1);  // so the rest has arrived too
@@ -84,22 +99,19 @@ TEST_F(Serial, BelongsToOneAtATime) {
 
 TEST_F(Serial, LeavesTheLineOfAnotherProgramAlone) {
   const auto [master, path] = open_pty();
-  const UniqueFd other(::open(path.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
+  const UniqueFd other = open_as_another(path);
   ASSERT_EQ(::flock(other.get(), LOCK_EX | LOCK_NB), 0);
-  termios before{};
-  ::tcgetattr(other.get(), &before);
+  const termios2 before = settings_of(other);
   EXPECT_THAT(error_of({path, 57600}).what, HasSubstr("in use"));
-  termios after{};
-  ::tcgetattr(other.get(), &after);
+  const termios2 after = settings_of(other);
   EXPECT_EQ(after.c_lflag, before.c_lflag);
-  EXPECT_EQ(::cfgetospeed(&after), ::cfgetospeed(&before));
+  EXPECT_EQ(after.c_ospeed, before.c_ospeed);
 }
 
 TEST_F(Serial, SaysThatADeviceIsMissing) {
   const Error error = error_of({"/dev/ttyACM_none", 115200});
   EXPECT_EQ(error.code, Errc::Disconnected);
-  EXPECT_EQ(error.what,
-            "/dev/ttyACM_none: no such device; expected a board that is plugged in");
+  EXPECT_EQ(error.what, "/dev/ttyACM_none: no such device; expected a board that is plugged in");
 }
 
 TEST_F(Serial, SaysThatAFileIsNoSerialPort) {

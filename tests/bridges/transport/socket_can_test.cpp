@@ -128,10 +128,10 @@ TEST(SocketCan, CountsReconnects) {
   MonotonicClock clock;
   auto [near, far] = socket_pair(SOCK_SEQPACKET);
   auto [next, next_far] = socket_pair(SOCK_SEQPACKET);
-  const auto bus = make_socket_can({std::move(near), false}, "can0", clock,
-                                   [&next](Time) -> Result<CanSocket> {
-                                     return CanSocket{std::move(next), true};
-                                   });
+  const auto bus =
+      make_socket_can({std::move(near), false}, "can0", clock, [&next](Time) -> Result<CanSocket> {
+        return CanSocket{std::move(next), true};
+      });
   far.reset();
   EXPECT_FALSE(bus->receive(clock.now() + kSoon));
   CanFrame fd = standard(1, {});

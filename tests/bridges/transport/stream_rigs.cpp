@@ -74,7 +74,9 @@ StreamRig tcp() {
 
 StreamRig faulty() {
   StreamRig rig = memory();
-  rig.near = std::make_unique<FaultyStream>(std::move(rig.near), FaultPlan{}, *rig.clock);
+  for (auto* const end : {&rig.near, &rig.far}) {
+    *end = std::make_unique<FaultyStream>(std::move(*end), FaultPlan{}, *rig.clock);
+  }
   return rig;
 }
 

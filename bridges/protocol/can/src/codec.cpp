@@ -8,9 +8,9 @@
 namespace eyebridge::bridges::can {
 namespace {
 
-std::string id_text(std::uint16_t id) {
-  char text[8];
-  std::snprintf(text, sizeof text, "0x%03X", id);
+std::string id_text(std::uint32_t id) {
+  char text[16];
+  std::snprintf(text, sizeof text, "0x%03X", static_cast<unsigned>(id));
   return text;
 }
 
@@ -34,7 +34,7 @@ bool is_node_of(const MessageSpec& spec, int node) {
   return node >= spec.first_node && node <= spec.last_node;
 }
 
-void put_bits(Frame& frame, const Signal& signal, std::uint64_t bits) {
+void put_bits(CanFrame& frame, const Signal& signal, std::uint64_t bits) {
   for (unsigned i = 0; i < signal.length; ++i) {
     const unsigned at = signal.start + i;
     frame.data[at / 8] =
@@ -42,7 +42,7 @@ void put_bits(Frame& frame, const Signal& signal, std::uint64_t bits) {
   }
 }
 
-std::int64_t take_bits(const Frame& frame, const Signal& signal) {
+std::int64_t take_bits(const CanFrame& frame, const Signal& signal) {
   std::uint64_t bits = 0;
   for (unsigned i = 0; i < signal.length; ++i) {
     const unsigned at = signal.start + i;
@@ -55,13 +55,14 @@ std::int64_t take_bits(const Frame& frame, const Signal& signal) {
 
 }  // namespace
 
-Result<Frame> encode_raw(const MessageSpec& spec, int node, std::span<const std::int64_t> values) {
+Result<CanFrame> encode_raw(const MessageSpec& spec, int node,
+                            std::span<const std::int64_t> values) {
   if (!is_node_of(spec, node)) {
     return fail(Errc::OutOfRange, std::string(spec.name) + ": node is " + std::to_string(node) +
                                       "; expected " + std::to_string(spec.first_node) + " to " +
                                       std::to_string(spec.last_node));
   }
-  Frame frame{.id = spec.id(node), .length = spec.length, .fd = spec.fd};
+  CanFrame frame{.id = spec.id(node), .length = spec.length, .fd = spec.fd};
   std::size_t at = 0;
   for (const Signal& signal : spec.signals) {
     if (signal.bank >= 0 && signal.bank != values[0]) continue;
@@ -77,8 +78,8 @@ Result<Frame> encode_raw(const MessageSpec& spec, int node, std::span<const std:
   return frame;
 }
 
-Result<RawValues> decode_raw(const MessageSpec& spec, const Frame& frame) {
-  if (function_of(frame.id) != spec.function || frame.fd != spec.fd) {
+Result<RawValues> decode_raw(const MessageSpec& spec, const CanFrame& frame) {
+  if (!is_protocol_format(frame) || function_of(frame.id) != spec.function || frame.fd != spec.fd) {
     return fail(Errc::Unsupported,
                 "frame " + id_text(frame.id) + " is no " + std::string(spec.name));
   }
@@ -86,7 +87,8 @@ Result<RawValues> decode_raw(const MessageSpec& spec, const Frame& frame) {
     return fail(Errc::Corrupt,
                 std::string(spec.name) + ": impossible node " + std::to_string(node_of(frame.id)));
   }
-  if (frame.length < spec.length || frame.length > (frame.fd ? 64 : 8)) {
+  if (frame.length < spec.length ||
+      frame.length > (frame.fd ? CanFrame::kMaxFd : CanFrame::kMaxClassic)) {
     return fail(Errc::Corrupt, std::string(spec.name) + " " + id_text(frame.id) + " has " +
                                    std::to_string(frame.length) + " bytes; expected " +
                                    std::to_string(spec.length));

@@ -7,13 +7,13 @@ namespace eyebridge::bridges::can {
 namespace {
 
 template <class Message>
-Result<AnyMessage> decode_as(const Frame& frame) {
+Result<AnyMessage> decode_as(const CanFrame& frame) {
   auto message = decode<Message>(frame);
   if (!message) return tl::unexpected(std::move(message.error()));
   return AnyMessage(*message);
 }
 
-using Decoder = Result<AnyMessage> (*)(const Frame&);
+using Decoder = Result<AnyMessage> (*)(const CanFrame&);
 
 template <class... Messages>
 Decoder find_decoder(std::variant<Messages...>*, int function, bool fd) {
@@ -25,9 +25,11 @@ Decoder find_decoder(std::variant<Messages...>*, int function, bool fd) {
 
 }  // namespace
 
-Result<Received> decode_any(const Frame& frame) {
+Result<Received> decode_any(const CanFrame& frame) {
   const Decoder decoder =
-      find_decoder(static_cast<AnyMessage*>(nullptr), function_of(frame.id), frame.fd);
+      is_protocol_format(frame)
+          ? find_decoder(static_cast<AnyMessage*>(nullptr), function_of(frame.id), frame.fd)
+          : nullptr;
   if (decoder == nullptr) {
     return fail(Errc::Unsupported,
                 "CAN frame with identifier " + std::to_string(frame.id) + " is none of ours");
@@ -37,7 +39,7 @@ Result<Received> decode_any(const Frame& frame) {
   return Received{node_of(frame.id), std::move(*message)};
 }
 
-Result<Frame> encode_any(const Received& received) {
+Result<CanFrame> encode_any(const Received& received) {
   return std::visit([&](const auto& message) { return encode(received.node, message); },
                     received.message);
 }

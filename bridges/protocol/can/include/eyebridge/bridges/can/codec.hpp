@@ -7,7 +7,7 @@
 #include <type_traits>
 
 #include "eyebridge/base/result.hpp"
-#include "eyebridge/bridges/can/frame.hpp"
+#include "eyebridge/bridges/can/identifier.hpp"
 #include "eyebridge/bridges/can/table.hpp"
 
 namespace eyebridge::bridges::can {
@@ -31,12 +31,13 @@ struct RawValues {
 /// Packs `values` into a frame to or from `node`. Fails with OutOfRange, naming the signal, its
 /// range and what was given; so does a node that this message is never sent to. Unused bits are 0.
 /// Does not allocate unless it fails.
-Result<Frame> encode_raw(const MessageSpec& spec, int node, std::span<const std::int64_t> values);
+Result<CanFrame> encode_raw(const MessageSpec& spec, int node,
+                            std::span<const std::int64_t> values);
 
 /// Unpacks a frame. Fails with Corrupt when it is shorter than the table says, when a value is
 /// outside its range or its node is impossible; with Unsupported when it is no frame of `spec`.
 /// Bytes after the expected ones and unused bits are ignored, so that later versions may fill them.
-Result<RawValues> decode_raw(const MessageSpec& spec, const Frame& frame);
+Result<RawValues> decode_raw(const MessageSpec& spec, const CanFrame& frame);
 
 namespace detail {
 
@@ -87,13 +88,13 @@ const MessageSpec& spec_of() {
 
 /// Packs a typed message; fails as encode_raw does.
 template <class Message>
-Result<Frame> encode(int node, const Message& message) {
+Result<CanFrame> encode(int node, const Message& message) {
   return encode_raw(spec_of<Message>(), node, detail::to_raw(message).view());
 }
 
 /// Unpacks a typed message; fails as decode_raw does.
 template <class Message>
-Result<Message> decode(const Frame& frame) {
+Result<Message> decode(const CanFrame& frame) {
   auto raw = decode_raw(spec_of<Message>(), frame);
   if (!raw) return tl::unexpected(std::move(raw.error()));
   return detail::from_raw<Message>(*raw);

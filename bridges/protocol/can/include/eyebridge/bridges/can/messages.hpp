@@ -5,7 +5,7 @@
 #include "eyebridge/base/result.hpp"
 #include "eyebridge/bridges/can/codec.hpp"
 #include "eyebridge/bridges/can/command_messages.hpp"
-#include "eyebridge/bridges/can/frame.hpp"
+#include "eyebridge/bridges/can/identifier.hpp"
 #include "eyebridge/bridges/can/status_messages.hpp"
 
 namespace eyebridge::bridges::can {
@@ -29,9 +29,9 @@ struct Received {
 /// Unpacks whatever frame of the protocol this is. Fails with Unsupported when its identifier is
 /// none of ours (other devices may share the bus), with Corrupt when it is one of ours but cannot
 /// be right.
-Result<Received> decode_any(const Frame& frame);
+Result<Received> decode_any(const CanFrame& frame);
 
 /// Packs any message; fails as encode_raw does.
-Result<Frame> encode_any(const Received& message);
+Result<CanFrame> encode_any(const Received& message);
 
 }  // namespace eyebridge::bridges::can

@@ -1,9 +1,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "entry.hpp"
+#include "bridges_entry.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  eyebridge::bridges::fuzz::io7_help({data, size});
+  eyebridge::fuzz::can_frame({reinterpret_cast<const char*>(data), size});
   return 0;
 }

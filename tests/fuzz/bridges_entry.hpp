@@ -5,15 +5,22 @@
 #include <cstdint>
 #include <cstdlib>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "eyebridge/bridges/can/messages.hpp"
 #include "eyebridge/bridges/io7/help_list.hpp"
 #include "eyebridge/bridges/io7/reply_parser.hpp"
+#include "eyebridge/bridges/open.hpp"
+#include "eyebridge/bridges/trace.hpp"
 
-// What the fuzz targets and the test over their corpora do with one input. A wrong accept ends the
-// process: that is a finding.
-namespace eyebridge::bridges::fuzz {
+// What the fuzz targets of the bridges and the test over their corpora do with one input. A wrong
+// accept ends the process: that is a finding.
+namespace eyebridge::fuzz {
+
+inline std::span<const std::uint8_t> bytes_of(std::string_view text) {
+  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
+}
 
 inline void require(bool truth) {
   if (!truth) std::abort();
@@ -21,7 +28,9 @@ inline void require(bool truth) {
 
 /// The first byte picks the dialect, the second the letter; the rest is what the board sends,
 /// twice.
-inline void io7_reply(std::span<const std::uint8_t> input) {
+inline void io7_reply(std::string_view text) {
+  using namespace bridges;
+  const auto input = bytes_of(text);
   if (input.size() < 2) return;
   io7::Profile profile;
   for (const io7::Command& command : io7::commands()) profile.letters.insert(command.letter);
@@ -51,8 +60,8 @@ inline void io7_reply(std::span<const std::uint8_t> input) {
   }
 }
 
-inline void io7_help(std::span<const std::uint8_t> input) {
-  const std::string_view text(reinterpret_cast<const char*>(input.data()), input.size());
+inline void io7_help(std::string_view text) {
+  using namespace bridges;
   const auto letters = io7::parse_help(text);
   if (!letters) return;
   for (int code = 0; code < 128; ++code) {
@@ -63,9 +72,11 @@ inline void io7_help(std::span<const std::uint8_t> input) {
 }
 
 /// Two bytes of identifier and format, then the data; what is read must be written the same.
-inline void can_frame(std::span<const std::uint8_t> input) {
+inline void can_frame(std::string_view text) {
+  using namespace bridges;
+  const auto input = bytes_of(text);
   if (input.size() < 2) return;
-  can::Frame frame;
+  CanFrame frame;
   frame.id = static_cast<std::uint16_t>((input[0] << 8 | input[1]) & 0x7FF);
   frame.fd = (input[0] & 0x80U) != 0;
   const auto data = input.subspan(2);
@@ -79,4 +90,54 @@ inline void can_frame(std::span<const std::uint8_t> input) {
   require(can::decode_any(*again) == *message);
 }
 
-}  // namespace eyebridge::bridges::fuzz
+/// What a trace reader accepts is written and read the same, whatever the line breaks and comments.
+template <class Record>
+void trace_of(std::string_view text,
+              std::vector<Record> (*read)(std::string_view, const std::string&)) {
+  std::vector<Record> records;
+  try {
+    records = read(text, "fuzz.trace");
+  } catch (const ConfigError& error) {
+    require(std::string_view(error.what()).starts_with("fuzz.trace:"));
+    return;
+  }
+  std::string written;
+  for (const Record& record : records) written += to_line(record) + '\n';
+  require(read(written, "again.trace") == records);
+}
+
+/// The text as a trace of bytes and as one of frames (candump -L).
+inline void trace(std::string_view text) {
+  trace_of<bridges::ByteRecord>(text, bridges::read_byte_trace);
+  trace_of<bridges::CanRecord>(text, bridges::read_can_trace);
+}
+
+/// The text as the URL of each kind of line: what is accepted keeps the promises of its settings.
+inline void url(std::string_view text) {
+  const SourceLocation where{"fuzz"};
+  Url parsed;
+  try {
+    parsed = parse_url(text, where);
+  } catch (const ConfigError&) {  // the input is no URL
+    return;
+  }
+  try {
+    const auto serial = bridges::serial_settings(parsed, where);
+    require(serial.baud > 0 && !serial.device.empty());
+    require(serial.device.find('\0') == std::string::npos);
+  } catch (const ConfigError&) {  // no serial port
+  }
+  try {
+    const auto tcp = bridges::tcp_settings(parsed, where);
+    require(tcp.port > 0 && !tcp.host.empty() && tcp.connect_timeout.count() > 0);
+    require(tcp.host.find('\0') == std::string::npos);
+  } catch (const ConfigError&) {  // no TCP address
+  }
+  try {
+    const auto can = bridges::socket_can_settings(parsed, where);
+    require(!can.interface.empty() && can.interface.size() < 16 && can.receive_buffer > 0);
+  } catch (const ConfigError&) {  // no CAN interface
+  }
+}
+
+}  // namespace eyebridge::fuzz
