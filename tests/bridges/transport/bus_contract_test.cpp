@@ -150,15 +150,16 @@ TEST_P(BusContract, AFullBusHoldsTheSenderUpOrCountsWhatItDrops) {
 }
 
 TEST_P(BusContract, CarriesManyFramesBothWaysAtOnce) {
-  constexpr std::uint32_t kCount = 5'000;
-  const auto send_all = [this](CanBus& bus) {
-    for (std::uint32_t i = 0; i < kCount; ++i) {
+  // Where nothing holds senders up, only what a receive buffer has room for.
+  const std::uint32_t count = rig_.drops ? 1'000 : 5'000;
+  const auto send_all = [this, count](CanBus& bus) {
+    for (std::uint32_t i = 0; i < count; ++i) {
       const auto sent = bus.send(numbered(i), soon());
       ASSERT_TRUE(sent) << what(sent);
     }
   };
-  const auto receive_all = [this](CanBus& bus) {
-    for (std::uint32_t i = 0; i < kCount; ++i) {
+  const auto receive_all = [this, count](CanBus& bus) {
+    for (std::uint32_t i = 0; i < count; ++i) {
       const auto got = bus.receive(soon());
       ASSERT_TRUE(got) << what(got);
       ASSERT_EQ(number_in(*got), i);
