@@ -147,8 +147,9 @@ TEST(Io7Reply, AnyBytesGiveAValueInRangeOrAnError) {
     const Command& command = commands()[random() % commands().size()];
     parser.start(Request{.letter = command.letter}, profile);
     for (auto length = random() % 12; length > 0; --length) {
-      parser.push(static_cast<std::uint8_t>(random() % 3 == 0 ? random() & 0xFFU
-                                                              : common[random() % common.size()]));
+      parser.push(static_cast<std::uint8_t>(
+          random() % 3 == 0 ? random() & 0xFFU
+                            : static_cast<std::uint8_t>(common[random() % common.size()])));
     }
     parser.quiet();
     const auto reply = parser.reply();

@@ -113,8 +113,9 @@ TEST(Io7Request, AnyBytesAreReadAsARequestThatIsWrittenTheSameOrRefused) {
     for (int round = 0; round < 40000; ++round) {
       std::vector<std::uint8_t> bytes(random() % 8);
       for (auto& byte : bytes) {
-        byte = static_cast<std::uint8_t>(random() % 4 == 0 ? random() & 0xFFU
-                                                           : common[random() % common.size()]);
+        byte = static_cast<std::uint8_t>(
+            random() % 4 == 0 ? random() & 0xFFU
+                              : static_cast<std::uint8_t>(common[random() % common.size()]));
       }
       if (profile.request_form == RequestForm::Ascii && random() % 2 == 0) {
         for (const std::uint8_t byte : bytes_of(profile.terminator)) bytes.push_back(byte);

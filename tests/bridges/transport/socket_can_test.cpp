@@ -127,10 +127,10 @@ TEST(SocketCan, ALossIsFinalWithoutAWayToReopen) {
 TEST(SocketCan, CountsReconnects) {
   MonotonicClock clock;
   auto [near, far] = socket_pair(SOCK_SEQPACKET);
-  auto [next, next_far] = socket_pair(SOCK_SEQPACKET);
+  auto pair = socket_pair(SOCK_SEQPACKET);
   const auto bus =
-      make_socket_can({std::move(near), false}, "can0", clock, [&next](Time) -> Result<CanSocket> {
-        return CanSocket{std::move(next), true};
+      make_socket_can({std::move(near), false}, "can0", clock, [&pair](Time) -> Result<CanSocket> {
+        return CanSocket{std::move(pair.first), true};
       });
   far.reset();
   EXPECT_FALSE(bus->receive(clock.now() + kSoon));

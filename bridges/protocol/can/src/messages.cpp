@@ -36,7 +36,7 @@ Result<Received> decode_any(const CanFrame& frame) {
   }
   auto message = decoder(frame);
   if (!message) return tl::unexpected(std::move(message.error()));
-  return Received{node_of(frame.id), std::move(*message)};
+  return Received{node_of(frame.id), *message};
 }
 
 Result<CanFrame> encode_any(const Received& received) {
