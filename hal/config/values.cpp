@@ -60,16 +60,6 @@ void check_range(const Setting& setting, double value, const ConfigValue& read) 
 
 }  // namespace
 
-std::string in_quotes(std::string_view text) {
-  constexpr std::size_t kLongest = 60;
-  std::string out = "'";
-  for (const char c : text.substr(0, kLongest)) {
-    const auto byte = static_cast<unsigned char>(c);
-    out += byte < 0x20 || byte == 0x7F ? '?' : c;
-  }
-  return out + (text.size() > kLongest ? "…'" : "'");
-}
-
 bool parse_boolean(std::string_view text, const SourceLocation& where) {
   const std::string_view word = trimmed(text);
   for (const std::string_view yes : {"true", "yes", "on", "1"}) {

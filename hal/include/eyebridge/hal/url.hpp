@@ -1,24 +1,15 @@
 #pragma once
 
-#include <map>
-#include <string>
-#include <string_view>
-
-#include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/url.hpp"
 
 namespace eyebridge::hal {
 
 /// How a backend is named: "serial:/dev/ttyACM0?profile=io7".
-struct BackendUrl {
-  std::string scheme;  ///< "serial"; lower-case letters and digits.
-  std::string rest;    ///< "/dev/ttyACM0"; may be empty.
-  std::map<std::string, std::string, std::less<>> options;  ///< {"profile", "io7"}
+using BackendUrl = Url;
 
-  friend bool operator==(const BackendUrl&, const BackendUrl&) = default;
-};
-
-/// Parses "scheme", "scheme:rest" or "scheme:rest?key=value&key=value". Throws ConfigError at
-/// `where`: no scheme, odd characters in it, an option without key or '=', or one given twice.
-BackendUrl parse_backend_url(std::string_view text, const SourceLocation& where);
+/// parse_url(), under the name that the backends use.
+inline BackendUrl parse_backend_url(std::string_view text, const SourceLocation& where) {
+  return parse_url(text, where);
+}
 
 }  // namespace eyebridge::hal

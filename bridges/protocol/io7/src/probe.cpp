@@ -1,0 +1,290 @@
+#include "eyebridge/bridges/io7/probe.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "eyebridge/bridges/io7/help_list.hpp"
+#include "opcodes.h"
+#include "text.hpp"
+
+namespace eyebridge::bridges::io7 {
+namespace {
+
+constexpr int kEnters = 3;
+constexpr int kLowestBattery = 50;  // 0.5 V, in 10 mV; the highest is IO7_VOLTAGE_LAST.
+constexpr std::array kTerminators = {Terminator::Cr, Terminator::Lf, Terminator::CrLf};
+
+std::string_view after_last_line_end(std::string_view text) {
+  const std::size_t end = text.find_last_of("\r\n");
+  return end == std::string_view::npos ? text : text.substr(end + 1);
+}
+
+bool has_line_end(std::string_view text) {
+  return std::any_of(text.begin(), text.end(), is_line_end);
+}
+
+bool all_printable(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), is_printable);
+}
+
+/// Both readings of two bytes.
+struct Readings {
+  int msb_first;
+  int lsb_first;
+};
+Readings readings(std::string_view body) {
+  const int first = static_cast<unsigned char>(body[0]);
+  const int second = static_cast<unsigned char>(body[1]);
+  return {first << 8 | second, second << 8 | first};
+}
+
+}  // namespace
+
+Probe::Probe() {
+  expect_ = "a prompt, or nothing";
+  send("\r");
+}
+
+Probe::Step Probe::step() const { return {send_.view(), expect_}; }
+
+void Probe::send(std::string_view text) {
+  send_.length = static_cast<std::uint8_t>(text.size());
+  std::copy(text.begin(), text.end(), send_.bytes.begin());
+}
+
+bool Probe::send(const Request& request) {
+  const auto bytes = encode(request, report_.profile);
+  if (bytes) send_ = *bytes;
+  return bytes.has_value();
+}
+
+void Probe::give_up(Errc code, std::string what) {
+  error_ = {code, "IO7 probe: " + std::move(what)};
+  state_ = State::Failed;
+}
+
+void Probe::retry_or_fail(std::string_view body, std::string_view expected) {
+  if (++attempts_ < 2) return;  // The same bytes once more.
+  give_up(body.empty() ? Errc::Timeout : Errc::Corrupt,
+          "expected " + std::string(expected) + ", found " + quoted(body));
+}
+
+Result<ProbeReport> Probe::report() const {
+  if (state_ == State::Done) return report_;
+  if (state_ == State::Failed) return tl::unexpected(error_);
+  return fail(Errc::Timeout, "IO7 probe: not finished");
+}
+
+std::string_view Probe::without_frame(std::string_view body) const {
+  if (report_.profile.echo && !body.empty()) {
+    const std::string_view sent(reinterpret_cast<const char*>(send_.bytes.data()), send_.length);
+    const std::string_view bare = trim(sent);
+    if (body.starts_with(sent)) {
+      body.remove_prefix(sent.size());
+    } else if (body.starts_with(bare)) {
+      body.remove_prefix(bare.size());
+    }
+    if (body.starts_with("\n")) body.remove_prefix(1);
+  }
+  const std::string_view prompt = report_.profile.prompt.view();
+  // A raw reading may well end in the byte that is the prompt.
+  const bool reading =
+      state_ == State::Voltage || state_ == State::AsciiForm || state_ == State::BinaryForm;
+  const bool prompts =
+      !reading || report_.profile.reply_form == ReplyForm::Text || report_.profile.prompt_after_raw;
+  if (prompts && !prompt.empty() && body.ends_with(prompt)) body.remove_suffix(prompt.size());
+  return body;
+}
+
+void Probe::answer(std::span<const std::uint8_t> received) {
+  const std::string_view body(reinterpret_cast<const char*>(received.data()), received.size());
+  heard_ = heard_ || !body.empty();
+  switch (state_) {
+    case State::Enter:
+      return answer_enter(body);
+    case State::List:
+      return answer_list(body);
+    case State::Version:
+    case State::VersionAgain:
+      return answer_version(body);
+    case State::Quieten:  // Whatever it says: the next `v` tells.
+      attempts_ = 0;
+      state_ = State::VersionAgain;
+      expect_ = "the version, as text or as 4 bytes";
+      send(request(IO7_VERSION));
+      return;
+    case State::Voltage:
+      return answer_voltage(body);
+    case State::AsciiForm:
+    case State::BinaryForm:
+      return answer_form(body);
+    case State::Flush:
+      state_ = State::Done;
+      return;
+    case State::Done:
+    case State::Failed:
+      return;
+  }
+}
+
+void Probe::answer_enter(std::string_view body) {
+  const std::string_view tail = after_last_line_end(body);
+  Prompt seen;
+  if (tail.size() <= seen.bytes.size() && all_printable(tail)) {
+    std::copy(tail.begin(), tail.end(), seen.bytes.begin());
+    seen.length = static_cast<std::uint8_t>(tail.size());
+  }
+  const bool repeats = attempts_ > 0 && seen == report_.profile.prompt;
+  report_.profile.prompt = seen;
+  if (++attempts_ < kEnters && !repeats) return;
+  if (!repeats) report_.profile.prompt = {};
+  attempts_ = 0;
+  ask_list();
+}
+
+void Probe::ask_list() {
+  state_ = State::List;
+  expect_ = "a list of command letters";
+  // The one letter that is sent without being listed: it is what asks for the list.
+  report_.profile.terminator = kTerminators[static_cast<std::size_t>(attempts_) / 2];
+  report_.profile.letters = LetterSet("h");
+  send(request(IO7_HELP));
+}
+
+void Probe::answer_list(std::string_view body) {
+  const auto letters = parse_help(without_frame(body));
+  if (!letters) {
+    if (static_cast<std::size_t>(++attempts_) < 2 * kTerminators.size()) return ask_list();
+    if (!heard_) return give_up(Errc::Timeout, "the board is silent");
+    return give_up(Errc::Corrupt, letters.error().what);
+  }
+  report_.list = std::string(without_frame(body));
+  report_.profile.letters = *letters;
+  attempts_ = 0;
+  if (!send(request(IO7_VERSION))) {
+    return give_up(Errc::Unsupported, "the board lists no 'v', expected it to tell the reply form");
+  }
+  state_ = State::Version;
+  expect_ = "the version, as text or as 4 bytes";
+}
+
+void Probe::answer_version(std::string_view body) {
+  Profile& profile = report_.profile;
+  if (body.size() > 2 && body[0] == IO7_VERSION && is_line_end(body[1])) profile.echo = true;
+  const std::string_view bare = without_frame(body);
+  const bool raw = bare.size() == IO7_VERSION_LENGTH && all_printable(bare);
+  const std::string_view text = after_label(bare);
+  if (!raw && (!has_line_end(bare) || text.empty() || !all_printable(text))) {
+    return retry_or_fail(body, "the version");
+  }
+  report_.version = std::string(raw ? bare : text);
+  attempts_ = 0;
+  profile.reply_form = raw ? ReplyForm::Raw : ReplyForm::Text;
+  profile.prompt_after_raw =
+      raw && !profile.prompt.view().empty() && body.ends_with(profile.prompt.view());
+  if (state_ == State::VersionAgain) {
+    report_.request_form_proven = raw;  // `O 0` was understood as it was written.
+    return ask_voltage();
+  }
+  if (!raw && send(verbose(false))) {
+    state_ = State::Quieten;
+    expect_ = "anything; text replies are being switched off";
+    return;
+  }
+  ask_voltage();
+}
+
+void Probe::ask_voltage() {
+  if (!send(request(IO7_VOLTAGE))) return ask_form();
+  state_ = State::Voltage;
+  expect_ = "the supply voltage";
+}
+
+std::optional<int> Probe::number_in(std::string_view body, std::size_t width) {
+  const std::string_view bare = without_frame(body);
+  if (report_.profile.reply_form == ReplyForm::Text) {
+    int value = 0;
+    const bool read = has_line_end(bare) && read_integers(after_label(bare), std::span(&value, 1));
+    return read ? std::optional(value) : std::nullopt;
+  }
+  if (bare.size() != width) return std::nullopt;
+  if (width == 1) return static_cast<unsigned char>(bare[0]);
+  const auto [msb_first, lsb_first] = readings(bare);
+  return report_.profile.byte_order == ByteOrder::MsbFirst ? msb_first : lsb_first;
+}
+
+void Probe::answer_voltage(std::string_view body) {
+  auto value = number_in(body, 2);
+  if (!value) return retry_or_fail(body, "the supply voltage");
+  if (report_.profile.reply_form == ReplyForm::Raw) {
+    const auto [msb_first, lsb_first] = readings(without_frame(body));
+    const auto plausible = [](int v) { return v >= kLowestBattery && v <= IO7_VOLTAGE_LAST; };
+    if (plausible(msb_first) != plausible(lsb_first)) {
+      report_.byte_order_proven = true;
+      report_.profile.byte_order = plausible(msb_first) ? ByteOrder::MsbFirst : ByteOrder::LsbFirst;
+      value = number_in(body, 2);
+    }
+  }
+  report_.battery_cv = value;
+  ask_form();
+}
+
+void Probe::ask_form() {
+  attempts_ = 0;
+  // Readings only, and first the one that also witnesses the byte order.
+  for (const Request& reading : {analog(0), psd(1), encoder(1), digital_in(0)}) {
+    if (!send(reading)) continue;
+    form_request_ = reading;
+    state_ = State::AsciiForm;
+    expect_ = "a reading, if requests are text";
+    return;
+  }
+  state_ = State::Done;
+}
+
+void Probe::answer_form(std::string_view body) {
+  Profile& profile = report_.profile;
+  const Field& field = find_command(form_request_.letter)->values()[0];
+  auto value = number_in(body, field.width);
+  if (value && profile.reply_form == ReplyForm::Raw && !report_.byte_order_proven &&
+      field.last == IO7_ADC_LAST) {
+    const auto [msb_first, lsb_first] = readings(without_frame(body));
+    if ((msb_first > IO7_ADC_LAST) != (lsb_first > IO7_ADC_LAST)) {
+      report_.byte_order_proven = true;
+      profile.byte_order = lsb_first > IO7_ADC_LAST ? ByteOrder::MsbFirst : ByteOrder::LsbFirst;
+      value = std::min(msb_first, lsb_first);
+    }
+  }
+  const bool good = value && *value >= field.first && *value <= field.last;
+  if (state_ == State::BinaryForm) {
+    if (good) {
+      report_.request_form_proven = true;
+      state_ = State::Done;
+    } else if (ascii_zero_) {
+      // The board still waits for the end of a line: give it one.
+      profile.request_form = RequestForm::Ascii;
+      report_.request_form_proven = true;
+      state_ = State::Flush;
+      expect_ = "anything; a line is being ended";
+      const auto end = bytes_of(profile.terminator);
+      send({reinterpret_cast<const char*>(end.data()), end.size()});
+    } else {
+      give_up(Errc::Corrupt, std::string("no reading from '") + form_request_.letter +
+                                 "' in either request form, found " + quoted(body));
+    }
+    return;
+  }
+  if (good && (*value != 0 || report_.request_form_proven)) {
+    report_.request_form_proven = true;
+    state_ = State::Done;
+    return;
+  }
+  if (report_.request_form_proven) return retry_or_fail(body, "a reading");
+  ascii_zero_ = good;
+  profile.request_form = RequestForm::Binary;
+  state_ = State::BinaryForm;
+  expect_ = "a reading, if requests are bytes";
+  send(form_request_);
+}
+
+}  // namespace eyebridge::bridges::io7

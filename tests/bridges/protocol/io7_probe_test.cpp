@@ -1,0 +1,219 @@
+#include <random>
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "eyebridge/bridges/io7/probe.hpp"
+#include "fake_board.hpp"
+
+namespace eyebridge::bridges::io7 {
+namespace {
+
+Result<ProbeReport> probe(FakeBoard& board) {
+  Probe probe;
+  for (int steps = 0; steps < 40 && !probe.done(); ++steps) {
+    EXPECT_FALSE(probe.step().send.empty());
+    EXPECT_FALSE(probe.step().expect.empty());
+    probe.answer(board.answer(probe.step().send));
+  }
+  EXPECT_TRUE(probe.done());
+  EXPECT_EQ(board.asked.find('E'), std::string::npos) << "the demo was started";
+  EXPECT_EQ(board.asked.find('m'), std::string::npos) << "a motor was driven";
+  return probe.report();
+}
+
+TEST(Io7Probe, AVerboseBoardWithPromptIsMadeQuiet) {
+  FakeBoard board;
+  const auto report = probe(board);
+  ASSERT_TRUE(report) << report.error().what;
+  EXPECT_EQ(report->profile.prompt.view(), ">");
+  EXPECT_EQ(report->profile.reply_form, ReplyForm::Raw);
+  EXPECT_EQ(report->profile.request_form, RequestForm::Ascii);
+  EXPECT_TRUE(report->request_form_proven);
+  EXPECT_EQ(report->profile.byte_order, ByteOrder::MsbFirst);
+  EXPECT_TRUE(report->byte_order_proven);
+  EXPECT_EQ(report->version, "1.04");
+  EXPECT_EQ(report->battery_cv, 740);
+  EXPECT_EQ(report->list, board.list);
+  EXPECT_TRUE(report->profile.letters.has('p'));
+  EXPECT_FALSE(report->profile.letters.has('d'));
+  EXPECT_FALSE(board.verbose);
+  EXPECT_EQ(board.asked, "hvOvVa");
+}
+
+TEST(Io7Probe, ABoardThatStaysVerboseIsSpokenToInText) {
+  FakeBoard board;
+  board.quietens = false;
+  const auto report = probe(board);
+  ASSERT_TRUE(report) << report.error().what;
+  EXPECT_EQ(report->profile.reply_form, ReplyForm::Text);
+  EXPECT_EQ(report->battery_cv, 740);
+  EXPECT_EQ(report->version, "1.04");
+  EXPECT_FALSE(report->byte_order_proven);
+}
+
+TEST(Io7Probe, ALeastSignificantByteFirstIsSeenFromTheVoltage) {
+  FakeBoard board;
+  board.msb_first = false;
+  const auto report = probe(board);
+  ASSERT_TRUE(report) << report.error().what;
+  EXPECT_EQ(report->profile.byte_order, ByteOrder::LsbFirst);
+  EXPECT_EQ(report->battery_cv, 740);
+}
+
+TEST(Io7Probe, AnAmbiguousVoltageIsDecidedByTheWitness) {
+  FakeBoard board;
+  board.battery_cv = 0x0404;
+  board.msb_first = false;
+  board.analog_0 = 0x0A20;
+  const auto report = probe(board);
+  ASSERT_TRUE(report) << report.error().what;
+  EXPECT_TRUE(report->byte_order_proven);
+  EXPECT_EQ(report->profile.byte_order, ByteOrder::LsbFirst);
+}
+
+TEST(Io7Probe, AnOrderThatNothingDecidesIsNotCalledProven) {
+  FakeBoard board;
+  board.battery_cv = 0x0404;
+  board.analog_0 = 0x0808;
+  const auto report = probe(board);
+  ASSERT_TRUE(report) << report.error().what;
+  EXPECT_FALSE(report->byte_order_proven);
+  EXPECT_EQ(report->profile.byte_order, ByteOrder::MsbFirst);
+}
+
+TEST(Io7Probe, ABoardThatTakesBytesIsFound) {
+  FakeBoard board;
+  board.binary = true;
+  board.verbose = false;
+  board.prompt = "";
+  const auto report = probe(board);
+  ASSERT_TRUE(report) << report.error().what;
+  EXPECT_EQ(report->profile.request_form, RequestForm::Binary);
+  EXPECT_TRUE(report->request_form_proven);
+  EXPECT_TRUE(report->profile.prompt.view().empty());
+  EXPECT_EQ(report->battery_cv, 740);
+}
+
+TEST(Io7Probe, AQuietTextBoardOnUsbPowerIsStillFound) {
+  FakeBoard board;
+  board.verbose = false;
+  board.battery_cv = 0;
+  board.analog_0 = 0;
+  const auto report = probe(board);
+  ASSERT_TRUE(report) << report.error().what;
+  EXPECT_EQ(report->profile.request_form, RequestForm::Ascii);
+  EXPECT_TRUE(report->request_form_proven);
+  EXPECT_FALSE(report->byte_order_proven);
+  // The line that the try in bytes left open was ended: the next request is understood.
+  board.asked.clear();
+  const std::string version = "v\r";
+  const auto answer = board.answer({reinterpret_cast<const std::uint8_t*>(version.data()), 2});
+  EXPECT_EQ(std::string(answer.begin(), answer.end()), "1.04");
+}
+
+TEST(Io7Probe, EchoPromptAfterRawAndOtherLineEndsAreFound) {
+  FakeBoard board;
+  board.echo = true;
+  const auto echoing = probe(board);
+  ASSERT_TRUE(echoing) << echoing.error().what;
+  EXPECT_TRUE(echoing->profile.echo);
+
+  FakeBoard prompting;
+  prompting.prompt = "IO7>";
+  prompting.prompt_after_raw = true;
+  const auto prompted = probe(prompting);
+  ASSERT_TRUE(prompted) << prompted.error().what;
+  EXPECT_TRUE(prompted->profile.prompt_after_raw);
+  EXPECT_EQ(prompted->profile.prompt.view(), "IO7>");
+
+  FakeBoard linefeed;
+  linefeed.line_end = "\n";
+  linefeed.prompt = "";
+  const auto fed = probe(linefeed);
+  ASSERT_TRUE(fed) << fed.error().what;
+  EXPECT_EQ(fed->profile.terminator, Terminator::Lf);
+}
+
+TEST(Io7Probe, OnlyListedLettersAreSent) {
+  FakeBoard board;
+  board.list = "h help\r\nv version\r\np psd\r\n";
+  board.verbose = false;
+  const auto report = probe(board);
+  ASSERT_TRUE(report) << report.error().what;
+  EXPECT_EQ(board.asked, "hvp");
+  EXPECT_FALSE(report->battery_cv.has_value());
+  EXPECT_TRUE(report->request_form_proven);
+}
+
+TEST(Io7Probe, ABoardThatListsNoVersionIsRefusedAndSentNothingElse) {
+  FakeBoard board;
+  board.list = "h help\r\nm motor\r\n";
+  const auto report = probe(board);
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().code, Errc::Unsupported);
+  EXPECT_EQ(board.asked, "h");
+}
+
+TEST(Io7Probe, SilenceIsATimeout) {
+  FakeBoard board;
+  board.silent = true;
+  EXPECT_EQ(probe(board).error().code, Errc::Timeout);
+}
+
+TEST(Io7Probe, AModemIsRefusedAndSentNothingButEnterAndTheListsLetter) {
+  Probe probe;
+  while (!probe.done()) {
+    for (const std::uint8_t byte : probe.step().send) {
+      EXPECT_THAT(byte, testing::AnyOf('\r', '\n', 'h'));
+    }
+    const std::string answer = "\r\nERROR\r\n";
+    probe.answer({reinterpret_cast<const std::uint8_t*>(answer.data()), answer.size()});
+  }
+  EXPECT_EQ(probe.report().error().code, Errc::Corrupt);
+}
+
+TEST(Io7Probe, OneLostAnswerIsAskedForAgain) {
+  for (int lost = 0; lost < 5; ++lost) {
+    FakeBoard board;
+    board.verbose = false;
+    Probe probe;
+    for (int step = 0; !probe.done(); ++step) {
+      const auto answer = board.answer(probe.step().send);
+      probe.answer(step == lost ? std::span<const std::uint8_t>{} : answer);
+    }
+    EXPECT_TRUE(probe.report()) << lost << probe.report().error().what;
+  }
+}
+
+TEST(Io7Probe, AnyAnswersEndItAndNeverMakeItSendWhatMoves) {
+  std::mt19937 random(5);
+  const std::string common = "hvVaOE \r\n>:123";
+  int finished = 0;
+  for (int round = 0; round < 5000; ++round) {
+    FakeBoard board;
+    board.binary = random() % 2 == 0;
+    board.verbose = random() % 2 == 0;
+    Probe probe;
+    for (int step = 0; step < 60 && !probe.done(); ++step) {
+      // The demo and the motor letter would be the first byte of a request.
+      ASSERT_THAT(probe.step().send[0],
+                  testing::AnyOf('\r', '\n', 'h', 'v', 'O', 'V', 'a', 'p', 'e', 'i'));
+      auto answer = board.answer(probe.step().send);
+      if (random() % 4 == 0) {
+        answer.resize(random() % 20);
+        for (auto& byte : answer)
+          byte = static_cast<std::uint8_t>(common[random() % common.size()]);
+      } else if (!answer.empty() && random() % 8 == 0) {
+        answer[random() % answer.size()] = static_cast<std::uint8_t>(random() & 0xFFU);
+      }
+      probe.answer(answer);
+    }
+    ASSERT_TRUE(probe.done());
+    finished += probe.report().has_value();
+  }
+  EXPECT_GT(finished, 100);
+}
+
+}  // namespace
+}  // namespace eyebridge::bridges::io7
