@@ -52,6 +52,7 @@ void read_statement(const Statement& s, ParameterFile& out, RobotBuilder& builde
     s.expect_arguments(1, keyword + " FILE");
     if (out.world || out.maze) s.fail(0, "a second world or maze: expected one");
     (keyword == "world" ? out.world : out.maze) = std::string(s.text(1));
+    out.world_where = s.where(1);
   } else if (keyword == "pause") {
     out.pause = on_or_off(s);
   } else if (keyword == "debug") {

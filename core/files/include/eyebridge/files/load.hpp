@@ -19,12 +19,15 @@ struct SearchPlaces {
 
 /// Loads a `.wld`, `.maz`, `.sim`, `.robi` (in an empty room) or EyeSim parameter file (`.p`) and
 /// everything it names. A world or maze without robots gets one robot of `default_robot` (a
-/// built-in one) at its first start pose, or at the free place nearest to its centre.
+/// built-in one) at its first start pose, or at the free place nearest to its centre. A floor
+/// texture that exists becomes an absolute path; it is looked for beside the world's file first.
 ///
 /// Throws ConfigError. Robots that would stand in a wall, an object or another robot are an error
-/// at the line that places them (a world's or maze's own start poses: at the file).
+/// at the line that places them: of a `.sim`, or the start position or letter. `robot_where` is
+/// where `default_robot` was said, for the message when there is no such robot.
 Scenario load_scenario(const std::filesystem::path& path, const std::string& default_robot = "S4",
-                       const SearchPlaces& places = {});
+                       const SearchPlaces& places = {},
+                       const SourceLocation& robot_where = {"default robot"});
 
 /// A built-in robot by name, case ignored ("S4", "LabBot", "Mouse"); null when there is none.
 /// Parsed on first use; any thread.
