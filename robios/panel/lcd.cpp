@@ -199,9 +199,11 @@ Result<void> Lcd::set_image_mode(int mode) {
 }
 
 Result<void> Lcd::set_image_window(const ImageWindow& window) {
-  if (window.width < 1 || window.height < 1) {
+  if (window.width < 1 || window.height < 1 || window.width > kLargest ||
+      window.height > kLargest) {
     return fail(Errc::OutOfRange, "image of " + std::to_string(window.width) + " x " +
-                                      std::to_string(window.height) + ", expected at least 1 x 1");
+                                      std::to_string(window.height) + ", expected 1 to " +
+                                      std::to_string(kLargest) + " pixels each way");
   }
   const std::lock_guard lock(mutex_);
   window_ = window;

@@ -12,11 +12,12 @@ namespace eyebridge::robios {
 /// The one place where C++ ends and C begins: nothing is thrown across it.
 ///
 /// Charges the call's cost to the robot's clock, runs `body(session)` and returns its value; on
-/// failure returns `failure` (the call's documented failure value), logs the reason once per device
-/// until it recovers, and keeps it for EYEBRIDGELastError().
+/// failure returns `failure` (the call's documented failure value), logs the reason (not again and
+/// again), and keeps it for EYEBRIDGELastError(). After the run's end nothing is done any more.
 template <class Value, class Body>
 Value guarded(std::string_view call, Value failure, Body&& body) {
   Session& session = Session::instance();  // ends the process itself on a ConfigError
+  if (!session.may_call(call)) return failure;
   try {
     session.charge(call);
     Result<Value> result = body(session);
@@ -29,6 +30,11 @@ Value guarded(std::string_view call, Value failure, Body&& body) {
     session.failed(call, Error{Errc::Corrupt, error.what()});
   }
   return failure;
+}
+
+/// For calls that have to write somewhere.
+inline tl::unexpected<Error> null_pointer() {
+  return fail(Errc::OutOfRange, "a null pointer was given");
 }
 
 }  // namespace eyebridge::robios

@@ -83,6 +83,13 @@ void RunOutput::frame(const camera::Frame& frame) {
   camera::write_png(frame, directory_ / "frames" / fmt::format("{:04}.png", frames_written_++));
 }
 
+void RunOutput::before_fork() {
+  mutex_.lock();
+  std::fflush(trace_.get());
+}
+
+void RunOutput::after_fork() { mutex_.unlock(); }
+
 void RunOutput::finish(const world::Scene* scene, const camera::Frame& lcd) {
   const std::lock_guard lock(mutex_);
   if (std::fflush(trace_.get()) != 0 || std::ferror(trace_.get()) != 0) {

@@ -26,6 +26,9 @@ class RunOutput final : public hal::TraceSink {
   void point(const hal::TracePoint& point) override;
   /// Keeps the first frames as frames/0000.png …
   void frame(const camera::Frame& frame);
+  /// Around fork(): the child must not write what the parent has in hand.
+  void before_fork();
+  void after_fork();
   /// Writes map.png and lcd.png. Throws std::runtime_error.
   void finish(const world::Scene* scene, const camera::Frame& lcd);
 

@@ -7,17 +7,21 @@
 #include <filesystem>
 #include <mutex>
 #include <optional>
-#include <set>
+#include <thread>
 
 #include <fmt/format.h>
+#include <pthread.h>
+#include <unistd.h>
 
 #include "camera_port.hpp"
 #include "costs.hpp"
 #include "eyebridge/camera/view.hpp"
 #include "eyebridge/hal/registry.hpp"
+#include "failures.hpp"
 #include "keys.hpp"
 #include "lcd.hpp"
 #include "lcd_mirror.hpp"
+#include "library_threads.hpp"
 #include "run_output.hpp"
 #include "signals.hpp"
 #include "stderr_log.hpp"
@@ -25,6 +29,11 @@
 
 namespace eyebridge::robios {
 namespace {
+
+enum class Stage { Running, Ended, Forked };
+
+// For the handlers of fork(), which may come at any time.
+std::atomic<Session*> the_session = nullptr;
 
 Severity lowest_severity(const hal::Config& config) {
   Severity severity = Severity::Warning;
@@ -114,10 +123,16 @@ struct Session::Impl {
   const std::chrono::steady_clock::time_point wall_start = std::chrono::steady_clock::now();
   std::once_flag ended;
 
-  mutable std::mutex failure_mutex;
-  std::set<std::string, std::less<>> failing;  ///< Calls whose last outcome was a logged failure.
-  std::atomic<bool> any_failing = false;       ///< Spares succeeded() the lock.
-  std::string last_error;
+  Failures failures;
+  std::atomic<Stage> stage = Stage::Running;
+  std::atomic<std::thread::id> ending_thread{};
+
+  /// exit() must be called by one thread only. True when that is the caller, now or before.
+  bool claim_end() {
+    std::thread::id nobody{};
+    const std::thread::id me = std::this_thread::get_id();
+    return ending_thread.compare_exchange_strong(nobody, me) || nobody == me;
+  }
 
   void update_mirror(bool force) {
     if (!mirror) return;
@@ -146,8 +161,10 @@ Session& Session::instance() {
   static Session* const session = [] {
     try {
       auto* made = new Session;
+      the_session = made;
       std::atexit([] { instance().end(); });
-      watch_signals([](int) { instance().end(); });
+      watch_forks();
+      watch_signals([](int) { instance().end(); }, [] { instance().look_around(); });
       return made;
     } catch (const ConfigError& error) {
       fmt::print(stderr, "eyebridge: {}\n", error.what());
@@ -155,6 +172,13 @@ Session& Session::instance() {
     std::exit(2);
   }();
   return *session;
+}
+
+Session* Session::with_own_time() {
+  Session* session = the_session;
+  if (session == nullptr || session->impl_->stage != Stage::Running) return nullptr;
+  const bool wall = !session->clock().is_virtual() && session->config().number("factor") == 1.0;
+  return wall ? nullptr : session;
 }
 
 Session::Session() : impl_(std::make_unique<Impl>()) {}
@@ -186,48 +210,71 @@ void Session::wait_until(Time deadline) {
     impl_->clock.wait_until(timer ? std::min(*timer, until) : until);
     impl_->timers.run_due();
     check_limit();
-    if (impl_->clock.now() >= deadline) return;
+    if (impl_->clock.now() >= deadline || impl_->stage != Stage::Running) return;
   }
 }
 
 void Session::check_limit() {
   if (!impl_->limit || impl_->clock.now() < *impl_->limit) return;
+  if (impl_->stage != Stage::Running || !impl_->claim_end()) return;
   impl_->log.write(Severity::Info,
                    fmt::format("the time limit of {} s is reached", to_seconds(*impl_->limit)));
   std::exit(0);
 }
 
+// Programs that wait for something else than the robot, or have only threads of ours left.
+void Session::look_around() {
+  if (impl_->stage != Stage::Running) return;
+  if (!impl_->clock.is_virtual()) check_limit();
+  if (only_library_threads_left() && impl_->claim_end()) std::exit(0);
+}
+
+bool Session::may_call(std::string_view call) const {
+  const Stage stage = impl_->stage;
+  if (stage == Stage::Forked) {
+    fmt::print(stderr,
+               "eyebridge: error: {}: called in a forked process; only the process that "
+               "started the robot can use it\n",
+               call);
+    _exit(1);
+  }
+  return stage == Stage::Running;
+}
+
+void Session::watch_forks() {
+  static constexpr auto visit = [](auto&& act) {
+    auto& output = the_session.load()->impl_->output;
+    if (output) act(*output);
+  };
+  pthread_atfork([] { visit([](RunOutput& output) { output.before_fork(); }); },
+                 [] { visit([](RunOutput& output) { output.after_fork(); }); },
+                 [] {
+                   visit([](RunOutput& output) { output.after_fork(); });
+                   the_session.load()->impl_->stage = Stage::Forked;
+                   leave_signals_alone();
+                 });
+}
+
 void Session::abort_run(const Error& error) {
+  while (!impl_->claim_end()) pause();  // another thread is ending the process already
   impl_->log.write(Severity::Error, error.what);
   std::exit(1);
 }
 
-void Session::succeeded(std::string_view call) {
-  if (!impl_->any_failing) return;
-  const std::lock_guard lock(impl_->failure_mutex);
-  const auto found = impl_->failing.find(call);
-  if (found != impl_->failing.end()) impl_->failing.erase(found);
-  impl_->any_failing = !impl_->failing.empty();
-}
+void Session::succeeded(std::string_view call) { impl_->failures.succeeded(call); }
 
 void Session::failed(std::string_view call, const Error& error) {
-  bool first = false;
-  {
-    const std::lock_guard lock(impl_->failure_mutex);
-    impl_->last_error = fmt::format("{}: {}", call, error.what);
-    first = impl_->failing.insert(std::string(call)).second;
-    impl_->any_failing = true;
-  }
-  if (first) impl_->log.write(Severity::Warning, fmt::format("{}: {}", call, error.what));
+  if (!impl_->failures.add(call, error)) return;
+  impl_->log.write(Severity::Warning, fmt::format("{}: {}", call, error.what));
 }
 
-std::string Session::last_error() const {
-  const std::lock_guard lock(impl_->failure_mutex);
-  return impl_->last_error;
-}
+std::string Session::last_error() const { return impl_->failures.last(); }
 
 void Session::end() noexcept {
+  if (impl_->stage == Stage::Forked) return;
   std::call_once(impl_->ended, [this] {
+    impl_->claim_end();
+    impl_->stage = Stage::Ended;
     restore_terminal();
     impl_->timers.stop();
     impl_->backend->stop();
@@ -237,6 +284,7 @@ void Session::end() noexcept {
     } catch (const std::exception& error) {
       impl_->log.write(Severity::Error, error.what());
     }
+    impl_->backend->stop();  // again: a call of another thread may have been under way
   });
 }
 

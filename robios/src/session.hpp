@@ -26,6 +26,9 @@ class Session {
   /// ConfigError is printed and ends the process with exit code 2, before the call returns.
   static Session& instance();
 
+  /// The session when it runs and its clock is not the wall clock; else null. Starts nothing.
+  static Session* with_own_time();
+
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
@@ -43,6 +46,10 @@ class Session {
   /// Waits until `deadline` on the robot's clock; timers run meanwhile.
   void wait_until(Time deadline);
 
+  /// False once the run has ended: threads that still call must not start the motors again. Ends a
+  /// forked process with a message: a robot has one program.
+  [[nodiscard]] bool may_call(std::string_view call) const;
+
   /// Ends the program with exit code 1 and this message: it cannot go on in any sensible way.
   [[noreturn]] void abort_run(const Error& error);
 
@@ -59,6 +66,8 @@ class Session {
   Session();
   ~Session();
   void check_limit();
+  void look_around();
+  static void watch_forks();
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

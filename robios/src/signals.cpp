@@ -1,5 +1,6 @@
 #include "signals.hpp"
 
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <system_error>
@@ -18,22 +19,38 @@ namespace {
 // A handler may do next to nothing: it writes the signal's number into this pipe, a thread reads
 // it.
 int wake_up[2] = {-1, -1};
+pid_t owner = 0;
 
 void on_signal(int signal) {
+  if (getpid() != owner) {  // a child of fork(), before it could leave_signals_alone()
+    ::signal(signal, SIG_DFL);
+    raise(signal);
+    return;
+  }
   const int saved = errno;
   const auto number = static_cast<unsigned char>(signal);
   [[maybe_unused]] const ssize_t written = write(wake_up[1], &number, 1);
   errno = saved;
 }
 
-// How long a process lives on after its last thread but ours.
+constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
 constexpr int kLookPeriod_ms = 100;
 
-void wait_for_signal(void (*stop)(int)) {
+/// A main thread that left by pthread_exit() takes no signals, and libraries' threads block them.
+void take_signals_without_main() {
+  if (!main_thread_has_left()) return;
+  sigset_t ours;
+  sigemptyset(&ours);
+  for (const int signal : kSignals) sigaddset(&ours, signal);
+  pthread_sigmask(SIG_UNBLOCK, &ours, nullptr);
+}
+
+void wait_for_signal(void (*stop)(int), void (*look)()) {
   pthread_setname_np(pthread_self(), "eb:signals");
   pollfd pipe{wake_up[0], POLLIN, 0};
   while (poll(&pipe, 1, kLookPeriod_ms) <= 0) {
-    if (only_library_threads_left()) std::exit(0);
+    take_signals_without_main();
+    look();
   }
   unsigned char number = 0;
   if (read(wake_up[0], &number, 1) != 1) return;
@@ -44,7 +61,8 @@ void wait_for_signal(void (*stop)(int)) {
 
 }  // namespace
 
-void watch_signals(void (*stop)(int signal)) {
+void watch_signals(void (*stop)(int signal), void (*look)()) {
+  owner = getpid();
   if (pipe2(wake_up, O_CLOEXEC) != 0) {
     throw std::system_error(errno, std::generic_category(), "pipe for signals");
   }
@@ -53,10 +71,10 @@ void watch_signals(void (*stop)(int signal)) {
   sigset_t before;
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);
-  std::thread(wait_for_signal, stop).detach();
+  std::thread(wait_for_signal, stop, look).detach();
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
 
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  for (const int signal : kSignals) {
     struct sigaction present {};
     sigaction(signal, nullptr, &present);
     if (present.sa_handler != SIG_DFL) continue;
@@ -64,6 +82,14 @@ void watch_signals(void (*stop)(int signal)) {
     ours.sa_handler = on_signal;
     ours.sa_flags = SA_RESTART;
     sigaction(signal, &ours, nullptr);
+  }
+}
+
+void leave_signals_alone() {
+  for (const int signal : kSignals) {
+    struct sigaction present {};
+    sigaction(signal, nullptr, &present);
+    if (present.sa_handler == on_signal) ::signal(signal, SIG_DFL);
   }
 }
 

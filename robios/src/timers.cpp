@@ -61,13 +61,13 @@ std::optional<Time> Timers::earliest() const {
 std::optional<Time> Timers::next_due() const {
   if (!clock_.is_virtual() || in_callback) return std::nullopt;
   const std::lock_guard lock(mutex_);
-  return stopping_ ? std::nullopt : earliest();
+  return stopping_ || calling_ ? std::nullopt : earliest();
 }
 
 void Timers::run_due() {
   if (!clock_.is_virtual() || in_callback) return;
   std::unique_lock lock(mutex_);
-  if (stopping_ || entries_.empty()) return;
+  if (stopping_ || calling_ || entries_.empty()) return;
   call_due(clock_.now(), lock);
 }
 
@@ -79,11 +79,14 @@ void Timers::call_due(Time now, std::unique_lock<std::mutex>& lock) {
     const auto missed = (now - entry.due) / entry.period;
     entry.due += (missed + 1) * entry.period;
   }
+  if (due.empty()) return;
+  calling_ = true;
   lock.unlock();
   in_callback = true;
   for (const Callback callback : due) callback();
   in_callback = false;
   lock.lock();
+  calling_ = false;
 }
 
 void Timers::run_thread() {

@@ -52,6 +52,7 @@ class Timers {
   std::map<int, Entry> entries_;
   int next_handle_ = 1;
   bool stopping_ = false;
+  bool calling_ = false;  ///< One thread is in callbacks: as on the robot, never two at once.
   std::thread thread_;
 };
 

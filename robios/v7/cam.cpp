@@ -72,6 +72,7 @@ int CAMRelease(void) {
 
 int CAMGet(BYTE* buf) {
   return robios::guarded("CAMGet", CAM_FAILURE, [&](Session& session) -> Result<int> {
+    if (buf == nullptr) return robios::null_pointer();
     return session.camera().next().map([&](const camera::FramePtr& frame) {
       for (int y = 0; y < frame->height; ++y) {
         const auto row = frame->row(y);
@@ -84,6 +85,7 @@ int CAMGet(BYTE* buf) {
 
 int CAMGetGray(BYTE* buf) {
   return robios::guarded("CAMGetGray", CAM_FAILURE, [&](Session& session) -> Result<int> {
+    if (buf == nullptr) return robios::null_pointer();
     return session.camera().next().map([&](const camera::FramePtr& frame) {
       const camera::Frame grey = camera::to_grey8(*frame);
       for (int y = 0; y < grey.height; ++y) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "eyebridge/base/units.hpp"
 
@@ -8,11 +10,17 @@ namespace eyebridge::robios {
 
 // RoBIOS speaks whole millimetres and degrees; these are the only places where they are made.
 
-inline int to_mm(double metres) { return static_cast<int>(std::lround(m_to_mm(metres))); }
-inline int to_deg(double radians) { return static_cast<int>(std::lround(rad_to_deg(radians))); }
+/// To the nearest whole number; what an int cannot hold becomes the largest or smallest int.
+inline int to_whole(double value) {
+  constexpr double kMost = std::numeric_limits<int>::max();
+  constexpr double kLeast = std::numeric_limits<int>::min();
+  return static_cast<int>(std::lround(std::clamp(value, kLeast, kMost)));
+}
+inline int to_mm(double metres) { return to_whole(m_to_mm(metres)); }
+inline int to_deg(double radians) { return to_whole(rad_to_deg(radians)); }
 
-/// Writes `value` where `out` points, if it points anywhere: programs pass NULL for what they do not
-/// want.
+/// Writes `value` where `out` points, if it points anywhere: programs pass NULL for what they do
+/// not want.
 inline void store(int* out, int value) {
   if (out != nullptr) *out = value;
 }

@@ -55,7 +55,7 @@ template <class Work, class... Pointers>
 int processing(std::string_view call, int failure, Work&& work, const Pointers*... images) {
   return guarded(call, failure, [&](Session&) -> Result<int> {
     if ((... || (images == nullptr))) {
-      return fail(Errc::OutOfRange, "a null pointer was given");
+      return eyebridge::robios::null_pointer();
     }
     const Image image{{IP_WIDTH, IP_HEIGHT}};
     if (image.size.width < 1 || image.size.height < 1) {

@@ -7,6 +7,7 @@ using eyebridge::fail;
 using eyebridge::Result;
 using eyebridge::Time;
 using eyebridge::robios::guarded;
+using eyebridge::robios::null_pointer;
 using eyebridge::robios::Session;
 using eyebridge::robios::TouchPoint;
 
@@ -30,10 +31,6 @@ Result<Value> or_end(Session& session, Result<Value> waited) {
 
 Result<int> wait_for_key(Session& session, int mask) {
   return or_end(session, session.keys().wait(mask, session_wait(session)));
-}
-
-tl::unexpected<eyebridge::Error> null_pointer() {
-  return fail(Errc::OutOfRange, "a null pointer was given");
 }
 
 }  // namespace

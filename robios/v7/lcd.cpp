@@ -15,8 +15,8 @@ using eyebridge::fail;
 using eyebridge::Result;
 using eyebridge::Rgb;
 using eyebridge::robios::guarded;
-using eyebridge::robios::ImageWindow;
 using eyebridge::robios::Lcd;
+using eyebridge::robios::null_pointer;
 using eyebridge::robios::Session;
 
 int LCD_INITIAL = 1;
@@ -44,10 +44,6 @@ Rgb rgb(COLOR colour) {
   const auto bits = static_cast<unsigned>(colour);
   return {static_cast<std::uint8_t>((bits >> 16) & 0xFF),
           static_cast<std::uint8_t>((bits >> 8) & 0xFF), static_cast<std::uint8_t>(bits & 0xFF)};
-}
-
-tl::unexpected<eyebridge::Error> null_pointer() {
-  return fail(Errc::OutOfRange, "a null pointer was given");
 }
 
 /// Most calls just draw: they cannot fail.

@@ -63,6 +63,7 @@ int LIDARSet(int range, int tilt, int points) {
 
 int LIDARGet(int distance[]) {
   return robios::guarded("LIDARGet", 1, [&](robios::Session& session) -> Result<int> {
+    if (distance == nullptr) return robios::null_pointer();
     const std::lock_guard lock(scan_mutex);
     return find(session).and_then([&](hal::Lidar* lidar) -> Result<int> {
       std::vector<int> ranges;
@@ -76,6 +77,7 @@ int LIDARGet(int distance[]) {
 
 int SIMLaserScan(int scan_out[]) {
   return robios::guarded("SIMLaserScan", 1, [&](robios::Session& session) -> Result<int> {
+    if (scan_out == nullptr) return robios::null_pointer();
     const std::lock_guard lock(scan_mutex);
     return find(session).and_then([&](hal::Lidar* lidar) -> Result<int> {
       std::vector<int> ranges;

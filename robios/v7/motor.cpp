@@ -51,8 +51,12 @@ int MOTORPIDOff(int motor) {
 }
 
 int MOTORSpeed(int motor, int ticks) {
-  // Ticks per 1/100 s, as the IO7 board counts them.
-  return on_motor("MOTORSpeed", motor, [&](hal::Motor& m) { return m.set_speed(ticks * 100.0); });
+  return on_motor("MOTORSpeed", motor, [&](hal::Motor& m) -> Result<void> {
+    if (ticks < -128 || ticks > 127) {
+      return fail(Errc::OutOfRange, fmt::format("{} ticks per 1/100 s, expected -128..127", ticks));
+    }
+    return m.set_speed(ticks * 100.0);
+  });
 }
 
 int ENCODERRead(int quad) {

@@ -45,9 +45,8 @@ int OSWait(int n) {
 TIMER OSAttachTimer(int scale, void (*fct)(void)) {
   return robios::guarded("OSAttachTimer", 0, [&](Session& session) -> Result<int> {
     if (scale <= 0 || fct == nullptr) {
-      return fail(
-          Errc::OutOfRange,
-          fmt::format("OSAttachTimer({}): a timer needs a function and at least 1 ms", scale));
+      return fail(Errc::OutOfRange,
+                  fmt::format("a timer needs a function and at least 1 ms, found {} ms", scale));
     }
     return session.timers().attach(milliseconds(scale), fct);
   });
@@ -82,6 +81,7 @@ int OSGetCount(void) {
 
 char* OSExecute(const char* command) {
   return robios::guarded("OSExecute", static_cast<char*>(nullptr), [&](Session&) -> Result<char*> {
+    if (command == nullptr) return robios::null_pointer();
     struct Close {
       void operator()(std::FILE* pipe) const { pclose(pipe); }
     };
@@ -99,6 +99,7 @@ char* OSExecute(const char* command) {
 
 int OSVersion(char* buf) {
   return robios::guarded("OSVersion", 1, [&](Session&) -> Result<int> {
+    if (buf == nullptr) return robios::null_pointer();
     std::strcpy(buf, VERSION);
     return 0;
   });
@@ -106,6 +107,7 @@ int OSVersion(char* buf) {
 
 int OSVersionIO(char* buf) {
   return robios::guarded("OSVersionIO", 1, [&](Session&) -> Result<int> {
+    if (buf == nullptr) return robios::null_pointer();
     buf[0] = '\0';
     return fail(Errc::Unsupported, "a simulated robot has no IO board");
   });
@@ -122,6 +124,7 @@ int OSMachineType(void) {
 
 int OSMachineName(char* buf) {
   return robios::guarded("OSMachineName", 1, [&](Session&) -> Result<int> {
+    if (buf == nullptr) return robios::null_pointer();
     std::strcpy(buf, MACHINE_NAME);
     return 0;
   });

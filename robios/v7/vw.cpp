@@ -83,7 +83,7 @@ int VWTurn(int angle, int ang_speed) {
 int VWCurve(int dist, int angle, int lin_speed) {
   // As in EyeSim: no distance, no motion; driven backwards, the same turn of the wheels turns the
   // heading the other way.
-  const double turn = dist == 0 ? 0.0 : deg_to_rad(dist < 0 ? -angle : angle);
+  const double turn = dist == 0 ? 0.0 : deg_to_rad(angle) * (dist < 0 ? -1.0 : 1.0);
   return start("VWCurve", {mm_to_m(dist), turn, magnitude_mm(lin_speed)});
 }
 
@@ -91,7 +91,7 @@ int VWDrive(int dx, int dy, int lin_speed) {
   if (dx <= std::abs(static_cast<long>(dy))) {
     return robios::guarded("VWDrive", 1, [&](Session&) -> Result<int> {
       return fail(Errc::OutOfRange,
-                  fmt::format("VWDrive({}, {}): the point must lie ahead, dx > |dy|", dx, dy));
+                  fmt::format("the point {}, {} must lie ahead: dx > |dy|", dx, dy));
     });
   }
   // The circle through the robot, tangent to its heading, and the point: half the turn is the

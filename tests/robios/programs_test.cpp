@@ -1,25 +1,22 @@
 // Real programs, compiled against eyebot.h, run as users run them: the C API from outside.
 
-#include <gtest/gtest.h>
-
 #include <filesystem>
 
-#include "run_program.hpp"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "named_program.hpp"
 
 namespace eyebridge {
 namespace {
 
 using ::testing::HasSubstr;
 using testing::ProgramRun;
+using testing::run_named;
 using testing::ScratchFolder;
 
-ProgramRun run(const std::string& name, std::map<std::string, std::string> settings = {}) {
-  settings.emplace("EYEBRIDGE_FAST", "true");
-  return testing::run_program({{std::string(EYEBRIDGE_TEST_PROGRAMS) + "/" + name}, settings, ""});
-}
-
 TEST(Programs, ATextBookProgramDrivesSeesAndShows) {
-  const ProgramRun r = run("textbook", {{"EYEBRIDGE_KEYS", "KEY1@1s,KEY2@2s,KEY4@60s"}});
+  const ProgramRun r = run_named("textbook", {{"EYEBRIDGE_KEYS", "KEY1@1s,KEY2@2s,KEY4@60s"}});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_EQ(r.err, "");
   EXPECT_THAT(r.out, HasSubstr("key 1\n"));
@@ -31,7 +28,7 @@ TEST(Programs, ATextBookProgramDrivesSeesAndShows) {
 }
 
 TEST(Programs, ClocksAndTimersFollowVirtualTimeExactly) {
-  const ProgramRun r = run("clocks");
+  const ProgramRun r = run_named("clocks");
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("waited 1500\n"));
   EXPECT_THAT(r.out, HasSubstr("handles differ\n"));
@@ -42,7 +39,7 @@ TEST(Programs, ClocksAndTimersFollowVirtualTimeExactly) {
 }
 
 TEST(Programs, SettingWhatWasReadChangesNothing) {
-  const ProgramRun r = run("sim_calls");
+  const ProgramRun r = run_named("sim_calls");
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("identity 1\n"));
   EXPECT_THAT(r.out, HasSubstr("robots 1 objects 0\n"));
@@ -51,7 +48,7 @@ TEST(Programs, SettingWhatWasReadChangesNothing) {
 }
 
 TEST(Programs, SensorsReadWhatGeometrySays) {
-  const ProgramRun r = run("sensors");
+  const ProgramRun r = run_named("sensors");
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("no such psd -1: PSDGet: this robot has no PSD 42\n"));
   EXPECT_THAT(r.out, HasSubstr("lidar 500 1000 1500 1000\n"));
@@ -61,7 +58,7 @@ TEST(Programs, SensorsReadWhatGeometrySays) {
 }
 
 TEST(Programs, DrivingEndsWhereItShould) {
-  const ProgramRun r = run("driving");
+  const ProgramRun r = run_named("driving");
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("done 0 remain about half\ndone 1 remain 0\n"));
   EXPECT_THAT(r.out, HasSubstr("straight 200 0 0\nback -200 0 0\nturn 0 0 -90\nturn 0 0 90\n"));
@@ -74,7 +71,7 @@ TEST(Programs, DrivingEndsWhereItShould) {
 }
 
 TEST(Programs, MotorsAndServosAnswerByNumber) {
-  const ProgramRun r = run("motors");
+  const ProgramRun r = run_named("motors");
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("ticks fine\nreset 0\n"));
   EXPECT_THAT(r.out, HasSubstr("no motor 1, no encoder 1\n"));
@@ -83,28 +80,30 @@ TEST(Programs, MotorsAndServosAnswerByNumber) {
 
 TEST(Programs, ThreadsMayCallTogetherAndOutliveMain) {
   for (const char* fast : {"true", "false"}) {
-    const ProgramRun r = run("threads", {{"EYEBRIDGE_FAST", fast}, {"EYEBRIDGE_FACTOR", "20"}});
+    const ProgramRun r =
+        run_named("threads", {{"EYEBRIDGE_FAST", fast}, {"EYEBRIDGE_FACTOR", "20"}});
     EXPECT_EQ(r.exit_code, 0) << r.err;
     EXPECT_THAT(r.out, HasSubstr("drove\n"));
   }
 }
 
 TEST(Programs, ATimeLimitEndsAnEndlessProgram) {
-  const ProgramRun r = run("endless", {{"EYEBRIDGE_TIME_LIMIT", "5s"}, {"EYEBRIDGE_LOG", "info"}});
+  const ProgramRun r =
+      run_named("endless", {{"EYEBRIDGE_TIME_LIMIT", "5s"}, {"EYEBRIDGE_LOG", "info"}});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.err, HasSubstr("time limit of 5 s"));
 }
 
 TEST(Programs, WaitingForAKeyThatCannotComeIsAnError) {
-  const ProgramRun r = run("textbook");
+  const ProgramRun r = run_named("textbook");
   EXPECT_EQ(r.exit_code, 1);
   EXPECT_THAT(r.err, HasSubstr("--keys"));
 }
 
 TEST(Programs, ResultsGoWhereTheyAreAskedFor) {
   const ScratchFolder folder;
-  const ProgramRun r =
-      run("textbook", {{"EYEBRIDGE_KEYS", "KEY1@0s,KEY4@60s"}, {"EYEBRIDGE_OUT", folder.path()}});
+  const ProgramRun r = run_named(
+      "textbook", {{"EYEBRIDGE_KEYS", "KEY1@0s,KEY4@60s"}, {"EYEBRIDGE_OUT", folder.path()}});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   for (const char* name : {"map.png", "lcd.png", "frames/0000.png", "trace.csv"}) {
     EXPECT_GT(std::filesystem::file_size(folder.path() + "/" + name), 100U) << name;
@@ -118,7 +117,7 @@ TEST(Programs, TheSameRunGivesTheSameTrace) {
   const ScratchFolder a;
   const ScratchFolder b;
   for (const ScratchFolder* folder : {&a, &b}) {
-    ASSERT_EQ(run("driving", {{"EYEBRIDGE_OUT", folder->path()}}).exit_code, 0);
+    ASSERT_EQ(run_named("driving", {{"EYEBRIDGE_OUT", folder->path()}}).exit_code, 0);
   }
   const std::string first = testing::file_text(a.path() + "/trace.csv");
   EXPECT_GT(first.size(), 1000U);
@@ -126,7 +125,7 @@ TEST(Programs, TheSameRunGivesTheSameTrace) {
 }
 
 TEST(Programs, ABadSettingEndsTheProgramBeforeItsFirstCallReturns) {
-  const ProgramRun r = run("clocks", {{"EYEBRIDGE_HAL", "simm"}});
+  const ProgramRun r = run_named("clocks", {{"EYEBRIDGE_HAL", "simm"}});
   EXPECT_EQ(r.exit_code, 2);
   EXPECT_THAT(r.err, HasSubstr("EYEBRIDGE_HAL"));
   EXPECT_THAT(r.err, HasSubstr("simm"));

@@ -66,7 +66,7 @@ int LCDCircle(int x1, int y1, int size, COLOR col, int fill);
 int LCDImageSize(int t);
 /**
  * Place and size in pixels of the images that follow, until LCDImageSize(). Must be the image's
- * real size. 1 for a size below 1. A later CAMInit() does not change it.
+ * real size. 1 for a size outside 1..4096. A later CAMInit() does not change it.
  */
 int LCDImageStart(int x, int y, int xs, int ys);
 /** Shows a colour image, 3 bytes a pixel. Fails on a null pointer, as the next two. */

@@ -4,15 +4,22 @@
 
 /**
  * Sets servo 1..14 to a position 0..255, 128 in the middle (0 is a position in simulation, power
- * off on a robot). Servo 1 pans and servo 2 tilts the camera. 1 for values outside.
+ * off on a robot). Servo 1 pans and servo 2 tilts the camera; a simulated robot has only these two.
+ * 1 for a servo that the robot does not have and for positions outside.
  */
 int SERVOSet(int servo, int angle);
 /** As SERVOSet(), past the robot's table. */
 int SERVOSetRaw(int servo, int angle);
-/** Pulse lengths of positions 0 and 255, in 1/100 ms. */
+/**
+ * Pulse lengths of positions 0 and 255, in 1/100 ms: 0 <= low < high <= 255, else 1. Nothing changes
+ * in simulation, as in EyeSim.
+ */
 int SERVORange(int servo, int low, int high);
 
-/** Drives motor 1..4 with -100..100 percent; 1 is left and 2 right on a differential robot. */
+/**
+ * Drives motor 1..4 with -100..100 percent, more counts as 100; 1 is left and 2 right on a
+ * differential robot. 1 for a motor that the robot does not have, here and below.
+ */
 int MOTORDrive(int motor, int speed);
 /** As MOTORDrive(), past the robot's table. */
 int MOTORDriveRaw(int motor, int speed);
@@ -22,7 +29,7 @@ int MOTORPID(int motor, int p, int i, int d);
 int MOTORPIDOff(int motor);
 /**
  * Drives a motor at a controlled speed in encoder ticks per 1/100 second, -128..127 (the sources
- * disagree on the unit; this is the I/O board's).
+ * disagree on the unit; this is the I/O board's). 1 for values outside.
  */
 int MOTORSpeed(int motor, int ticks);
 
@@ -44,9 +51,13 @@ int VWGetPosition(int* x, int* y, int* phi);
 int VWStraight(int dist, int lin_speed);
 /** Turns on the spot by angle degrees, left when positive; may exceed 360. */
 int VWTurn(int angle, int ang_speed);
-/** Drives an arc of dist mm while turning by angle degrees. */
+/**
+ * Drives an arc of dist mm while turning by angle degrees. Backwards when dist is negative; the
+ * heading then changes by -angle, as in EyeSim. dist 0 moves nothing.
+ */
 int VWCurve(int dist, int angle, int lin_speed);
-/** Drives an arc to the point dx ahead and dy to the left, mm. 1 unless dx > |dy|. */
+/** Drives an arc to the point dx ahead and dy to the left, mm. 1 unless dx > |dy|, and nothing
+ * changes then. */
 int VWDrive(int dx, int dy, int lin_speed);
 /** Distance still to go, in mm; 0 for turns and when nothing is under way. */
 int VWRemain(void);
@@ -56,9 +67,9 @@ int VWDone(void);
 int VWWait(void);
 /** Motors that are stuck: 0 none, 1 left, 2 right, 3 both. */
 int VWStalled(void);
-/** Parameters of the v and w controllers; typical 70, 30, 70, 10. */
+/** Parameters of the v and w controllers; typical 70, 30, 70, 10. In simulation always 1. */
 int VWControl(int Vv, int Tv, int Vw, int Tw);
-/** Switches the v-omega controller off; the next driving command switches it on. */
+/** Switches the v-omega controller off. In simulation always 1: it cannot be. */
 int VWControlOff(void);
 
 /* Old names of VWRemain(), VWDone() and VWWait(). */

@@ -16,23 +16,27 @@ int OSVersionIO(char* buf);
 int OSMachineSpeed(void);
 /** VEHICLE, PLATFORM or WALKER. */
 int OSMachineType(void);
-/** Copies the robot's name to buf, at most 100 bytes with the closing zero. */
+/** Copies the machine's name, MACHINE_NAME, to buf, at most 100 bytes with the closing zero. */
 int OSMachineName(char* buf);
 /** Number of this robot. */
 int OSMachineID(void);
 
-/** Waits n milliseconds on the robot's clock; timers go on. Below 0 counts as 0. */
+/**
+ * Waits n milliseconds on the robot's clock; timers go on. Below 0 counts as 0. So do sleep(),
+ * usleep() and nanosleep() once the program has called RoBIOS.
+ */
 int OSWait(int n);
 /**
  * Calls fct every `scale` milliseconds on the robot's clock until OSDetachTimer(). The function may
- * call RoBIOS. Returns a handle, 0 on failure (null function, scale below 1).
+ * call RoBIOS. In real time it has a thread of its own; in virtual time it is called between two calls
+ * of the program, in whose thread it must not wait for a mutex. Returns a handle, 0 on failure (null function, scale below 1).
  */
 TIMER OSAttachTimer(int scale, void (*fct)(void));
 /** Ends a timer. 1 for an unknown handle. */
 int OSDetachTimer(TIMER t);
 /**
  * Time of day: hours, minutes, seconds and thousandths of a second (one header says 1/100 s; every
- * program counts in 1/1000 s). Null pointers are left out.
+ * program counts in 1/1000 s). Virtual time starts at midnight. Null pointers are left out.
  */
 int OSGetTime(int* hrs, int* mins, int* secs, int* ticks);
 /** Milliseconds since the program started (one header says 1/100 s). */

@@ -18,12 +18,12 @@ extern int LIDAR_RESOLUTION;
 /**
  * Fills distance[0 … points-1], in mm, 9999 where nothing is hit. A full scan starts straight
  * behind and goes clockwise seen from above: of 360 values, 90 is left, 180 front, 270 right. A
- * part scan goes from its left end to its right end.
+ * part scan goes from its left end to its right end. Fails on a null pointer.
  */
 int LIDARGet(int distance[]);
 /**
  * Range 1..360 degrees centred on the front, tilt in degrees (positive down), number of points
- * (at least 1). 1 for values outside.
+ * (2..36000). 1 for values outside; the shape then stays.
  */
 int LIDARSet(int range, int tilt, int points);
 

@@ -18,7 +18,8 @@ extern int IP_WIDTH, IP_HEIGHT, IP_PIXELS, IP_SIZE;
 int CAMInit(int resolution);
 /** Stops the camera. 0. */
 int CAMRelease(void);
-/** Waits for the next colour frame: CAMSIZE bytes R, G, B. 1 when CAMInit() was not called. */
+/** Waits for the next colour frame: CAMSIZE bytes R, G, B. 1 when CAMInit() was not
+ * called, after CAMRelease(), and for a null pointer. */
 int CAMGet(BYTE* buf);
 /** Waits for the next frame in grey: CAMPIXELS bytes. Fails as CAMGet(). */
 int CAMGetGray(BYTE* buf);

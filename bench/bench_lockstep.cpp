@@ -1,0 +1,95 @@
+// A robot program in lockstep, through the C API, against the bare simulation in the same run.
+
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+#include <unistd.h>
+
+#include "eyebridge/robot/simulation.hpp"
+#include "eyebridge/world/world_model.hpp"
+#include <eyebot.h>
+
+namespace eyebridge {
+namespace {
+
+/// The library reads its configuration at the first call.
+const bool configured = [] {
+  setenv("EYEBRIDGE_FAST", "true", 1);
+  setenv("EYEBRIDGE_KEYS", "KEY1@1e9s", 1);  // a script, so that no terminal is asked
+  return true;
+}();
+
+void per_second(benchmark::State& state, const char* name, double amount) {
+  state.counters[name] = benchmark::Counter(amount, benchmark::Counter::kIsRate);
+}
+
+/// One step of 10 ms after the other, nobody asking.
+void bare_simulation(benchmark::State& state) {
+  auto room = std::make_shared<world::WorldModel>();
+  room->width = room->height = 2.0;
+  robot::Simulation sim(std::shared_ptr<const world::WorldModel>(room), {});
+  sim.add_robot({}, {1.0, 1.0, 0.0});
+  sim.set_speed(0, {0.0, 0.5});
+  for (auto _ : state) sim.step();
+  per_second(state, "simulated_s/s", 0.010 * static_cast<double>(state.iterations()));
+}
+BENCHMARK(bare_simulation);
+
+/// What a robot program does all day, 100 times a second of its clock. Target: 5,000.
+void poll_and_wait(benchmark::State& state) {
+  VWSetSpeed(0, 30);
+  const int start = OSGetCount();
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(PSDGet(PSD_FRONT));
+    OSWait(10);
+  }
+  // In an int, as programs have it, a long run of milliseconds turns over: unsigned counts right.
+  const unsigned passed = static_cast<unsigned>(OSGetCount()) - static_cast<unsigned>(start);
+  per_second(state, "simulated_s/s", passed / 1000.0);
+}
+BENCHMARK(poll_and_wait);
+
+void lcd_printf(benchmark::State& state) {
+  int i = 0;
+  for (auto _ : state) LCDSetPrintf(0, 0, "PSD %5d", ++i);
+}
+BENCHMARK(lcd_printf);
+
+void lcd_image_qvga(benchmark::State& state) {
+  std::vector<BYTE> image(QVGA_SIZE, 128);
+  LCDImageSize(QVGA);
+  for (auto _ : state) LCDImage(image.data());
+}
+BENCHMARK(lcd_image_qvga);
+
+void key_read(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(KEYRead());
+}
+BENCHMARK(key_read);
+
+/// Megabytes of this process in memory; of proc(5), /proc/self/statm, second number, in pages.
+double resident_megabytes() {
+  long pages = 0;
+  std::FILE* file = std::fopen("/proc/self/statm", "r");
+  if (file == nullptr || std::fscanf(file, "%*d %ld", &pages) != 1) std::abort();
+  std::fclose(file);
+  return static_cast<double>(pages * sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+/// A frame with everything around it; rss_MB is the whole process with the renderer on, target 150.
+void camera_qvga(benchmark::State& state) {
+  std::vector<BYTE> image(QVGA_SIZE);
+  if (CAMInit(QVGA) != CAM_SUCCESS) {
+    state.SkipWithError("no camera");
+    return;
+  }
+  for (auto _ : state) CAMGet(image.data());
+  state.counters["rss_MB"] = resident_megabytes();
+}
+BENCHMARK(camera_qvga)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace eyebridge
