@@ -42,16 +42,27 @@ void load_parameters(const std::filesystem::path& path, const SearchPlaces& plac
   Placer(scenario).place_at_start(file.robot, {name, 0, 0});
 }
 
+/// Whether `robot` could be the only one in `scenario`.
+bool has_room_for(const robot::RobotModel& robot, const Scenario& scenario) {
+  Scenario trial;
+  trial.world = scenario.world;
+  trial.start_places = scenario.start_places;
+  try {
+    Placer(trial).place_at_start(robot, {});
+    return true;
+  } catch (const ConfigError&) {
+    return false;
+  }
+}
+
 /// Places the robot that the settings name; where it is too big for a maze, the message says which
 /// one is not.
 void place_default(Scenario& scenario, const robot::RobotModel& robot,
                    const SourceLocation& where) {
-  Placer placer(scenario);
   try {
-    placer.place_at_start(robot, where);
+    Placer(scenario).place_at_start(robot, where);
   } catch (const ConfigError& error) {
-    const robot::RobotModel* mouse = builtin_robot("Mouse");
-    if (!scenario.world.maze || !placer.has_room_for(*mouse)) throw;
+    if (!scenario.world.maze || !has_room_for(*builtin_robot("Mouse"), scenario)) throw;
     throw ConfigError(error.where(), error.text() + "; a smaller robot fits: --robot Mouse");
   }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "text.hpp"
@@ -59,8 +60,15 @@ std::vector<Vec2> candidates(const world::WorldModel& world, double radius) {
 Placer::Placer(Scenario& scenario)
     : scenario_(scenario), world_(std::make_shared<const world::WorldModel>(scenario.world)) {}
 
-bool Placer::is_free(Vec2 centre, double radius) const {
-  return robot_at(centre, radius) == nullptr && world_.is_free(centre, radius - kSlack);
+bool Placer::add(Vec2 centre, const robot::RobotModel& robot) {
+  const double radius = robot.radius();
+  if (!world_.is_free(centre, radius - kSlack)) return false;
+  try {
+    world_.add_robot({centre.x, centre.y, 0}, radius, robot.height, {});
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
 }
 
 const RobotPlacement* Placer::robot_at(Vec2 centre, double radius) const {
@@ -93,24 +101,11 @@ std::string Placer::obstacle_at(Vec2 centre, double radius) const {
   return "the wall from " + at(nearest->a) + " to " + at(nearest->b);
 }
 
-std::optional<Vec2> Placer::free_place(double radius) const {
-  for (const Vec2 place : candidates(scenario_.world, radius)) {
-    if (is_free(place, radius)) return place;
-  }
-  return std::nullopt;
-}
-
-void Placer::place(std::size_t model, const Pose& pose, const SourceLocation& where) {
-  const robot::RobotModel& robot = scenario_.models[model];
-  if (!is_free(pose.position(), robot.radius())) {
-    throw ConfigError(where, robot.name + " (" + write_millimetres(robot.diameter) +
-                                 " mm across) at " + at(pose.position()) + " stands in " +
-                                 obstacle_at(pose.position(), robot.radius()) +
-                                 ": expected a free place");
-  }
+void Placer::record(std::size_t model, const Pose& pose, const SourceLocation& where) {
   const world::WorldModel& world = scenario_.world;
   if (pose.x < 0 || pose.y < 0 || pose.x > world.width || pose.y > world.height) {
-    scenario_.warnings.push_back({where, robot.name + " stands outside the floor"});
+    scenario_.warnings.push_back(
+        {where, scenario_.models[model].name + " stands outside the floor"});
   }
   RobotPlacement placement;
   placement.model = model;
@@ -118,15 +113,25 @@ void Placer::place(std::size_t model, const Pose& pose, const SourceLocation& wh
   scenario_.robots.push_back(placement);
 }
 
+void Placer::place(std::size_t model, const Pose& pose, const SourceLocation& where) {
+  const robot::RobotModel& robot = scenario_.models[model];
+  if (!add(pose.position(), robot)) {
+    throw ConfigError(where, robot.name + " (" + write_millimetres(robot.diameter) +
+                                 " mm across) at " + at(pose.position()) + " stands in " +
+                                 obstacle_at(pose.position(), robot.radius()) +
+                                 ": expected a free place");
+  }
+  record(model, pose, where);
+}
+
 void Placer::place_anywhere(std::size_t model, const SourceLocation& where) {
   const robot::RobotModel& robot = scenario_.models[model];
-  const auto free = free_place(robot.radius());
-  if (!free) {
-    throw ConfigError(where, "no free place for " + robot.name + " (" +
-                                 write_millimetres(robot.diameter) +
-                                 " mm across): expected room for a robot");
+  for (const Vec2 place : candidates(scenario_.world, robot.radius())) {
+    if (add(place, robot)) return record(model, {place.x, place.y, 0}, where);
   }
-  place(model, {free->x, free->y, 0}, where);
+  throw ConfigError(where, "no free place for " + robot.name + " (" +
+                               write_millimetres(robot.diameter) +
+                               " mm across): expected room for a robot");
 }
 
 void Placer::place_at_start(const robot::RobotModel& robot, const SourceLocation& where) {
@@ -134,12 +139,6 @@ void Placer::place_at_start(const robot::RobotModel& robot, const SourceLocation
   const std::size_t model = scenario_.models.size() - 1;
   if (scenario_.world.starts.empty()) return place_anywhere(model, where);
   place(model, scenario_.world.starts.front().pose, scenario_.start_places.front());
-}
-
-bool Placer::has_room_for(const robot::RobotModel& robot) const {
-  const auto& starts = scenario_.world.starts;
-  return starts.empty() ? free_place(robot.radius()).has_value()
-                        : is_free(starts.front().pose.position(), robot.radius());
 }
 
 }  // namespace eyebridge::files

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "eyebridge/files/scenario.hpp"
@@ -10,7 +9,7 @@ namespace eyebridge::files {
 
 /// Puts robots into a scenario whose walls and objects are complete.
 ///
-/// A place is free by the rule of world::World: rims may touch, and overlap by 1e-9 m.
+/// A place is free where world::World takes the robot: rims may touch.
 class Placer {
  public:
   /// `scenario` is lent for the object's life; its world does not change meanwhile.
@@ -25,19 +24,17 @@ class Placer {
   /// ConfigError at the start's line, else at `where`.
   void place_at_start(const robot::RobotModel& robot, const SourceLocation& where);
 
-  /// Whether place_at_start() would find room for `robot`.
-  [[nodiscard]] bool has_room_for(const robot::RobotModel& robot) const;
-
  private:
-  [[nodiscard]] bool is_free(Vec2 centre, double radius) const;
+  /// Puts `robot` into world_; false where it would not stand.
+  bool add(Vec2 centre, const robot::RobotModel& robot);
+  void record(std::size_t model, const Pose& pose, const SourceLocation& where);
   /// The robot placed already that a disc would overlap; null when there is none.
   [[nodiscard]] const RobotPlacement* robot_at(Vec2 centre, double radius) const;
-  /// What stands where is_free() is false, in words.
+  /// What stands where add() gave false, in words.
   [[nodiscard]] std::string obstacle_at(Vec2 centre, double radius) const;
-  [[nodiscard]] std::optional<Vec2> free_place(double radius) const;
 
   Scenario& scenario_;
-  world::World world_;  ///< Walls and objects, to ask what is free.
+  world::World world_;  ///< The same walls, objects and robots, to ask what is free.
 };
 
 }  // namespace eyebridge::files

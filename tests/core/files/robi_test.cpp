@@ -140,7 +140,7 @@ TEST(Robi, EveryMistakeIsNamedWithItsPlace) {
       {"error encoder rounded", "r.robi:1:15: 'rounded' found: expected 'quantised'"},
       {"diameter -5", "r.robi:1:10: the diameter is -5: expected 1 to 10000"},
       {"diameter nan", "r.robi:1:10: 'nan' found: expected the diameter, a number"},
-      {"fisheye 100", "r.robi: fisheye without camera: expected a 'camera' line"},
+      {"name R\n fisheye 100", "r.robi:2:2: fisheye without camera: expected a 'camera' line"},
       {"psd_range 80 20", "r.robi:1:14: the longest range is not above the shortest"},
       {"collider cone 1", "r.robi:1:10: 'cone' found: expected box, sphere or capsule"},
   };
