@@ -23,7 +23,7 @@ constexpr auto kSettings = std::to_array<Setting>({
     {"stall_timeout", Kind::Duration, "2s", "a movement stalled this long has failed"},
     {"cost_scale", Kind::Number, "1", "factor on the time that API calls cost", 0.0, 1000.0},
     {"keys", Kind::Text, "", "key presses: KEY1@2s,KEY4@10s; unset: the terminal"},
-    {"lcd", Kind::Text, "560x400", "size of the LCD, pixels"},
+    {"lcd", Kind::Size, "560x400", "size of the LCD, pixels", 160, 4096},
     {"mirror", Kind::Boolean, "false", "write the LCD's text to the terminal"},
     {"out", Kind::Path, "", "folder for pictures and trace; unset: none are written"},
     {"save_frames", Kind::Integer, "20", "how many camera frames are kept in --out", 0, 1e6},

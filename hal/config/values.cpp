@@ -49,7 +49,9 @@ bool is_choice(std::string_view choices, std::string_view text) {
 
 void check_range(const Setting& setting, double value, const ConfigValue& read) {
   if (value >= setting.minimum && value <= setting.maximum) return;
-  const std::string_view unit = setting.kind == Setting::Kind::Duration ? " s" : "";
+  const std::string_view unit = setting.kind == Setting::Kind::Duration ? " s"
+                                : setting.kind == Setting::Kind::Size   ? " pixels each way"
+                                                                        : "";
   const std::string expected =
       std::isinf(setting.maximum)
           ? fmt::format("at least {}{}", setting.minimum, unit)
@@ -93,6 +95,17 @@ double parse_number(std::string_view text, const SourceLocation& where) {
   double value = 0.0;
   if (take_number(rest, value) && rest.empty()) return value;
   throw ConfigError(where, fmt::format("found {}, expected a number", in_quotes(text)));
+}
+
+PixelSize parse_size(std::string_view text, const SourceLocation& where) {
+  std::string_view rest = trimmed(text);
+  PixelSize size;
+  if (take_number(rest, size.width) && rest.starts_with('x')) {
+    rest.remove_prefix(1);
+    if (take_number(rest, size.height) && rest.empty()) return size;
+  }
+  throw ConfigError(where, fmt::format("found {}, expected WIDTHxHEIGHT in pixels, such as 560x400",
+                                       in_quotes(text)));
 }
 
 double parse_duration(std::string_view text, const SourceLocation& where) {
@@ -143,6 +156,10 @@ void check_value(const Setting& setting, const ConfigValue& value) {
       break;
     case Setting::Kind::Duration:
       check_range(setting, parse_duration(value.text, value.where), value);
+      break;
+    case Setting::Kind::Size:
+      check_range(setting, parse_size(value.text, value.where).width, value);
+      check_range(setting, parse_size(value.text, value.where).height, value);
       break;
   }
 }

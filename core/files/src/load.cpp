@@ -106,13 +106,15 @@ Scenario load_scenario(const std::filesystem::path& path, const std::string& def
   } else {
     load_ground(path, kind == Kind::World ? GroundKind::World : GroundKind::Maze, places, scenario);
   }
-  const robot::RobotModel* robot = builtin_robot(default_robot);
-  if (robot == nullptr) {
-    throw ConfigError(robot_where, "no robot " + in_quotes(default_robot) + ": expected " +
-                                       std::string(builtin_names()));
-  }
-  place_default(scenario, *robot, {name, 0, 0});
+  place_default(scenario, named_robot(default_robot, robot_where), {name, 0, 0});
   return scenario;
+}
+
+const robot::RobotModel& named_robot(std::string_view name, const SourceLocation& where) {
+  const robot::RobotModel* robot = builtin_robot(name);
+  if (robot != nullptr) return *robot;
+  throw ConfigError(where,
+                    "no robot " + in_quotes(name) + ": expected " + std::string(builtin_names()));
 }
 
 Scenario default_scenario() {

@@ -33,6 +33,10 @@ Scenario load_scenario(const std::filesystem::path& path, const std::string& def
 /// Parsed on first use; any thread.
 const robot::RobotModel* builtin_robot(std::string_view name);
 
+/// As builtin_robot(), but throws ConfigError at `where` when there is none, naming those there
+/// are.
+const robot::RobotModel& named_robot(std::string_view name, const SourceLocation& where);
+
 /// An empty room, 2 m x 2 m with walls, and one S4 in its middle: what a program gets that names
 /// no world (as in EyeSim).
 Scenario default_scenario();
