@@ -177,8 +177,11 @@ class MazeReader {
           line.back() = c;
         } else if (c != ' ' && c != line.back()) {
           warnings_.add(row.line, static_cast<int>(i) + 1,
-                        std::string("'") + c + "' beside '" + line.back() +
-                            "' in the same cell is ignored: expected one of them");
+                        std::string("'")
+                            .append(1, c)
+                            .append("' beside '")
+                            .append(1, line.back())
+                            .append("' in the same cell is ignored: expected one of them"));
         }
       }
       row.text = narrow_.emplace_back(std::move(line));
@@ -224,7 +227,10 @@ class MazeReader {
         throw ConfigError({file_, rows_[r].line, column(r, i)},
                           "tab found: expected blanks, a tab has no width in a drawing");
       } else if (is_letter(c)) {
-        odd(r, i, std::string("letter '") + c + "' means nothing in a maze and is ignored");
+        odd(r, i,
+            std::string("letter '")
+                .append(1, c)
+                .append("' means nothing in a maze and is ignored"));
       } else if (static_cast<unsigned char>(c) >= 0x80 && !told_of_bytes_) {
         told_of_bytes_ = true;
         odd(r, i, "character outside ASCII: it may shift the columns after it");
@@ -295,8 +301,8 @@ class MazeReader {
     model_.objects.push_back(object);
   }
 
-  void odd(std::size_t r, std::size_t i, std::string text) {
-    warnings_.add(rows_[r].line, column(r, i), std::move(text));
+  void odd(std::size_t r, std::size_t i, const std::string& text) {
+    warnings_.add(rows_[r].line, column(r, i), text);
   }
   /// Column in the file of what stands at line `r`, index `i`.
   int column(std::size_t r, std::size_t i) const {

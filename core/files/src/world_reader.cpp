@@ -90,7 +90,7 @@ class WorldReader {
       const std::string_view near = nearest(keyword, kKeywords);
       s.fail(0, "unknown keyword " + in_quotes(s.text(0)) + ": expected " +
                     (near.empty() ? "a wall (4, 6 or 9 numbers), " + one_of(kKeywords)
-                                  : "'" + std::string(near) + "'?"));
+                                  : in_quotes(near) + "?"));
     }
   }
 
