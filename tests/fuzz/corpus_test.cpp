@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -16,13 +17,18 @@ struct Target {
   Entry run;
 };
 
+constexpr Target kTargets[] = {{"world", world},         {"maze", maze}, {"robi", robi},
+                               {"object", object},       {"keys", keys}, {"sim", sim},
+                               {"parameter", parameter}, {"pnm", pnm},   {"config", config}};
+
+const auto kCorpus = std::filesystem::path(EYEBRIDGE_SOURCE_DIR) / "tests/fuzz/corpus";
+
 class FuzzCorpus : public testing::TestWithParam<Target> {};
 
 void PrintTo(const Target& target, std::ostream* out) { *out << target.name; }
 
 TEST_P(FuzzCorpus, EveryInputGivesAModelOrAConfigError) {
-  const auto folder =
-      std::filesystem::path(EYEBRIDGE_SOURCE_DIR) / "tests/fuzz/corpus" / GetParam().name;
+  const auto folder = kCorpus / GetParam().name;
   ASSERT_TRUE(std::filesystem::is_directory(folder)) << folder << " is missing";
   int inputs = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -38,11 +44,15 @@ TEST_P(FuzzCorpus, EveryInputGivesAModelOrAConfigError) {
   EXPECT_GE(inputs, 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Readers, FuzzCorpus,
-                         testing::Values(Target{"world", world}, Target{"maze", maze},
-                                         Target{"robi", robi}, Target{"sim", sim},
-                                         Target{"parameter", parameter}, Target{"pnm", pnm},
-                                         Target{"config", config}),
+TEST(FuzzCorpusFolders, AllHaveATarget) {
+  for (const auto& entry : std::filesystem::directory_iterator(kCorpus)) {
+    const std::string name = entry.path().filename().string();
+    EXPECT_TRUE(std::ranges::any_of(kTargets, [&](const Target& t) { return name == t.name; }))
+        << name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Readers, FuzzCorpus, testing::ValuesIn(kTargets),
                          [](const auto& row) { return std::string(row.param.name); });
 
 }  // namespace

@@ -102,11 +102,12 @@ class RobiReader {
   }
 
   void unknown(const Statement& s, const std::string& keyword) {
-    const std::string_view near = nearest(keyword, kKeywords);
-    if (near.empty() && !new_dialect_) return;  // the old dialect calls such lines comments
+    if (const std::string_view near = nearest(keyword, kKeywords); !near.empty()) {
+      s.fail(0, "unknown keyword " + in_quotes(s.text(0)) + ": expected " + in_quotes(near) + "?");
+    }
+    if (!new_dialect_) return;  // the old dialect calls such lines comments
     warnings_.add(s.line(), s.token(0).column,
-                  "unknown keyword " + in_quotes(s.text(0)) + " is ignored" +
-                      (near.empty() ? "" : ": is it '" + std::string(near) + "'?"));
+                  "unknown keyword " + in_quotes(s.text(0)) + " is ignored");
   }
 
   static double offset(const Statement& s, std::size_t i, std::string_view what) {

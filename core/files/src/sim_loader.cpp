@@ -7,7 +7,6 @@
 #include "builtin.hpp"
 #include "eyebridge/files/readers.hpp"
 #include "ground.hpp"
-#include "object_reader.hpp"
 #include "placement.hpp"
 #include "search.hpp"
 #include "text.hpp"

@@ -41,6 +41,11 @@ world::WorldModel read_maze(std::string_view text, const std::string& file,
 robot::RobotModel read_robi(std::string_view text, const std::string& file,
                             std::vector<Warning>& warnings);
 
+/// EyeSim's description of an object (`.esObj`): a disc that covers its colliders from above. One
+/// that is a single sphere is a ball. `name` is what it is called when the file gives no name.
+world::ObjectSpec read_object(std::string_view text, const std::string& file,
+                              const std::string& name, std::vector<Warning>& warnings);
+
 /// EyeSim 1–4 parameter file (`eyesim.p`), without the world it names.
 struct ParameterFile {
   robot::RobotModel robot;
