@@ -1,7 +1,6 @@
 #include "config/values.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -9,15 +8,6 @@
 
 namespace eyebridge::hal {
 namespace {
-
-constexpr double kLongestDuration = 1e9;  // seconds; from_seconds() holds for 9e9
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
 
 /// Takes a number off the front of `text`; false when there is none that is finite.
 template <class Number>
@@ -30,13 +20,6 @@ bool take_number(std::string_view& text, Number& value) {
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   return true;
 }
-
-struct Unit {
-  std::string_view name;
-  double seconds;
-};
-constexpr auto kUnits = std::to_array<Unit>(
-    {{"", 1.0}, {"us", 1e-6}, {"ms", 1e-3}, {"s", 1.0}, {"min", 60.0}, {"h", 3600.0}});
 
 bool is_choice(std::string_view choices, std::string_view text) {
   while (!choices.empty()) {
@@ -61,16 +44,6 @@ void check_range(const Setting& setting, double value, const ConfigValue& read) 
 }
 
 }  // namespace
-
-std::string in_quotes(std::string_view text) {
-  constexpr std::size_t kLongest = 60;
-  std::string out = "'";
-  for (const char c : text.substr(0, kLongest)) {
-    const auto byte = static_cast<unsigned char>(c);
-    out += byte < 0x20 || byte == 0x7F ? '?' : c;
-  }
-  return out + (text.size() > kLongest ? "…'" : "'");
-}
 
 bool parse_boolean(std::string_view text, const SourceLocation& where) {
   const std::string_view word = trimmed(text);
@@ -106,23 +79,6 @@ PixelSize parse_size(std::string_view text, const SourceLocation& where) {
   }
   throw ConfigError(where, fmt::format("found {}, expected WIDTHxHEIGHT in pixels, such as 560x400",
                                        in_quotes(text)));
-}
-
-double parse_duration(std::string_view text, const SourceLocation& where) {
-  std::string_view rest = trimmed(text);
-  double value = 0.0;
-  if (take_number(rest, value)) {
-    const auto* unit = std::ranges::find(kUnits, trimmed(rest), &Unit::name);
-    if (unit != kUnits.end()) {
-      const double seconds = value * unit->seconds;
-      if (seconds >= 0.0 && seconds <= kLongestDuration) return seconds;
-      throw ConfigError(where, fmt::format("found {}, expected a duration of 0 … {} s",
-                                           in_quotes(text), kLongestDuration));
-    }
-  }
-  throw ConfigError(
-      where, fmt::format("found {}, expected a duration such as 2s, 250ms, 1.5 min or 2 (seconds)",
-                         in_quotes(text)));
 }
 
 void check_value(const Setting& setting, const ConfigValue& value) {

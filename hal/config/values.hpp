@@ -3,12 +3,10 @@
 #include <string>
 #include <string_view>
 
+#include "eyebridge/base/text.hpp"
 #include "eyebridge/hal/config.hpp"
 
 namespace eyebridge::hal {
-
-/// `text` in quotes for a message: cut to a readable length, control characters as '?'.
-std::string in_quotes(std::string_view text);
 
 // Each reads the whole of `text`, blanks around it aside, or throws ConfigError at `where`.
 

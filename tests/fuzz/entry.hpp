@@ -115,7 +115,7 @@ inline void config(std::string_view text) {
   } catch (const ConfigError&) {  // the input is no configuration
   }
   try {
-    if (hal::parse_duration(text, where) < 0.0) found();
+    if (parse_duration(text, where) < 0.0) found();
   } catch (const ConfigError&) {  // the input is no duration
   }
   try {

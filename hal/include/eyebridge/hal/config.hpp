@@ -105,8 +105,4 @@ class Config {
 /// "560x400": width and height. Throws ConfigError at `where`; checks no range.
 PixelSize parse_size(std::string_view text, const SourceLocation& where);
 
-/// Seconds of "2s", "250ms", "1.5 min", or a bare number of seconds; units us, ms, s, min, h.
-/// 0 … 1e9 s. Throws ConfigError at `where`.
-double parse_duration(std::string_view text, const SourceLocation& where);
-
 }  // namespace eyebridge::hal
