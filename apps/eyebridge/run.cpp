@@ -4,23 +4,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include "check_settings.hpp"
 #include "command.hpp"
-#include "eyebridge/base/log.hpp"
-#include "eyebridge/hal/registry.hpp"
 #include "program.hpp"
 #include "setting_flags.hpp"
 
 namespace eyebridge::apps {
 namespace {
-
-/// Throws for what the program would fail on in its first call, before it has done anything.
-void check(const hal::Config& config) {
-  // The program opens it again. That is free for a world; a board must not be opened twice.
-  const hal::ConfigValue& url = config.value("hal");
-  if (hal::parse_backend_url(url.text, url.where).scheme.starts_with("serial")) return;
-  NullLog log;
-  hal::open_backend({config, log});
-}
 
 void run(const SettingFlags& flags, const std::vector<std::string>& words) {
   if (words.empty()) {
@@ -32,7 +22,7 @@ void run(const SettingFlags& flags, const std::vector<std::string>& words) {
     throw ConfigError({name}, "unknown option; eyebridge run --help lists those there are");
   }
   const auto program = find_program(name);
-  check(hand_on(flags, program));
+  check_settings(hand_on(flags, program));
   become(program, {words.begin() + 1, words.end()});
 }
 

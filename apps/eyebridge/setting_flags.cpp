@@ -25,6 +25,8 @@ std::string_view kind_name(hal::Setting::Kind kind) {
       return "NUMBER";
     case Kind::Duration:
       return "TIME";
+    case Kind::Size:
+      return "WIDTHxHEIGHT";
   }
   return "";
 }

@@ -1,8 +1,10 @@
-// Maps a maze with four distance sensors, then drives the shortest way from its start to its centre.
+// Maps a maze with four distance sensors, then drives the shortest way from its start to its
+// centre.
 //
 // It knows nothing of the maze but the contest's rules: square cells, and a start cell with a wall
 // to its left and to its right, from which it measures how big a cell is. It goes to the nearest
 // cell that it has not visited until there is none, returns to the start and runs to the centre.
+// A maze that is open to the outside has no end: it gives up there.
 //
 // Usage: maze_explorer [distance of the PSDs from the robot's centre in mm, 20 by default]
 
@@ -19,6 +21,7 @@ namespace {
 constexpr int kPsdOf[4] = {PSD_FRONT, PSD_LEFT, PSD_BACK, PSD_RIGHT};  // by turns to the left
 constexpr int kSpeed = 400;                                            // mm/s
 constexpr int kTurnSpeed = 240;                                        // deg/s
+constexpr int kMostCells = 4096;  // four times the largest contest maze
 
 class Explorer {
  public:
@@ -28,6 +31,7 @@ class Explorer {
     LCDMenu("", "", "", "");
     if (!measure_cell()) return 1;
     explore();
+    if (map_.visited_count() > kMostCells) return gave_up();
     if (!drive(map_.way(at_, heading_, [](Cell c) { return c == Cell{}; }))) return lost();
     return run_to_centre();
   }
@@ -66,6 +70,7 @@ class Explorer {
       const auto way = map_.way(at_, heading_, [this](Cell c) { return !map_.visited(c); });
       if (way.empty() || !drive(way)) return;
       look_around();
+      if (map_.visited_count() > kMostCells) return;
     }
   }
 
@@ -126,6 +131,11 @@ class Explorer {
     return 0;
   }
 
+  int gave_up() const {
+    std::printf("gave up: more than %d cells seen; is the maze open to the outside?\n", kMostCells);
+    return 1;
+  }
+
   int lost() const {
     std::printf("stuck near cell %d, %d\n", at_.x, at_.y);
     return 1;
@@ -137,11 +147,13 @@ class Explorer {
     LCDGetSize(&width, &height);
     const auto [low, high] = map_.extent();
     const int top = 40;
-    const int size = std::min(width / (high.x - low.x + 2), (height - top - 45) / (high.y - low.y + 2));
+    const int size =
+        std::min(width / (high.x - low.x + 2), (height - top - 45) / (high.y - low.y + 2));
     const auto left_of = [&, low = low](Cell c) { return size / 2 + (c.x - low.x) * size; };
     const auto top_of = [&, high = high](Cell c) { return top + (high.y - c.y) * size; };
     for (int y = low.y; y <= high.y; ++y) {
-      for (int x = low.x; x <= high.x; ++x) draw_cell({x, y}, left_of({x, y}), top_of({x, y}), size);
+      for (int x = low.x; x <= high.x; ++x)
+        draw_cell({x, y}, left_of({x, y}), top_of({x, y}), size);
     }
     Cell cell = at_;
     for (const int direction : way) {
@@ -171,6 +183,4 @@ class Explorer {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return Explorer(argc > 1 ? std::atoi(argv[1]) : 20).run();
-}
+int main(int argc, char** argv) { return Explorer(argc > 1 ? std::atoi(argv[1]) : 20).run(); }

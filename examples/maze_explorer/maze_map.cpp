@@ -17,9 +17,7 @@ std::size_t MazeMap::index(Cell cell) {
   return static_cast<std::size_t>((cell.y + kHalf) * kSide + cell.x + kHalf);
 }
 
-bool MazeMap::inside(Cell cell) {
-  return std::abs(cell.x) <= kHalf && std::abs(cell.y) <= kHalf;
-}
+bool MazeMap::inside(Cell cell) { return std::abs(cell.x) <= kHalf && std::abs(cell.y) <= kHalf; }
 
 void MazeMap::set_edge(Cell cell, int direction, bool wall) {
   const Edge edge = wall ? Edge::Wall : Edge::Open;
@@ -42,38 +40,31 @@ void MazeMap::set_visited(Cell cell) {
 
 bool MazeMap::visited(Cell cell) const { return inside(cell) && visited_[index(cell)] != 0; }
 
-std::vector<Cell> MazeMap::by_distance(Cell from) const {
-  std::vector<Cell> queue{from};
-  std::vector<char> seen(edges_.size());
-  seen[index(from)] = 1;
-  for (std::size_t head = 0; head < queue.size(); ++head) {
-    for (int direction = 0; direction < 4; ++direction) {
-      if (edge(queue[head], direction) != Edge::Open) continue;
-      const Cell next = neighbour(queue[head], direction);
-      if (!inside(next) || seen[index(next)] != 0) continue;
-      seen[index(next)] = 1;
-      queue.push_back(next);
-    }
+std::vector<Cell> MazeMap::open_neighbours(Cell cell) const {
+  std::vector<Cell> out;
+  for (int direction = 0; direction < 4; ++direction) {
+    const Cell next = neighbour(cell, direction);
+    if (edge(cell, direction) == Edge::Open && inside(next)) out.push_back(next);
   }
-  return queue;
+  return out;
 }
 
-std::vector<int> MazeMap::distances(Cell from) const {
+std::vector<int> MazeMap::distances(Cell to, Cell from) const {
   std::vector<int> distance(edges_.size(), kFar);
-  distance[index(from)] = 0;
-  for (const Cell& cell : by_distance(from)) {
-    for (int direction = 0; direction < 4; ++direction) {
-      if (edge(cell, direction) != Edge::Open) continue;
-      const Cell next = neighbour(cell, direction);
-      if (!inside(next)) continue;
-      distance[index(next)] = std::min(distance[index(next)], distance[index(cell)] + 1);
+  distance[index(to)] = 0;
+  std::vector<Cell> queue{to};
+  for (std::size_t head = 0; head < queue.size() && !(queue[head] == from); ++head) {
+    for (const Cell& next : open_neighbours(queue[head])) {
+      if (distance[index(next)] != kFar) continue;
+      distance[index(next)] = distance[index(queue[head])] + 1;
+      queue.push_back(next);
     }
   }
   return distance;
 }
 
 std::vector<int> MazeMap::way_to(Cell from, int heading, Cell to) const {
-  const std::vector<int> distance = distances(to);
+  const std::vector<int> distance = distances(to, from);
   std::vector<int> way;
   for (Cell cell = from; !(cell == to);) {
     int best = -1;

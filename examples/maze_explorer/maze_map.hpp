@@ -32,8 +32,16 @@ class MazeMap {
   /// holds; straight on is preferred among equals. Empty when there is none or `from` is one.
   template <class Wanted>
   [[nodiscard]] std::vector<int> way(Cell from, int heading, Wanted&& wanted) const {
-    for (const Cell& cell : by_distance(from)) {
-      if (wanted(cell)) return way_to(from, heading, cell);
+    std::vector<Cell> queue{from};
+    std::vector<char> seen(edges_.size());
+    seen[index(from)] = 1;
+    for (std::size_t head = 0; head < queue.size(); ++head) {
+      if (wanted(queue[head])) return way_to(from, heading, queue[head]);
+      for (const Cell& next : open_neighbours(queue[head])) {
+        if (seen[index(next)] != 0) continue;
+        seen[index(next)] = 1;
+        queue.push_back(next);
+      }
     }
     return {};
   }
@@ -48,9 +56,10 @@ class MazeMap {
   static constexpr int kSide = 2 * kHalf + 1;
   [[nodiscard]] static std::size_t index(Cell cell);
   [[nodiscard]] static bool inside(Cell cell);
-  [[nodiscard]] std::vector<Cell> by_distance(Cell from) const;
+  [[nodiscard]] std::vector<Cell> open_neighbours(Cell cell) const;
   [[nodiscard]] std::vector<int> way_to(Cell from, int heading, Cell to) const;
-  [[nodiscard]] std::vector<int> distances(Cell from) const;
+  /// Distances to `to`, of the cells that are as near as `from` or nearer.
+  [[nodiscard]] std::vector<int> distances(Cell to, Cell from) const;
 
   std::vector<std::array<Edge, 4>> edges_ = std::vector<std::array<Edge, 4>>(kSide * kSide);
   std::vector<char> visited_ = std::vector<char>(kSide * kSide);

@@ -113,6 +113,10 @@ double Config::number(std::string_view key) const {
              : parse_number(value(key).text, value(key).where);
 }
 
+PixelSize Config::size(std::string_view key) const {
+  return parse_size(value(key).text, value(key).where);
+}
+
 std::filesystem::path Config::path(std::string_view key) const { return value(key).text; }
 
 std::string Config::flag_name(std::string_view key) {

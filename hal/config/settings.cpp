@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <array>
-#include <numeric>
-#include <vector>
 
+#include "eyebridge/base/text.hpp"
 #include "eyebridge/hal/config.hpp"
 
 namespace eyebridge::hal {
@@ -23,7 +22,7 @@ constexpr auto kSettings = std::to_array<Setting>({
     {"stall_timeout", Kind::Duration, "2s", "a movement stalled this long has failed"},
     {"cost_scale", Kind::Number, "1", "factor on the time that API calls cost", 0.0, 1000.0},
     {"keys", Kind::Text, "", "key presses: KEY1@2s,KEY4@10s; unset: the terminal"},
-    {"lcd", Kind::Text, "560x400", "size of the LCD, pixels"},
+    {"lcd", Kind::Size, "560x400", "size of the LCD, pixels", 160, 4096},
     {"mirror", Kind::Boolean, "false", "write the LCD's text to the terminal"},
     {"out", Kind::Path, "", "folder for pictures and trace; unset: none are written"},
     {"save_frames", Kind::Integer, "20", "how many camera frames are kept in --out", 0, 1e6},
@@ -31,23 +30,6 @@ constexpr auto kSettings = std::to_array<Setting>({
      -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
      "debug|info|warning|error"},
 });
-
-/// Levenshtein distance.
-std::size_t edits_between(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0U : 1U);
-      row[j] = std::min({above + 1, row[j - 1] + 1, replaced});
-      diagonal = above;
-    }
-  }
-  return row[b.size()];
-}
 
 }  // namespace
 
@@ -63,7 +45,7 @@ std::string_view nearest_key(std::string_view key) {
   const std::string_view head = key.substr(0, 64);
   return std::ranges::min_element(
              kSettings, {},
-             [&](const Setting& setting) { return edits_between(head, setting.key); })
+             [&](const Setting& setting) { return edit_distance(head, setting.key); })
       ->key;
 }
 

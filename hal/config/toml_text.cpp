@@ -22,6 +22,8 @@ std::string_view expected_type(Setting::Kind kind) {
       return "a whole number";
     case Setting::Kind::Number:
       return "a number";
+    case Setting::Kind::Size:
+      return "a text such as \"560x400\"";
     case Setting::Kind::Duration:
       return "a duration such as \"250ms\", or a number of seconds";
   }
@@ -52,7 +54,7 @@ std::optional<std::string> text_of(const toml::node& node, Setting::Kind kind) {
   const bool is_number = kind == Setting::Kind::Number || kind == Setting::Kind::Duration;
   if (const auto* text = node.as_string()) {
     if (kind == Setting::Kind::Text || kind == Setting::Kind::Path ||
-        kind == Setting::Kind::Duration) {
+        kind == Setting::Kind::Duration || kind == Setting::Kind::Size) {
       return text->get();
     }
   }

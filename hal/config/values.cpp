@@ -1,7 +1,6 @@
 #include "config/values.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -9,15 +8,6 @@
 
 namespace eyebridge::hal {
 namespace {
-
-constexpr double kLongestDuration = 1e9;  // seconds; from_seconds() holds for 9e9
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
 
 /// Takes a number off the front of `text`; false when there is none that is finite.
 template <class Number>
@@ -31,13 +21,6 @@ bool take_number(std::string_view& text, Number& value) {
   return true;
 }
 
-struct Unit {
-  std::string_view name;
-  double seconds;
-};
-constexpr auto kUnits = std::to_array<Unit>(
-    {{"", 1.0}, {"us", 1e-6}, {"ms", 1e-3}, {"s", 1.0}, {"min", 60.0}, {"h", 3600.0}});
-
 bool is_choice(std::string_view choices, std::string_view text) {
   while (!choices.empty()) {
     const std::size_t bar = std::min(choices.find('|'), choices.size());
@@ -49,7 +32,9 @@ bool is_choice(std::string_view choices, std::string_view text) {
 
 void check_range(const Setting& setting, double value, const ConfigValue& read) {
   if (value >= setting.minimum && value <= setting.maximum) return;
-  const std::string_view unit = setting.kind == Setting::Kind::Duration ? " s" : "";
+  const std::string_view unit = setting.kind == Setting::Kind::Duration ? " s"
+                                : setting.kind == Setting::Kind::Size   ? " pixels each way"
+                                                                        : "";
   const std::string expected =
       std::isinf(setting.maximum)
           ? fmt::format("at least {}{}", setting.minimum, unit)
@@ -85,21 +70,15 @@ double parse_number(std::string_view text, const SourceLocation& where) {
   throw ConfigError(where, fmt::format("found {}, expected a number", in_quotes(text)));
 }
 
-double parse_duration(std::string_view text, const SourceLocation& where) {
+PixelSize parse_size(std::string_view text, const SourceLocation& where) {
   std::string_view rest = trimmed(text);
-  double value = 0.0;
-  if (take_number(rest, value)) {
-    const auto* unit = std::ranges::find(kUnits, trimmed(rest), &Unit::name);
-    if (unit != kUnits.end()) {
-      const double seconds = value * unit->seconds;
-      if (seconds >= 0.0 && seconds <= kLongestDuration) return seconds;
-      throw ConfigError(where, fmt::format("found {}, expected a duration of 0 … {} s",
-                                           in_quotes(text), kLongestDuration));
-    }
+  PixelSize size;
+  if (take_number(rest, size.width) && rest.starts_with('x')) {
+    rest.remove_prefix(1);
+    if (take_number(rest, size.height) && rest.empty()) return size;
   }
-  throw ConfigError(
-      where, fmt::format("found {}, expected a duration such as 2s, 250ms, 1.5 min or 2 (seconds)",
-                         in_quotes(text)));
+  throw ConfigError(where, fmt::format("found {}, expected WIDTHxHEIGHT in pixels, such as 560x400",
+                                       in_quotes(text)));
 }
 
 void check_value(const Setting& setting, const ConfigValue& value) {
@@ -133,6 +112,10 @@ void check_value(const Setting& setting, const ConfigValue& value) {
       break;
     case Setting::Kind::Duration:
       check_range(setting, parse_duration(value.text, value.where), value);
+      break;
+    case Setting::Kind::Size:
+      check_range(setting, parse_size(value.text, value.where).width, value);
+      check_range(setting, parse_size(value.text, value.where).height, value);
       break;
   }
 }

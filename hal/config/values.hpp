@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "eyebridge/base/quote.hpp"
+#include "eyebridge/base/text.hpp"
 #include "eyebridge/hal/config.hpp"
 
 namespace eyebridge::hal {

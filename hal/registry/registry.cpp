@@ -18,11 +18,11 @@ constexpr auto kBackends = std::to_array<BackendFactory>({
 
 std::span<const BackendFactory> backend_table() { return kBackends; }
 
-std::unique_ptr<Backend> open_backend(const BackendContext& context) {
-  const ConfigValue& hal = context.config.value("hal");
+const BackendFactory& find_backend(const Config& config) {
+  const ConfigValue& hal = config.value("hal");
   const BackendUrl url = parse_backend_url(hal.text, hal.where);
   const auto* row = std::ranges::find(kBackends, url.scheme, &BackendFactory::scheme);
-  if (row != kBackends.end()) return row->open(url, context);
+  if (row != kBackends.end()) return *row;
 
   std::string known;
   for (const BackendFactory& backend : kBackends) {
@@ -31,6 +31,11 @@ std::unique_ptr<Backend> open_backend(const BackendContext& context) {
   }
   throw ConfigError(hal.where,
                     fmt::format("unknown backend '{}', expected one of: {}", url.scheme, known));
+}
+
+std::unique_ptr<Backend> open_backend(const BackendContext& context) {
+  const ConfigValue& hal = context.config.value("hal");
+  return find_backend(context.config).open(parse_backend_url(hal.text, hal.where), context);
 }
 
 }  // namespace eyebridge::hal

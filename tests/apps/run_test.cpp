@@ -1,3 +1,5 @@
+#include <filesystem>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -129,6 +131,38 @@ TEST_F(Run, AnUnknownVariableIsAnError) {
 TEST_F(Run, AnUnknownKeyInTheConfigurationFileIsNamedWithItsPlace) {
   folder_.write("eyebridge.toml", "seed = 1\nwrld = \"x\"\n");
   expect_bad_input(run({"prog"}), "eyebridge.toml:2:1");
+}
+
+TEST_F(Run, ABadSettingIsAnErrorBeforeTheProgramStarts) {
+  expect_bad_input(run({"--lcd", "wide", "prog"}), "--lcd: found 'wide', expected WIDTHxHEIGHT");
+  expect_bad_input(run({"--lcd", "20x20", "prog"}), "--lcd: found '20x20' for 'lcd', expected 160");
+  expect_bad_input(run({"--keys", "KEY1@2s,KEY7@3s", "prog"}), "--keys:1:12: found '7@3s'");
+  expect_bad_input(run({"--camera", "webcam", "prog"}), "--camera: ");
+  expect_bad_input(run({"--robot", "R2D2", "prog"}), "--robot: no robot 'R2D2'");
+  expect_bad_input(run({"--robot", "R2D2", "--world", "empty-room.wld", "prog"}), "--robot: ");
+}
+
+TEST_F(Run, ABadSettingIsNamedWithWhereItCameFrom) {
+  expect_bad_input(run({"prog"}, {{"EYEBRIDGE_KEYS", "KEY9@1s"}}),
+                   "EYEBRIDGE_KEYS:1:4: found '9@1s'");
+  expect_bad_input(run({"prog"}, {{"EYEBRIDGE_LCD", "big"}}), "EYEBRIDGE_LCD: found 'big'");
+  expect_bad_input(run({"prog"}, {{"EYEBRIDGE_ROBOT", "R2"}}), "EYEBRIDGE_ROBOT: no robot 'R2'");
+  expect_bad_input(run({"prog"}, {{"EYEBRIDGE_CAMERA", "film"}}), "EYEBRIDGE_CAMERA: ");
+  for (const char* line : {"keys = 'KEY9@1s'", "lcd = 'a'", "robot = 'R2'", "camera = 'film'"}) {
+    folder_.write("eyebridge.toml", std::string("# mine\n").append(line) + "\n");
+    expect_bad_input(run({"prog"}), "eyebridge.toml:2:");
+  }
+}
+
+TEST_F(Run, AFolderForResultsThatCannotBeIsAnErrorBeforeTheProgramStarts) {
+  folder_.write("file", "text");
+  expect_bad_input(run({"--out", "file", "prog"}), "--out: cannot write ");
+  expect_bad_input(run({"--out", "file/deeper", "prog"}), "--out: cannot write file/deeper: ");
+  expect_bad_input(run({"--out", "/proc/none/results", "prog"}), "--out: cannot write /proc");
+  std::filesystem::create_directories(folder_.path() + "/taken/trace.csv");
+  expect_bad_input(run({"--out", "taken", "prog"}), "taken/trace.csv: it is a folder");
+  folder_.write("eyebridge.toml", "out = 'file'\n");
+  expect_bad_input(run({"prog"}), "eyebridge.toml:1:7: cannot write ");
 }
 
 TEST_F(Run, AMissingWorldIsAnError) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -17,13 +18,22 @@ struct Target {
   Entry run;
 };
 
+constexpr Target kTargets[] = {{"world", world},         {"maze", maze},
+                               {"robi", robi},           {"object", object},
+                               {"keys", keys},           {"sim", sim},
+                               {"parameter", parameter}, {"pnm", pnm},
+                               {"config", config},       {"io7_reply", io7_reply},
+                               {"io7_help", io7_help},   {"can_frame", can_frame},
+                               {"trace", trace},         {"url", url}};
+
+const auto kCorpus = std::filesystem::path(EYEBRIDGE_SOURCE_DIR) / "tests/fuzz/corpus";
+
 class FuzzCorpus : public testing::TestWithParam<Target> {};
 
 void PrintTo(const Target& target, std::ostream* out) { *out << target.name; }
 
 TEST_P(FuzzCorpus, NoInputIsAcceptedWrongly) {
-  const auto folder =
-      std::filesystem::path(EYEBRIDGE_SOURCE_DIR) / "tests/fuzz/corpus" / GetParam().name;
+  const auto folder = kCorpus / GetParam().name;
   ASSERT_TRUE(std::filesystem::is_directory(folder)) << folder << " is missing";
   int inputs = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -39,14 +49,15 @@ TEST_P(FuzzCorpus, NoInputIsAcceptedWrongly) {
   EXPECT_GE(inputs, 3);
 }
 
-INSTANTIATE_TEST_SUITE_P(Readers, FuzzCorpus,
-                         testing::Values(Target{"world", world}, Target{"maze", maze},
-                                         Target{"robi", robi}, Target{"sim", sim},
-                                         Target{"parameter", parameter}, Target{"pnm", pnm},
-                                         Target{"config", config}, Target{"io7_reply", io7_reply},
-                                         Target{"io7_help", io7_help},
-                                         Target{"can_frame", can_frame}, Target{"trace", trace},
-                                         Target{"url", url}),
+TEST(FuzzCorpusFolders, AllHaveATarget) {
+  for (const auto& entry : std::filesystem::directory_iterator(kCorpus)) {
+    const std::string name = entry.path().filename().string();
+    EXPECT_TRUE(std::ranges::any_of(kTargets, [&](const Target& t) { return name == t.name; }))
+        << name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Readers, FuzzCorpus, testing::ValuesIn(kTargets),
                          [](const auto& row) { return std::string(row.param.name); });
 
 }  // namespace

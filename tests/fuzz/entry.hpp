@@ -9,6 +9,7 @@
 #include "config/values.hpp"
 #include "eyebridge/files/readers.hpp"
 #include "eyebridge/hal/url.hpp"
+#include "key_script.hpp"
 #include "pnm.hpp"
 
 // What the fuzz targets and the test over their corpus do with one input. Anything but a model or
@@ -72,6 +73,27 @@ inline void parameter(std::string_view text) {
   }
 }
 
+inline void object(std::string_view text) {
+  std::vector<Warning> warnings;
+  try {
+    const auto object = files::read_object(text, "fuzz.esObj", "fuzz", warnings);
+    if (!(object.radius > 0 && object.height > 0)) found();
+  } catch (const ConfigError&) {  // the input is no object
+  }
+}
+
+/// The presses of a script are in order and each is one key or a touch.
+inline void keys(std::string_view text) {
+  try {
+    Time last{0};
+    for (const robios::ScriptedKey& key : robios::parse_key_script(text)) {
+      if (key.at < last || key.key < 0 || key.key > 8) found();
+      last = key.at;
+    }
+  } catch (const ConfigError&) {  // the input is no script
+  }
+}
+
 /// An image holds what its size says, is not much bigger than its file, and survives a round trip.
 inline void pnm(std::string_view text) {
   using namespace eyebridge::robios;
@@ -93,7 +115,7 @@ inline void config(std::string_view text) {
   } catch (const ConfigError&) {  // the input is no configuration
   }
   try {
-    if (hal::parse_duration(text, where) < 0.0) found();
+    if (parse_duration(text, where) < 0.0) found();
   } catch (const ConfigError&) {  // the input is no duration
   }
   try {

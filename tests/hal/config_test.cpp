@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "eyebridge/base/text.hpp"
+
 namespace eyebridge::hal {
 namespace {
 
@@ -55,7 +57,7 @@ TEST_F(ConfigTest, HoldsTheFallbacksWhenNobodySaysAnything) {
 }
 
 TEST_F(ConfigTest, PrefersFlagsToVariablesToFilesToDefaults) {
-  const auto near = write("near.toml", "seed = 2\nfactor = 2\nrobot = 'near'\nlcd = 'near'\n");
+  const auto near = write("near.toml", "seed = 2\nfactor = 2\nrobot = 'near'\nlcd = '320x240'\n");
   const auto far = write("far.toml", "seed = 1\nfactor = 1\nrobot = 'far'\nkeys = 'far'\n");
   const Config config = Config::load(
       {{{"seed", "4"}}, {{"EYEBRIDGE_SEED", "3"}, {"EYEBRIDGE_FACTOR", "3"}}, {near, far}});
@@ -155,6 +157,25 @@ TEST_F(ConfigTest, RefusesValuesOutsideTheirRange) {
             "--factor: found '0' for 'factor', expected 0.001 … 1000000");
   EXPECT_THAT(complaint("step = '2s'"), HasSubstr("found '2s' for 'step', expected 0.0001 … 1 s"));
   EXPECT_THAT(complaint("seed = -1"), HasSubstr("expected at least 0"));
+}
+
+TEST_F(ConfigTest, ReadsTheSizeOfAScreen) {
+  EXPECT_EQ(Config::load({{{"lcd", "320x240"}}, {}, {}}).size("lcd"), (PixelSize{320, 240}));
+  EXPECT_EQ(Config::load({{{"lcd", " 320x240 "}}, {}, {}}).size("lcd"), (PixelSize{320, 240}));
+  EXPECT_EQ(Config::load({}).size("lcd"), (PixelSize{560, 400}));
+}
+
+TEST_F(ConfigTest, RefusesWhatIsNoSizeOfAScreen) {
+  for (const char* bad : {"560", "560x", "x400", "560x400x", "560 x 400", "560,400", "axb"}) {
+    EXPECT_THAT(complaint({{{"lcd", bad}}, {}, {}}),
+                HasSubstr("', expected WIDTHxHEIGHT in pixels, such as 560x400"))
+        << bad;
+  }
+  EXPECT_THAT(complaint("\nlcd = '560x4'"),
+              HasSubstr("eyebridge.toml:2:7: found '560x4' for 'lcd', "
+                        "expected 160 … 4096 pixels each way"));
+  EXPECT_THAT(complaint("lcd = '9999x400'"), HasSubstr("expected 160 … 4096 pixels each way"));
+  EXPECT_THAT(complaint("lcd = 560"), HasSubstr("expected a text such as \"560x400\""));
 }
 
 TEST_F(ConfigTest, RefusesATextThatIsNoChoice) {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "eyebridge/base/quote.hpp"
+#include "eyebridge/base/text.hpp"
 
 namespace eyebridge::bridges {
 namespace {

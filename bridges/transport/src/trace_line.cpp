@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "eyebridge/base/config_error.hpp"
-#include "eyebridge/base/quote.hpp"
+#include "eyebridge/base/text.hpp"
 
 namespace eyebridge::bridges {
 namespace {

@@ -2,7 +2,7 @@
 #include <charconv>
 #include <initializer_list>
 
-#include "eyebridge/base/quote.hpp"
+#include "eyebridge/base/text.hpp"
 #include "eyebridge/bridges/open.hpp"
 
 namespace eyebridge::bridges {

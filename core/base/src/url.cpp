@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "eyebridge/base/quote.hpp"
+#include "eyebridge/base/text.hpp"
 
 namespace eyebridge {
 namespace {

@@ -3,6 +3,7 @@
 #include "builtin.hpp"
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/files/readers.hpp"
+#include "ground.hpp"
 #include "placement.hpp"
 #include "search.hpp"
 #include "sim_loader.hpp"
@@ -32,15 +33,38 @@ void load_parameters(const std::filesystem::path& path, const SearchPlaces& plac
   scenario.start_paused = file.pause;
   if (file.world || file.maze) {
     const std::string& written = file.world ? *file.world : *file.maze;
-    const auto found = find_file(written, scenario.directory, places, {name, 0, 0});
-    const std::string text = read_text_file(found);
-    scenario.world = file.world ? read_world(text, found.string(), scenario.warnings)
-                                : read_maze(text, found.string(), scenario.warnings);
+    const auto found = find_file(written, scenario.directory, places, file.world_where);
+    load_ground(found, file.world ? GroundKind::World : GroundKind::Maze, places, scenario);
   } else {
     scenario.world = empty_room();
     scenario.warnings.push_back({{name, 0, 0}, "no world or maze named: an empty room, 2 m x 2 m"});
   }
-  place_at_start(scenario, file.robot, {name, 0, 0});
+  Placer(scenario).place_at_start(file.robot, {name, 0, 0});
+}
+
+/// Whether `robot` could be the only one in `scenario`.
+bool has_room_for(const robot::RobotModel& robot, const Scenario& scenario) {
+  Scenario trial;
+  trial.world = scenario.world;
+  trial.start_places = scenario.start_places;
+  try {
+    Placer(trial).place_at_start(robot, {});
+    return true;
+  } catch (const ConfigError&) {
+    return false;
+  }
+}
+
+/// Places the robot that the settings name; where it is too big for a maze, the message says which
+/// one is not.
+void place_default(Scenario& scenario, const robot::RobotModel& robot,
+                   const SourceLocation& where) {
+  try {
+    Placer(scenario).place_at_start(robot, where);
+  } catch (const ConfigError& error) {
+    if (!scenario.world.maze || !has_room_for(*builtin_robot("Mouse"), scenario)) throw;
+    throw ConfigError(error.where(), error.text() + "; a smaller robot fits: --robot Mouse");
+  }
 }
 
 }  // namespace
@@ -58,48 +82,8 @@ world::WorldModel empty_room() {
   return room;
 }
 
-void place(Scenario& scenario, std::size_t model, const Pose& pose, const SourceLocation& where) {
-  const robot::RobotModel& robot = scenario.models[model];
-  if (const auto obstacle = obstacle_at(scenario, pose.position(), robot.radius())) {
-    throw ConfigError(where, robot.name + " (" + write_millimetres(robot.diameter) +
-                                 " mm across) at (" + write_millimetres(pose.x) + ", " +
-                                 write_millimetres(pose.y) + ") mm stands in " + *obstacle +
-                                 ": expected a free place");
-  }
-  const world::WorldModel& world = scenario.world;
-  if (pose.x < 0 || pose.y < 0 || pose.x > world.width || pose.y > world.height) {
-    scenario.warnings.push_back({where, robot.name + " stands outside the floor"});
-  }
-  RobotPlacement placement;
-  placement.model = model;
-  placement.pose = pose;
-  scenario.robots.push_back(placement);
-}
-
-void place_at_start(Scenario& scenario, const robot::RobotModel& robot,
-                    const SourceLocation& where) {
-  scenario.models.push_back(robot);
-  const std::size_t model = scenario.models.size() - 1;
-  if (!scenario.world.starts.empty()) {
-    place(scenario, model, scenario.world.starts.front().pose, where);
-    return;
-  }
-  place_anywhere(scenario, model, where);
-}
-
-void place_anywhere(Scenario& scenario, std::size_t model, const SourceLocation& where) {
-  const robot::RobotModel& robot = scenario.models[model];
-  const auto free = free_place(scenario, robot.radius());
-  if (!free) {
-    throw ConfigError(where, "no free place for " + robot.name + " (" +
-                                 write_millimetres(robot.diameter) +
-                                 " mm across): expected room for a robot");
-  }
-  place(scenario, model, {free->x, free->y, 0}, where);
-}
-
 Scenario load_scenario(const std::filesystem::path& path, const std::string& default_robot,
-                       const SearchPlaces& places) {
+                       const SearchPlaces& places, const SourceLocation& robot_where) {
   const std::string name = path.string();
   Scenario scenario;
   scenario.directory = path.parent_path();
@@ -111,31 +95,32 @@ Scenario load_scenario(const std::filesystem::path& path, const std::string& def
     load_parameters(path, places, scenario);
     return scenario;
   }
-  const std::string text = read_text_file(path);
   if (kind == Kind::Sim) {
-    load_sim(text, name, places, scenario);
+    load_sim(read_text_file(path), name, places, scenario);
     if (!scenario.robots.empty()) return scenario;
   } else if (kind == Kind::Robot) {
     scenario.world = empty_room();
-    place_at_start(scenario, read_robi(text, name, scenario.warnings), {name, 0, 0});
+    const auto robot = read_robi(read_text_file(path), name, scenario.warnings);
+    Placer(scenario).place_at_start(robot, {name, 0, 0});
     return scenario;
   } else {
-    scenario.world = kind == Kind::World ? read_world(text, name, scenario.warnings)
-                                         : read_maze(text, name, scenario.warnings);
+    load_ground(path, kind == Kind::World ? GroundKind::World : GroundKind::Maze, places, scenario);
   }
-  const robot::RobotModel* robot = builtin_robot(default_robot);
-  if (robot == nullptr) {
-    throw ConfigError({"default robot", 0, 0}, "no robot " + in_quotes(default_robot) +
-                                                   ": expected " + std::string(builtin_names()));
-  }
-  place_at_start(scenario, *robot, {name, 0, 0});
+  place_default(scenario, named_robot(default_robot, robot_where), {name, 0, 0});
   return scenario;
+}
+
+const robot::RobotModel& named_robot(std::string_view name, const SourceLocation& where) {
+  const robot::RobotModel* robot = builtin_robot(name);
+  if (robot != nullptr) return *robot;
+  throw ConfigError(where,
+                    "no robot " + in_quotes(name) + ": expected " + std::string(builtin_names()));
 }
 
 Scenario default_scenario() {
   Scenario scenario;
   scenario.world = empty_room();
-  place_at_start(scenario, *builtin_robot("S4"), {"default world", 0, 0});
+  Placer(scenario).place_at_start(*builtin_robot("S4"), {"default world", 0, 0});
   return scenario;
 }
 

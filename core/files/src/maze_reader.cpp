@@ -15,9 +15,14 @@ constexpr double kMinCell = 10;  // millimetres
 constexpr double kMaxCell = 100000;
 
 struct Row {
-  std::string_view text;
+  std::string_view text;   ///< Two columns a cell.
+  std::string_view drawn;  ///< As it stands in the file.
   int line = 0;
 };
+
+/// Columns that every cell of a drawing takes, with the grid line to its left.
+constexpr std::size_t kUsualPitch = 2;
+constexpr std::size_t kWidePitch = 3;
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (text.back() == ' ' || text.back() == '\r' || text.back() == 0x1A)) {
@@ -28,6 +33,7 @@ std::string_view trimmed(std::string_view text) {
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
+char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 /// Facing of a start letter, radians; nothing for other characters.
 std::optional<double> facing(char letter) {
@@ -53,8 +59,9 @@ std::optional<double> facing(char letter) {
 
 class MazeReader {
  public:
-  MazeReader(std::string_view text, const std::string& file, std::vector<Warning>& warnings)
-      : file_(file), warnings_(file, warnings) {
+  MazeReader(std::string_view text, const std::string& file, std::vector<Warning>& warnings,
+             std::vector<SourceLocation>* start_places)
+      : file_(file), warnings_(file, warnings), start_places_(start_places) {
     text = without_bom(text);
     check_text(text, file);
     int line = 0;
@@ -64,7 +71,8 @@ class MazeReader {
                                                 " lines: expected fewer");
       }
       const std::size_t end = text.find('\n');
-      rows_.push_back({trimmed(text.substr(0, end)), ++line});
+      const std::string_view row = trimmed(text.substr(0, end));
+      rows_.push_back({row, row, ++line});
       text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
     }
     while (!rows_.empty() && rows_.back().text.empty()) rows_.pop_back();
@@ -73,6 +81,7 @@ class MazeReader {
 
   world::WorldModel read() {
     take_size();
+    if (is_wide()) narrow();
     lay_out_grid();
     for (std::size_t r = 0; r < rows_.size(); ++r) read_row(r);
     model_.width = grid_.columns * grid_.cell;
@@ -126,6 +135,59 @@ class MazeReader {
     }
   }
 
+  /// True for a maze drawn with three columns a cell: "|__|" where others draw "|_|".
+  bool is_wide() const {
+    bool bar_off_the_usual_grid = false;
+    for (const Row& row : rows_) {
+      const std::string_view text = row.text;
+      const auto at = [&](std::size_t i) { return i < text.size() ? text[i] : ' '; };
+      for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '|') {
+          if (i % kWidePitch != 0) return false;
+          bar_off_the_usual_grid = bar_off_the_usual_grid || i % kUsualPitch != 0;
+        }
+        if (text[i] == '\t') return false;
+        // A wall below a cell takes both of its columns, unless something stands in one of them.
+        if (i % kWidePitch == 1 && (at(i) == '_') != (at(i + 1) == '_') && !is_letter(at(i)) &&
+            !is_letter(at(i + 1))) {
+          return false;
+        }
+      }
+    }
+    return bar_off_the_usual_grid;
+  }
+
+  /// Turns a wide drawing into the usual one, whose lines are kept in narrow_.
+  void narrow() {
+    pitch_ = kWidePitch;
+    warnings_.add(rows_.front().line, 1,
+                  "drawn with three columns a cell: read as such, though two are usual");
+    narrow_.reserve(rows_.size());
+    for (Row& row : rows_) {
+      std::string line;
+      for (std::size_t i = 0; i < row.text.size(); ++i) {
+        const char c = row.text[i];
+        if (i % kWidePitch < 2) {
+          line += c;
+        } else if (is_letter(c) && !is_letter(line.back())) {
+          line.back() = line.back() == '_' ? upper(c) : c;
+        } else if (c == '_' && is_letter(line.back())) {
+          line.back() = upper(line.back());
+        } else if (line.back() == ' ') {
+          line.back() = c;
+        } else if (c != ' ' && c != line.back()) {
+          warnings_.add(row.line, static_cast<int>(i) + 1,
+                        std::string("'")
+                            .append(1, c)
+                            .append("' beside '")
+                            .append(1, line.back())
+                            .append("' in the same cell is ignored: expected one of them"));
+        }
+      }
+      row.text = narrow_.emplace_back(std::move(line));
+    }
+  }
+
   void lay_out_grid() {
     std::size_t longest = 0;
     for (const Row& row : rows_) longest = std::max(longest, row.text.size());
@@ -162,10 +224,13 @@ class MazeReader {
       } else if (c == 'o' || c == 'O' || c == 'x' || c == 'X') {
         add_object(r, i);
       } else if (c == '\t') {
-        throw ConfigError({file_, rows_[r].line, column(i)},
+        throw ConfigError({file_, rows_[r].line, column(r, i)},
                           "tab found: expected blanks, a tab has no width in a drawing");
       } else if (is_letter(c)) {
-        odd(r, i, std::string("letter '") + c + "' means nothing in a maze and is ignored");
+        odd(r, i,
+            std::string("letter '")
+                .append(1, c)
+                .append("' means nothing in a maze and is ignored"));
       } else if (static_cast<unsigned char>(c) >= 0x80 && !told_of_bytes_) {
         told_of_bytes_ = true;
         odd(r, i, "character outside ASCII: it may shift the columns after it");
@@ -220,6 +285,9 @@ class MazeReader {
     Pose pose = place(r, i);
     pose.theta = *facing(letter);
     model_.starts.push_back({letter, pose});
+    if (start_places_ != nullptr) {
+      start_places_->push_back({file_, rows_[r].line, column(r, i)});
+    }
   }
 
   void add_object(std::size_t r, std::size_t i) {
@@ -233,17 +301,29 @@ class MazeReader {
     model_.objects.push_back(object);
   }
 
-  void odd(std::size_t r, std::size_t i, std::string text) {
-    warnings_.add(rows_[r].line, column(i), std::move(text));
+  void odd(std::size_t r, std::size_t i, const std::string& text) {
+    warnings_.add(rows_[r].line, column(r, i), text);
   }
-  static int column(std::size_t i) { return static_cast<int>(i) + 1; }
+  /// Column in the file of what stands at line `r`, index `i`.
+  int column(std::size_t r, std::size_t i) const {
+    std::size_t at = i / kUsualPitch * pitch_ + i % kUsualPitch;
+    const std::string_view drawn = rows_[r].drawn;
+    if (pitch_ == kWidePitch && i % kUsualPitch == 1 && !is_letter(drawn[at]) &&
+        at + 1 < drawn.size() && is_letter(drawn[at + 1])) {
+      ++at;  // the letter stands in the second column of its cell
+    }
+    return static_cast<int>(at) + 1;
+  }
   std::size_t width() const { return static_cast<std::size_t>(grid_.columns); }
   /// Grid row, counted from below, of line `r` >= 1.
   std::size_t row(std::size_t r) const { return static_cast<std::size_t>(grid_.rows) - r; }
 
   const std::string& file_;
   Warnings warnings_;
+  std::vector<SourceLocation>* start_places_;
   std::vector<Row> rows_;
+  std::vector<std::string> narrow_;  ///< Lines of a wide drawing, in the usual width.
+  std::size_t pitch_ = kUsualPitch;
   world::MazeGrid grid_;
   world::WorldModel model_;
   bool told_of_bytes_ = false;
@@ -252,8 +332,9 @@ class MazeReader {
 }  // namespace
 
 world::WorldModel read_maze(std::string_view text, const std::string& file,
-                            std::vector<Warning>& warnings) {
-  return MazeReader(text, file, warnings).read();
+                            std::vector<Warning>& warnings,
+                            std::vector<SourceLocation>* start_places) {
+  return MazeReader(text, file, warnings, start_places).read();
 }
 
 }  // namespace eyebridge::files

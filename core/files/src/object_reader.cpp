@@ -1,9 +1,8 @@
-#include "object_reader.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "eyebridge/files/readers.hpp"
 #include "text.hpp"
 
 namespace eyebridge::files {

@@ -31,8 +31,7 @@ Pose polar(const Statement& s) {
   return {place.x, place.y, wrap_angle(angle + orient)};
 }
 
-void read_statement(const Statement& s, ParameterFile& out, RobotBuilder& builder,
-                    Warnings& warnings) {
+void read_statement(const Statement& s, ParameterFile& out, RobotBuilder& builder) {
   const std::string keyword = lower(s.text(0));
   robot::RobotModel& robot = builder.model();
   if (builder.read_extension(s)) return;
@@ -52,6 +51,7 @@ void read_statement(const Statement& s, ParameterFile& out, RobotBuilder& builde
     s.expect_arguments(1, keyword + " FILE");
     if (out.world || out.maze) s.fail(0, "a second world or maze: expected one");
     (keyword == "world" ? out.world : out.maze) = std::string(s.text(1));
+    out.world_where = s.where(1);
   } else if (keyword == "pause") {
     out.pause = on_or_off(s);
   } else if (keyword == "debug") {
@@ -66,10 +66,8 @@ void read_statement(const Statement& s, ParameterFile& out, RobotBuilder& builde
     builder.add_bump(s);
   } else {
     const std::string_view near = nearest(keyword, kKeywords);
-    warnings.add(s.line(), s.token(0).column,
-                 "unknown keyword " + in_quotes(s.text(0)) + " is ignored" +
-                     (near.empty() ? "" : ": is it '" + std::string(near) + "'?"));
-    return;
+    s.fail(0, "unknown keyword " + in_quotes(s.text(0)) + ": expected " +
+                  (near.empty() ? one_of(kKeywords) : in_quotes(near) + "?"));
   }
 }
 
@@ -82,13 +80,12 @@ ParameterFile read_parameter_file(std::string_view text, const std::string& file
   RobotBuilder builder(warnings);
   ParameterFile out;
   Statement s;
-  bool known = false;
+  bool empty = true;
   while (statements.next(s)) {
-    known =
-        known || std::find(kKeywords.begin(), kKeywords.end(), lower(s.text(0))) != kKeywords.end();
-    read_statement(s, out, builder, warnings);
+    empty = false;
+    read_statement(s, out, builder);
   }
-  if (!known) {
+  if (empty) {
     throw ConfigError({file, std::max(1, statements.line()), 1},
                       "no keyword of a parameter file in it: expected " + one_of(kKeywords));
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "text.hpp"
@@ -9,7 +11,7 @@
 namespace eyebridge::files {
 namespace {
 
-constexpr double kSlack = 1e-9;  // metres: discs that only touch are free
+constexpr double kSlack = 1e-9;  // metres
 
 double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   const Vec2 along = b - a;
@@ -55,31 +57,88 @@ std::vector<Vec2> candidates(const world::WorldModel& world, double radius) {
 
 }  // namespace
 
-std::optional<std::string> obstacle_at(const Scenario& scenario, Vec2 centre, double radius) {
-  for (const world::Wall& wall : scenario.world.walls) {
-    if (distance_to_segment(centre, wall.a, wall.b) < radius + wall.thickness / 2 - kSlack) {
-      return "the wall from " + at(wall.a) + " to " + at(wall.b);
-    }
+Placer::Placer(Scenario& scenario)
+    : scenario_(scenario), world_(std::make_shared<const world::WorldModel>(scenario.world)) {}
+
+bool Placer::add(Vec2 centre, const robot::RobotModel& robot) {
+  const double radius = robot.radius();
+  if (!world_.is_free(centre, radius - kSlack)) return false;
+  try {
+    world_.add_robot({centre.x, centre.y, 0}, radius, robot.height, {});
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
   }
-  for (const world::ObjectSpec& object : scenario.world.objects) {
+}
+
+const RobotPlacement* Placer::robot_at(Vec2 centre, double radius) const {
+  for (const RobotPlacement& robot : scenario_.robots) {
+    const double touching = radius + scenario_.models[robot.model].radius();
+    if (norm(centre - robot.pose.position()) < touching - kSlack) return &robot;
+  }
+  return nullptr;
+}
+
+std::string Placer::obstacle_at(Vec2 centre, double radius) const {
+  if (const RobotPlacement* robot = robot_at(centre, radius)) {
+    return "the " + scenario_.models[robot->model].name + " at " + at(robot->pose.position());
+  }
+  for (const world::ObjectSpec& object : scenario_.world.objects) {
     if (norm(centre - object.pose.position()) < radius + object.radius - kSlack) {
       return "the " + object.name + " at " + at(object.pose.position());
     }
   }
-  for (const RobotPlacement& robot : scenario.robots) {
-    const robot::RobotModel& model = scenario.models[robot.model];
-    if (norm(centre - robot.pose.position()) < radius + model.radius() - kSlack) {
-      return "the " + model.name + " at " + at(robot.pose.position());
+  const world::Wall* nearest = nullptr;
+  double least = 0;
+  for (const world::Wall& wall : scenario_.world.walls) {
+    const double gap = distance_to_segment(centre, wall.a, wall.b) - wall.thickness / 2;
+    if (nearest == nullptr || gap < least - kSlack) {
+      nearest = &wall;
+      least = gap;
     }
   }
-  return std::nullopt;
+  if (nearest == nullptr) return "something";
+  return "the wall from " + at(nearest->a) + " to " + at(nearest->b);
 }
 
-std::optional<Vec2> free_place(const Scenario& scenario, double radius) {
-  for (const Vec2 place : candidates(scenario.world, radius)) {
-    if (!obstacle_at(scenario, place, radius)) return place;
+void Placer::record(std::size_t model, const Pose& pose, const SourceLocation& where) {
+  const world::WorldModel& world = scenario_.world;
+  if (pose.x < 0 || pose.y < 0 || pose.x > world.width || pose.y > world.height) {
+    scenario_.warnings.push_back(
+        {where, scenario_.models[model].name + " stands outside the floor"});
   }
-  return std::nullopt;
+  RobotPlacement placement;
+  placement.model = model;
+  placement.pose = pose;
+  scenario_.robots.push_back(placement);
+}
+
+void Placer::place(std::size_t model, const Pose& pose, const SourceLocation& where) {
+  const robot::RobotModel& robot = scenario_.models[model];
+  if (!add(pose.position(), robot)) {
+    throw ConfigError(where, robot.name + " (" + write_millimetres(robot.diameter) +
+                                 " mm across) at " + at(pose.position()) + " stands in " +
+                                 obstacle_at(pose.position(), robot.radius()) +
+                                 ": expected a free place");
+  }
+  record(model, pose, where);
+}
+
+void Placer::place_anywhere(std::size_t model, const SourceLocation& where) {
+  const robot::RobotModel& robot = scenario_.models[model];
+  for (const Vec2 place : candidates(scenario_.world, robot.radius())) {
+    if (add(place, robot)) return record(model, {place.x, place.y, 0}, where);
+  }
+  throw ConfigError(where, "no free place for " + robot.name + " (" +
+                               write_millimetres(robot.diameter) +
+                               " mm across): expected room for a robot");
+}
+
+void Placer::place_at_start(const robot::RobotModel& robot, const SourceLocation& where) {
+  scenario_.models.push_back(robot);
+  const std::size_t model = scenario_.models.size() - 1;
+  if (scenario_.world.starts.empty()) return place_anywhere(model, where);
+  place(model, scenario_.world.starts.front().pose, scenario_.start_places.front());
 }
 
 }  // namespace eyebridge::files

@@ -1,17 +1,40 @@
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "eyebridge/files/scenario.hpp"
+#include "eyebridge/world/world.hpp"
 
 namespace eyebridge::files {
 
-/// What a disc of `radius` metres at `centre` would touch in `scenario`: a wall, an object or a
-/// robot placed already, in words; nothing when the place is free. Rims may touch.
-std::optional<std::string> obstacle_at(const Scenario& scenario, Vec2 centre, double radius);
+/// Puts robots into a scenario whose walls and objects are complete.
+///
+/// A place is free where world::World takes the robot: rims may touch.
+class Placer {
+ public:
+  /// `scenario` is lent for the object's life; its world does not change meanwhile.
+  explicit Placer(Scenario& scenario);
 
-/// The free place on the floor nearest to its centre (in a maze: a cell's centre).
-std::optional<Vec2> free_place(const Scenario& scenario, double radius);
+  /// Adds a robot. Throws ConfigError at `where` when something stands there already.
+  void place(std::size_t model, const Pose& pose, const SourceLocation& where);
+  /// Adds a robot at the free place on the floor nearest to its centre (in a maze: a cell's
+  /// centre). Throws ConfigError at `where` when there is none.
+  void place_anywhere(std::size_t model, const SourceLocation& where);
+  /// Adds `robot` to the models and places one at the world's first start, else anywhere. Throws
+  /// ConfigError at the start's line, else at `where`.
+  void place_at_start(const robot::RobotModel& robot, const SourceLocation& where);
+
+ private:
+  /// Puts `robot` into world_; false where it would not stand.
+  bool add(Vec2 centre, const robot::RobotModel& robot);
+  void record(std::size_t model, const Pose& pose, const SourceLocation& where);
+  /// The robot placed already that a disc would overlap; null when there is none.
+  [[nodiscard]] const RobotPlacement* robot_at(Vec2 centre, double radius) const;
+  /// What stands where add() gave false, in words.
+  [[nodiscard]] std::string obstacle_at(Vec2 centre, double radius) const;
+
+  Scenario& scenario_;
+  world::World world_;  ///< The same walls, objects and robots, to ask what is free.
+};
 
 }  // namespace eyebridge::files

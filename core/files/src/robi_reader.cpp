@@ -35,7 +35,7 @@ class RobiReader {
     finish_body();
     if (fisheye_) {
       if (!model().camera) {
-        throw ConfigError({file_, 0, 0}, "fisheye without camera: expected a 'camera' line");
+        throw ConfigError(fisheye_where_, "fisheye without camera: expected a 'camera' line");
       }
       model().camera->horizontal_field_of_view = *fisheye_;
     }
@@ -80,6 +80,7 @@ class RobiReader {
       read_camera(s);
     } else if (keyword == "fisheye") {
       s.expect_arguments(1, "fisheye DEG");
+      fisheye_where_ = s.where(0);
       fisheye_ = deg_to_rad(s.number(1, "the angle of view", 60, 150));
     } else if (keyword == "lidar") {
       read_lidar(s);
@@ -101,11 +102,12 @@ class RobiReader {
   }
 
   void unknown(const Statement& s, const std::string& keyword) {
-    const std::string_view near = nearest(keyword, kKeywords);
-    if (near.empty() && !new_dialect_) return;  // the old dialect calls such lines comments
+    if (const std::string_view near = nearest(keyword, kKeywords); !near.empty()) {
+      s.fail(0, "unknown keyword " + in_quotes(s.text(0)) + ": expected " + in_quotes(near) + "?");
+    }
+    if (!new_dialect_) return;  // the old dialect calls such lines comments
     warnings_.add(s.line(), s.token(0).column,
-                  "unknown keyword " + in_quotes(s.text(0)) + " is ignored" +
-                      (near.empty() ? "" : ": is it '" + std::string(near) + "'?"));
+                  "unknown keyword " + in_quotes(s.text(0)) + " is ignored");
   }
 
   static double offset(const Statement& s, std::size_t i, std::string_view what) {
@@ -301,6 +303,7 @@ class RobiReader {
   std::optional<double> speed_;
   std::optional<double> turn_;
   std::optional<double> fisheye_;
+  SourceLocation fisheye_where_;
   double reach_ = 0;
   double height_ = 0;
 };

@@ -137,7 +137,7 @@ void RobotBuilder::read_error(const Statement& s) {
   } else {
     const std::string_view near = nearest(kind, kErrors);
     s.fail(1, "unknown error model " + in_quotes(s.text(1)) + ": expected " +
-                  (near.empty() ? one_of(kErrors) : "'" + std::string(near) + "'?"));
+                  (near.empty() ? one_of(kErrors) : in_quotes(near) + "?"));
   }
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/files/load.hpp"
@@ -14,5 +16,11 @@ namespace eyebridge::files {
 /// `%sim%` stands for EyeSim's home and backslashes for slashes. Throws ConfigError at `where`.
 std::filesystem::path find_file(const std::string& written, const std::filesystem::path& directory,
                                 const SearchPlaces& places, const SourceLocation& where);
+
+/// The file that `written` means, in the first of `folders` that has it; "" is the working folder.
+/// `%sim%` and backslashes as in find_file().
+std::optional<std::filesystem::path> look_for(const std::string& written,
+                                              const std::vector<std::filesystem::path>& folders,
+                                              const SearchPlaces& places);
 
 }  // namespace eyebridge::files

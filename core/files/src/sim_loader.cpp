@@ -1,11 +1,13 @@
 #include "sim_loader.hpp"
 
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "builtin.hpp"
 #include "eyebridge/files/readers.hpp"
-#include "object_reader.hpp"
+#include "ground.hpp"
+#include "placement.hpp"
 #include "search.hpp"
 #include "text.hpp"
 
@@ -32,6 +34,7 @@ class SimLoader {
     for (const SimRobot& line : sim_.robots) {
       if (!place_object(line)) robots.push_back(&line);
     }
+    placer_.emplace(scenario_);
     taken_.assign(scenario_.world.starts.size(), false);
     for (const SimRobot* line : robots) place_robot(*line);
   }
@@ -50,16 +53,15 @@ class SimLoader {
           {{name_, 0, 0}, "no world or maze named: an empty room, 2 m x 2 m"});
       return;
     }
-    scenario_.world = read_found(
-        *sim_.world, sim_.world_where,
-        [&](const std::string& text, const std::filesystem::path& path) {
-          const std::string extension = lower(path.extension().string());
-          if (extension == ".wld") return read_world(text, path.string(), scenario_.warnings);
-          if (extension == ".maz") return read_maze(text, path.string(), scenario_.warnings);
-          throw ConfigError(sim_.world_where, in_quotes(*sim_.world) +
-                                                  " is neither world nor maze: expected a .wld or "
-                                                  ".maz file");
-        });
+    const auto path = find_file(*sim_.world, scenario_.directory, places_, sim_.world_where);
+    const std::string extension = lower(path.extension().string());
+    if (extension != ".wld" && extension != ".maz") {
+      throw ConfigError(sim_.world_where, in_quotes(*sim_.world) +
+                                              " is neither world nor maze: expected a .wld or "
+                                              ".maz file");
+    }
+    load_ground(path, extension == ".wld" ? GroundKind::World : GroundKind::Maze, places_,
+                scenario_);
   }
 
   void load_robot_files() {
@@ -135,9 +137,9 @@ class SimLoader {
   void place_robot(const SimRobot& line) {
     const std::size_t model = model_of(line);
     if (line.start) {
-      place(scenario_, model, start_pose(line), line.where);
+      placer_->place(model, start_pose(line), line.where);
     } else if (line.pose) {
-      place(scenario_, model, *line.pose, line.where);
+      placer_->place(model, *line.pose, line.where);
     } else {
       place_at_next_start(model, line);
     }
@@ -150,10 +152,10 @@ class SimLoader {
     for (std::size_t i = 0; i < taken_.size(); ++i) {
       if (taken_[i]) continue;
       taken_[i] = true;
-      place(scenario_, model, scenario_.world.starts[i].pose, line.where);
+      placer_->place(model, scenario_.world.starts[i].pose, line.where);
       return;
     }
-    place_anywhere(scenario_, model, line.where);
+    placer_->place_anywhere(model, line.where);
   }
 
   const SimFile& sim_;
@@ -163,6 +165,7 @@ class SimLoader {
   std::map<std::string, std::size_t> models_;
   std::map<std::string, world::ObjectSpec> objects_;
   std::vector<bool> taken_;
+  std::optional<Placer> placer_;  ///< Once walls and objects are there.
 };
 
 }  // namespace

@@ -162,7 +162,7 @@ class SimReader {
     if (s.size() < 2 || !s.is_number(1)) {
       s.fail(0, "unknown keyword " + in_quotes(s.text(0)) + ": expected " +
                     (near.empty() ? one_of(kKeywords) + ", or '" + std::string(kRobotForm) + "'"
-                                  : "'" + std::string(near) + "'?"));
+                                  : in_quotes(near) + "?"));
     }
     SimRobot robot;
     robot.model = std::string(s.text(0));

@@ -139,7 +139,7 @@ std::string write_millimetres(double metres) {
   std::string sign;
   std::string digits;
   for (const char c : text.substr(0, e)) {
-    if (c == '-') sign = "-";
+    if (c == '-') sign.assign(1, '-');
     if (c >= '0' && c <= '9') digits += c;
   }
   std::string_view power = text.substr(e + 1);

@@ -7,21 +7,6 @@ namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v'; }
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t swap = diagonal + (a[i - 1] == b[j - 1] ? 0U : 1U);
-      diagonal = row[j];
-      row[j] = std::min({swap, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row[b.size()];
-}
-
 }  // namespace
 
 void check_text(std::string_view text, const std::string& file) {
@@ -45,12 +30,6 @@ void check_text(std::string_view text, const std::string& file) {
 
 std::string_view without_bom(std::string_view text) {
   return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
-}
-
-std::string in_quotes(std::string_view word, std::size_t most) {
-  std::string out = "'";
-  for (const char c : word.substr(0, most)) out += c >= 0x20 && c < 0x7F ? c : '?';
-  return out + (word.size() > most ? "...'" : "'");
 }
 
 std::string lower(std::string_view word) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/text.hpp"
 
 namespace eyebridge::files {
 
@@ -20,9 +21,6 @@ void check_text(std::string_view text, const std::string& file);
 
 /// `text` without its byte order mark, if it has one.
 std::string_view without_bom(std::string_view text);
-
-/// `word` as messages show it: at most `most` bytes, unprintable bytes as '?', in quotes.
-std::string in_quotes(std::string_view word, std::size_t most = 40);
 
 /// ASCII only; other bytes stay as they are.
 std::string lower(std::string_view word);

@@ -24,8 +24,12 @@ struct Frame {
 
 class WorldReader {
  public:
-  WorldReader(std::string_view text, const std::string& file, std::vector<Warning>& warnings)
-      : statements_(text, file), file_(file), warnings_(file, warnings) {}
+  WorldReader(std::string_view text, const std::string& file, std::vector<Warning>& warnings,
+              std::vector<SourceLocation>* start_places)
+      : statements_(text, file),
+        file_(file),
+        warnings_(file, warnings),
+        start_places_(start_places) {}
 
   world::WorldModel read() {
     Statement s;
@@ -76,6 +80,7 @@ class WorldReader {
     } else if (keyword == "position") {
       if (model_.starts.size() >= kMaxStarts) s.fail(0, "more than 10000 start positions");
       model_.starts.push_back({0, read_pose(s, "position X Y PHI")});
+      if (start_places_ != nullptr) start_places_->push_back(s.where(0));
     } else if (keyword == "floor_texture") {
       s.expect_arguments(1, "floor_texture FILE");
       if (model_.floor_texture)
@@ -85,7 +90,7 @@ class WorldReader {
       const std::string_view near = nearest(keyword, kKeywords);
       s.fail(0, "unknown keyword " + in_quotes(s.text(0)) + ": expected " +
                     (near.empty() ? "a wall (4, 6 or 9 numbers), " + one_of(kKeywords)
-                                  : "'" + std::string(near) + "'?"));
+                                  : in_quotes(near) + "?"));
     }
   }
 
@@ -93,6 +98,7 @@ class WorldReader {
                 std::string_view name) {
     if (size) s.fail(0, "the " + std::string(name) + " is given a second time: expected it once");
     size = s.millimetres(i, name, 1, kMaxMillimetres);
+    size_where_ = s.where(0);
   }
 
   /// "KEYWORD x y phi" of the current frame, in the world.
@@ -154,8 +160,8 @@ class WorldReader {
 
   void finish_size() {
     if (width_.has_value() != height_.has_value()) {
-      throw ConfigError({file_, 0, 0}, width_ ? "width without height: expected both"
-                                              : "height without width: expected both");
+      throw ConfigError(size_where_, width_ ? "width without height: expected both"
+                                            : "height without width: expected both");
     }
     if (width_) {
       model_.width = *width_;
@@ -163,7 +169,8 @@ class WorldReader {
       return;
     }
     if (model_.walls.empty()) {
-      throw ConfigError({file_, 0, 0}, "no size and no walls: expected 'floor WIDTH HEIGHT'");
+      throw ConfigError({file_, std::max(1, statements_.line()), 1},
+                        "no size and no walls up to the end: expected 'floor WIDTH HEIGHT'");
     }
     double left = 0;
     double low = 0;
@@ -212,9 +219,11 @@ class WorldReader {
   StatementReader statements_;
   const std::string& file_;
   Warnings warnings_;
+  std::vector<SourceLocation>* start_places_;
   world::WorldModel model_;
   std::optional<double> width_;
   std::optional<double> height_;
+  SourceLocation size_where_;
   std::vector<Frame> frames_;
   std::vector<int> wall_lines_;
 };
@@ -222,8 +231,9 @@ class WorldReader {
 }  // namespace
 
 world::WorldModel read_world(std::string_view text, const std::string& file,
-                             std::vector<Warning>& warnings) {
-  return WorldReader(text, file, warnings).read();
+                             std::vector<Warning>& warnings,
+                             std::vector<SourceLocation>* start_places) {
+  return WorldReader(text, file, warnings, start_places).read();
 }
 
 }  // namespace eyebridge::files

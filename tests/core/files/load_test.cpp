@@ -1,13 +1,18 @@
 #include <cmath>
+#include <memory>
+#include <stdexcept>
 
 #include <gmock/gmock.h>
 
+#include "eyebridge/world/world.hpp"
 #include "reading.hpp"
 
 namespace eyebridge::files {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr const char* kRoom =
     "floor 2000 2000\n0 0 2000 0\n2000 0 2000 2000\n2000 2000 0 2000\n"
@@ -54,9 +59,64 @@ TEST(Load, ARobotInAWallIsAnErrorAtTheLineThatPlacesIt) {
                              ":2:3: S4 (186 mm across) at (50, 1000) mm stands in the "
                              "wall from (0, 2000) mm to (0, 0) mm: expected a free "
                              "place");
-  const auto small = folder.write("m.maz", " _\n|S|\n100\n");
-  EXPECT_THAT(error(small), HasSubstr(small.string() + ": S4 (186 mm across)"));
-  EXPECT_EQ(error(folder.write("n.maz", " _\n|S|\n180\n"), "Mouse"), "no error");
+}
+
+TEST(Load, AStartInAWallIsAnErrorAtItsLineOrLetter) {
+  const Folder folder;
+  const auto world = folder.write("a.wld", std::string(kRoom) + " position 50 1000 0\n");
+  EXPECT_THAT(error(world), HasSubstr(world.string() + ":6:2: S4 (186 mm across) at (50, 1000)"));
+  folder.write("p.p", "diameter 200\nworld a.wld\n");
+  EXPECT_THAT(error(folder.path() / "p.p"), HasSubstr("a.wld:6:2: "));
+  const auto maze = folder.write("m.maz", " _\n|S|\n100\n");
+  EXPECT_THAT(error(maze), HasSubstr(maze.string() + ":2:2: S4 (186 mm across) at (50, 50)"));
+}
+
+TEST(Load, ARobotTooBigForAMazeIsToldWhichOneFits) {
+  const Folder folder;
+  constexpr const char* kHint = "; a smaller robot fits: --robot Mouse";
+  EXPECT_THAT(error(folder.write("m.maz", " _\n|S|\n100\n")), EndsWith(kHint));
+  EXPECT_THAT(error(folder.write("n.maz", " _\n|_|\n100\n")), EndsWith(kHint));
+  EXPECT_EQ(error(folder.path() / "m.maz", "Mouse"), "no error");
+  EXPECT_THAT(error(folder.write("tiny.maz", " _\n|S|\n30\n")), Not(HasSubstr("Mouse")));
+  EXPECT_THAT(error(folder.write("a.wld", "floor 100 100\n0 0 100 100\n")),
+              Not(HasSubstr("--robot")));
+}
+
+TEST(Load, ARobotIsFreeWhereTheWorldTakesIt) {
+  const Folder folder;
+  // Two S4 whose rims meet at x = 500 mm, or overlap by a millionth of a millimetre.
+  folder.write("a.wld", kRoom);
+  const auto meet = folder.write("a.sim", "world a.wld\nS4 407 500 0\nS4 593 500 0\n");
+  const auto overlap = folder.write("b.sim", "world a.wld\nS4 407 500 0\nS4 592.999999 500 0\n");
+  for (const auto& path : {meet, overlap}) {
+    std::string in_files = "taken";
+    std::string in_world = "taken";
+    try {
+      load_scenario(path);
+    } catch (const ConfigError&) {
+      in_files = "refused";
+    }
+    const auto sim = load_scenario(folder.path() / "a.wld");
+    world::World world(std::make_shared<const world::WorldModel>(sim.world));
+    try {
+      world.add_robot({0.407, 0.5, 0}, 0.093, 0.1, {});
+      world.add_robot({path == meet ? 0.593 : 0.592999999, 0.5, 0}, 0.093, 0.1, {});
+    } catch (const std::invalid_argument&) {
+      in_world = "refused";
+    }
+    EXPECT_EQ(in_files, in_world) << path;
+  }
+}
+
+TEST(Load, AFloorTextureLiesBesideItsWorld) {
+  const Folder folder;
+  folder.write("worlds/tiles.png", "picture");
+  folder.write("worlds/a.wld", std::string(kRoom) + "floor_texture tiles.png\n");
+  folder.write("worlds/b.wld", std::string(kRoom) + "floor_texture none.png\n");
+  const auto found = load_scenario(folder.write("a.sim", "world worlds/a.wld\n"));
+  EXPECT_EQ(found.world.floor_texture, (folder.path() / "worlds/tiles.png").string());
+  const auto missing = load_scenario(folder.write("b.sim", "world worlds/b.wld\n"));
+  EXPECT_EQ(missing.world.floor_texture, "none.png");
 }
 
 TEST(Load, ARobotInAnotherOneOrInACanIsAnError) {
@@ -131,6 +191,10 @@ TEST(Load, MissingFilesAndNamesAreErrorsAtTheirLine) {
   EXPECT_THAT(error(folder.write("e.txt", "x")), HasSubstr("unknown kind of file"));
   EXPECT_EQ(error(folder.write("f.wld", kRoom), "R2D2"),
             "default robot: no robot 'R2D2': expected S4, LabBot or Mouse");
+  EXPECT_EQ(error_of([&] { load_scenario(folder.path() / "f.wld", "R2D2", {}, {"--robot"}); }),
+            "--robot: no robot 'R2D2': expected S4, LabBot or Mouse");
+  EXPECT_THAT(error(folder.write("g.p", "diameter 100\n maze no.maz\n")),
+              HasSubstr("g.p:2:7: no file 'no.maz'"));
 }
 
 TEST(Load, AParameterFileNamesItsWorldAndPauses) {

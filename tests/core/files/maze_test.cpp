@@ -79,6 +79,28 @@ TEST(Maze, WarnsOfLettersWithoutMeaningButNotOfDots) {
   EXPECT_EQ(warnings[0].where, (SourceLocation{"m.maz", 2, 3}));
 }
 
+TEST(Maze, ReadsADrawingWithThreeColumnsACell) {
+  // The same maze as kSmall; letters stand in either column of a cell.
+  const auto usual = read(kSmall);
+  std::vector<SourceLocation> places;
+  for (const std::string& text : {std::string(" _____\n|r    |\n|__|S_|\n500\n"),
+                                  std::string(" _____\n| r   |\n|__|_S|\n500\n")}) {
+    const auto wide = read(text);
+    EXPECT_EQ(wide, usual) << text;
+    ASSERT_EQ(warnings.size(), 1u) << text;
+    EXPECT_EQ(warnings[0].where, (SourceLocation{"m.maz", 1, 1}));
+    EXPECT_THAT(warnings[0].text, testing::HasSubstr("drawn with three columns a cell"));
+    EXPECT_EQ(read(write_maze(wide)), wide);
+  }
+  read_maze(" _____\n| r   |\n|__|_S|\n", "m.maz", warnings, &places);
+  EXPECT_EQ(places, (std::vector<SourceLocation>{{"m.maz", 2, 3}, {"m.maz", 3, 6}}));
+}
+
+TEST(Maze, AFewMisplacedBarsDoNotMakeADrawingWide) {
+  EXPECT_EQ(read(" ___\n|  |\n|_|_|\n").maze->columns, 2);
+  EXPECT_EQ(read(" _____\n|_|_|_|\n").maze->columns, 3);
+}
+
 TEST(Maze, EveryMistakeIsNamed) {
   EXPECT_EQ(error(""), "m.maz:1:1: no maze in the file: expected one drawn with '|' and '_'");
   EXPECT_EQ(error("360\n"), "m.maz:1:1: no maze in the file: expected one drawn with '|' and '_'");

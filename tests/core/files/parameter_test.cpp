@@ -41,14 +41,13 @@ TEST(Parameters, KnowsOurErrorModels) {
   EXPECT_EQ(read("psd A 1 0 0 0\nerror psd 5 0\n").robot.range_sensors.at(0).error.sigma, 0.005);
 }
 
-TEST(Parameters, WarnsOfUnknownKeywords) {
-  read("name X\nspeeed 3\n");
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0].where.line, 2);
-}
-
 TEST(Parameters, EveryMistakeIsNamed) {
   const auto error = [](const std::string& text) { return error_of([&] { read(text); }); };
+  EXPECT_EQ(error("name X\nspeeed 3\n"),
+            "eyesim.p:2:1: unknown keyword 'speeed': expected 'speed'?");
+  EXPECT_THAT(
+      error("name X\n  gravity 9\n"),
+      testing::HasSubstr("eyesim.p:2:3: unknown keyword 'gravity': expected name, diameter"));
   EXPECT_EQ(error("pause maybe"), "eyesim.p:1:7: 'maybe' found: expected 'on' or 'off'");
   EXPECT_EQ(error("world a.wld\nmaze b.maz"), "eyesim.p:2:1: a second world or maze: expected one");
   EXPECT_EQ(error("speed fast"), "eyesim.p:1:7: 'fast' found: expected the speed, a number");

@@ -119,11 +119,19 @@ TEST(Robi, ErrorsAreOffUnlessAskedFor) {
   EXPECT_EQ(robot.drive_error, robot::DriveError{});
 }
 
-TEST(Robi, WarnsOfLikelyTyposOfKeywords) {
-  read("diameter 99\nspeeed 600\nanything else\n");
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0].str(),
-            "r.robi:2:1: warning: unknown keyword 'speeed' is ignored: is it 'speed'?");
+TEST(Robi, ALikelyTypoOfAKeywordIsAnErrorInBothDialects) {
+  EXPECT_EQ(error("diameter 99\n speeed 600\n"),
+            "r.robi:2:2: unknown keyword 'speeed': expected 'speed'?");
+  EXPECT_EQ(error("drive DIFFERENTIAL_DRIVE\ndiametre 99\n"),
+            "r.robi:2:1: unknown keyword 'diametre': expected 'diameter'?");
+}
+
+TEST(Robi, OtherUnknownLinesAreCommentsOrWarnedOf) {
+  read("diameter 99\nanything else\n");
+  EXPECT_TRUE(warnings.empty());
+  read("drive DIFFERENTIAL_DRIVE\nanything else\n");
+  ASSERT_FALSE(warnings.empty());
+  EXPECT_EQ(warnings[0].str(), "r.robi:2:1: warning: unknown keyword 'anything' is ignored");
 }
 
 TEST(Robi, EveryMistakeIsNamedWithItsPlace) {
@@ -140,7 +148,7 @@ TEST(Robi, EveryMistakeIsNamedWithItsPlace) {
       {"error encoder rounded", "r.robi:1:15: 'rounded' found: expected 'quantised'"},
       {"diameter -5", "r.robi:1:10: the diameter is -5: expected 1 to 10000"},
       {"diameter nan", "r.robi:1:10: 'nan' found: expected the diameter, a number"},
-      {"fisheye 100", "r.robi: fisheye without camera: expected a 'camera' line"},
+      {"name R\n fisheye 100", "r.robi:2:2: fisheye without camera: expected a 'camera' line"},
       {"psd_range 80 20", "r.robi:1:14: the longest range is not above the shortest"},
       {"collider cone 1", "r.robi:1:10: 'cone' found: expected box, sphere or capsule"},
   };

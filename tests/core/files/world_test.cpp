@@ -54,6 +54,13 @@ TEST(World, NestsPushedFrames) {
   EXPECT_EQ(world.starts[0].letter, 0);
 }
 
+TEST(World, TellsWhereItsStartsStand) {
+  std::vector<Warning> warnings;
+  std::vector<SourceLocation> places;
+  read_world("floor 9 9\nposition 1 1 0\n  position 2 2 0\n", "w.wld", warnings, &places);
+  EXPECT_EQ(places, (std::vector<SourceLocation>{{"w.wld", 2, 1}, {"w.wld", 3, 3}}));
+}
+
 TEST(World, KeepsAFloorTextureWithBlanks) {
   EXPECT_EQ(read("floor_texture \"my floor.png\"\nfloor 9 9").floor_texture, "my floor.png");
 }
@@ -106,8 +113,10 @@ TEST(World, EveryMistakeIsNamedWithItsPlace) {
       {"floor 9 9 9", "w.wld:1:11: 'floor' with 3 arguments: expected 'floor WIDTH HEIGHT'"},
       {"floor 0 9", "w.wld:1:7: width is 0: expected 1 to 10000000"},
       {"floor 9 9\nwidth 9", "w.wld:2:1: the width is given a second time: expected it once"},
-      {"width 9", "w.wld: width without height: expected both"},
-      {"position 1 1 0", "w.wld: no size and no walls: expected 'floor WIDTH HEIGHT'"},
+      {"# size\n width 9", "w.wld:2:2: width without height: expected both"},
+      {"height 9\n0 0 1 1", "w.wld:1:1: height without width: expected both"},
+      {"\nposition 1 1 0\n",
+       "w.wld:2:1: no size and no walls up to the end: expected 'floor WIDTH HEIGHT'"},
       {"floor 9 9\n1 2 3 4 5",
        "w.wld:2:10: wall of 5 values: expected 4 (x1 y1 x2 y2), 6 (... "
        "thickness height) or 9 (... red green blue)"},

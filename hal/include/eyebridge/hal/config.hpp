@@ -16,14 +16,16 @@ namespace eyebridge::hal {
 /// One thing that can be configured. The table of these is the only list of keys there is: flags,
 /// environment variables, `eyebridge.toml`, `eyebridge config` and the documentation follow it.
 struct Setting {
-  enum class Kind { Text, Path, Boolean, Integer, Number, Duration };
+  enum class Kind { Text, Path, Boolean, Integer, Number, Duration, Size };
 
   std::string_view key;  ///< "world"; flag --world, variable EYEBRIDGE_WORLD, TOML key world.
   Kind kind;
   std::string_view fallback;  ///< Value when nobody says anything; "" means unset.
   std::string_view help;      ///< One line.
-  double minimum = -std::numeric_limits<double>::infinity();  ///< Of an Integer, Number, Duration.
-  double maximum = std::numeric_limits<double>::infinity();   ///< Likewise; seconds for Durations.
+  double minimum =
+      -std::numeric_limits<double>::infinity();  ///< Of an Integer, Number, Duration, Size.
+  double maximum = std::numeric_limits<double>::infinity();  ///< Likewise; seconds for Durations,
+                                                             ///< each side's pixels for Sizes.
   std::string_view choices = {};  ///< Of a Text: "a|b|c" when nothing else is allowed.
 };
 
@@ -42,6 +44,14 @@ std::string_view nearest_key(std::string_view key);
 struct ConfigValue {
   std::string text;
   SourceLocation where;
+};
+
+/// Width and height of a picture, pixels.
+struct PixelSize {
+  int width = 0;
+  int height = 0;
+
+  friend bool operator==(const PixelSize&, const PixelSize&) = default;
 };
 
 /// Effective configuration. Precedence: command line > environment > eyebridge.toml (working
@@ -72,7 +82,8 @@ class Config {
   [[nodiscard]] std::string text(std::string_view key) const;
   [[nodiscard]] bool boolean(std::string_view key) const;
   [[nodiscard]] long long integer(std::string_view key) const;
-  [[nodiscard]] double number(std::string_view key) const;  ///< Number, or Duration in seconds.
+  [[nodiscard]] double number(std::string_view key) const;   ///< Number, or Duration in seconds.
+  [[nodiscard]] PixelSize size(std::string_view key) const;  ///< Of a Size.
   /// A Path: relative ones are taken from where they were written (the TOML file's folder, else the
   /// working folder).
   [[nodiscard]] std::filesystem::path path(std::string_view key) const;
@@ -91,8 +102,7 @@ class Config {
   std::map<std::string, ConfigValue, std::less<>> values_;
 };
 
-/// Seconds of "2s", "250ms", "1.5 min", or a bare number of seconds; units us, ms, s, min, h.
-/// 0 … 1e9 s. Throws ConfigError at `where`.
-double parse_duration(std::string_view text, const SourceLocation& where);
+/// "560x400": width and height. Throws ConfigError at `where`; checks no range.
+PixelSize parse_size(std::string_view text, const SourceLocation& where);
 
 }  // namespace eyebridge::hal

@@ -25,13 +25,19 @@ struct BackendFactory {
   std::string_view summary;  ///< One line for `eyebridge doctor` and error messages.
   /// Throws ConfigError for a rest or an option that the backend does not take.
   std::unique_ptr<Backend> (*open)(const BackendUrl& url, const BackendContext& context);
+  /// Opening it does something to the world outside (a board starts): not to be done for a check.
+  bool has_effects = false;
 };
 
 /// All backends, in order of preference.
 std::span<const BackendFactory> backend_table();
 
-/// Opens the backend that `config` names under "hal", e.g. "sim". Throws ConfigError for an unknown
-/// scheme (naming the known ones), a bad URL, or a world that cannot be loaded.
+/// The row of the backend that `config` names under "hal". Throws ConfigError for a bad URL, or an
+/// unknown scheme (naming the known ones).
+const BackendFactory& find_backend(const Config& config);
+
+/// Opens the backend that `config` names under "hal", e.g. "sim". Throws ConfigError as
+/// find_backend(), and for a world that cannot be loaded.
 std::unique_ptr<Backend> open_backend(const BackendContext& context);
 
 }  // namespace eyebridge::hal

@@ -19,16 +19,23 @@ struct SearchPlaces {
 
 /// Loads a `.wld`, `.maz`, `.sim`, `.robi` (in an empty room) or EyeSim parameter file (`.p`) and
 /// everything it names. A world or maze without robots gets one robot of `default_robot` (a
-/// built-in one) at its first start pose, or at the free place nearest to its centre.
+/// built-in one) at its first start pose, or at the free place nearest to its centre. A floor
+/// texture that exists becomes an absolute path; it is looked for beside the world's file first.
 ///
 /// Throws ConfigError. Robots that would stand in a wall, an object or another robot are an error
-/// at the line that places them (a world's or maze's own start poses: at the file).
+/// at the line that places them: of a `.sim`, or the start position or letter. `robot_where` is
+/// where `default_robot` was said, for the message when there is no such robot.
 Scenario load_scenario(const std::filesystem::path& path, const std::string& default_robot = "S4",
-                       const SearchPlaces& places = {});
+                       const SearchPlaces& places = {},
+                       const SourceLocation& robot_where = {"default robot"});
 
 /// A built-in robot by name, case ignored ("S4", "LabBot", "Mouse"); null when there is none.
 /// Parsed on first use; any thread.
 const robot::RobotModel* builtin_robot(std::string_view name);
+
+/// As builtin_robot(), but throws ConfigError at `where` when there is none, naming those there
+/// are.
+const robot::RobotModel& named_robot(std::string_view name, const SourceLocation& where);
 
 /// An empty room, 2 m x 2 m with walls, and one S4 in its middle: what a program gets that names
 /// no world (as in EyeSim).

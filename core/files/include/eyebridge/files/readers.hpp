@@ -18,14 +18,19 @@ namespace eyebridge::files {
 /// EyeSim / Saphira world (`.wld`): sizes, walls, push/pop, position, floor_texture.
 ///
 /// Without a size the floor reaches to the farthest walls (a warning); nothing is ever shifted, so
-/// walls that all lie at negative coordinates are an error then.
+/// walls that all lie at negative coordinates are an error then. `start_places`, unless null, gets
+/// the place in the file of each of the model's starts.
 world::WorldModel read_world(std::string_view text, const std::string& file,
-                             std::vector<Warning>& warnings);
+                             std::vector<Warning>& warnings,
+                             std::vector<SourceLocation>* start_places = nullptr);
 
 /// Maze drawn with `|` and `_` (`.maz`). What stands off the grid is ignored with a warning; `O`
-/// and `X` are a ball and a crate with a wall below, as with the letters of starts.
+/// and `X` are a ball and a crate with a wall below, as with the letters of starts. A drawing with
+/// three columns a cell ("|__|") instead of two is recognised and read as such, with one warning.
+/// `start_places` as in read_world().
 world::WorldModel read_maze(std::string_view text, const std::string& file,
-                            std::vector<Warning>& warnings);
+                            std::vector<Warning>& warnings,
+                            std::vector<SourceLocation>* start_places = nullptr);
 
 /// Robot description (`.robi`), both dialects: the new one has `drive` as its first keyword, and
 /// its `wheel` gives half the wheel base.
@@ -36,11 +41,17 @@ world::WorldModel read_maze(std::string_view text, const std::string& file,
 robot::RobotModel read_robi(std::string_view text, const std::string& file,
                             std::vector<Warning>& warnings);
 
+/// EyeSim's description of an object (`.esObj`): a disc that covers its colliders from above. One
+/// that is a single sphere is a ball. `name` is what it is called when the file gives no name.
+world::ObjectSpec read_object(std::string_view text, const std::string& file,
+                              const std::string& name, std::vector<Warning>& warnings);
+
 /// EyeSim 1–4 parameter file (`eyesim.p`), without the world it names.
 struct ParameterFile {
   robot::RobotModel robot;
   std::optional<std::string> world;  ///< File names as written.
   std::optional<std::string> maze;
+  SourceLocation world_where;  ///< Of the name of the world or maze.
   bool pause = false;
   bool debug = false;
 };

@@ -24,6 +24,7 @@ struct RobotPlacement {
 struct Scenario {
   std::filesystem::path directory;  ///< Where the files lie that it names.
   world::WorldModel world;
+  std::vector<SourceLocation> start_places;  ///< Where each of world.starts was read.
   std::vector<robot::RobotModel> models;
   std::vector<RobotPlacement> robots;
   bool start_paused = false;  ///< eyesim.p: pause on

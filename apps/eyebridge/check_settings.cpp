@@ -1,0 +1,84 @@
+#include "check_settings.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <system_error>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "eyebridge/base/log.hpp"
+#include "eyebridge/camera/source.hpp"
+#include "eyebridge/files/load.hpp"
+#include "eyebridge/hal/registry.hpp"
+#include "key_script.hpp"
+
+namespace eyebridge::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// `error`, which knows a place within the value at most, at the place the value came from.
+ConfigError at_value(const ConfigError& error, const SourceLocation& value) {
+  SourceLocation where = value;
+  if (where.line == 0) {
+    where.line = error.where().line;
+    where.column = error.where().column;
+  }
+  return {where, error.text()};
+}
+
+void check_keys(const hal::ConfigValue& keys) {
+  try {
+    robios::parse_key_script(keys.text);
+  } catch (const ConfigError& error) {
+    throw at_value(error, keys.where);
+  }
+}
+
+/// A default camera may be missing until the program wants it; one that was asked for may not.
+void check_camera(const hal::ConfigValue& camera, hal::Backend* backend, LogSink& log) {
+  camera::View* view = backend == nullptr ? nullptr : backend->camera_view();
+  const bool asked_for = camera.where.file != "default";
+  if (camera.text == "none" || (!asked_for && view == nullptr)) return;
+  try {
+    camera::check_source(camera.text,
+                         {backend == nullptr ? nullptr : &backend->clock(), view, &log});
+  } catch (const ConfigError& error) {
+    throw ConfigError(camera.where, error.text());
+  }
+}
+
+/// Makes the folder, as the program would: nothing else tells whether that is possible.
+void check_out(const fs::path& out, const SourceLocation& where) {
+  const auto refuse = [&](const fs::path& path, const std::string& reason) {
+    throw ConfigError(where, fmt::format("cannot write {}: {}", path.string(), reason));
+  };
+  std::error_code error;
+  fs::create_directories(out, error);
+  if (error) refuse(out, error.message());
+  if (!fs::is_directory(out, error)) refuse(out, "it is no folder");
+  if (access(out.c_str(), W_OK | X_OK) != 0) refuse(out, std::strerror(errno));
+  const fs::path trace = out / "trace.csv";
+  if (!fs::exists(trace, error)) return;
+  if (fs::is_directory(trace, error)) refuse(trace, "it is a folder");
+  if (access(trace.c_str(), W_OK) != 0) refuse(trace, std::strerror(errno));
+}
+
+}  // namespace
+
+void check_settings(const hal::Config& config) {
+  NullLog log;
+  files::named_robot(config.text("robot"), config.value("robot").where);
+  check_keys(config.value("keys"));
+  std::unique_ptr<hal::Backend> backend;
+  // The program opens it again, which is free for a world but not for a board.
+  if (!hal::find_backend(config).has_effects) backend = hal::open_backend({config, log});
+  check_camera(config.value("camera"), backend.get(), log);
+  if (config.is_set("out")) check_out(config.path("out"), config.value("out").where);
+}
+
+}  // namespace eyebridge::apps

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+
+#include "eyebridge/files/load.hpp"
+
+namespace eyebridge::files {
+
+enum class GroundKind { World, Maze };
+
+/// Reads the world or maze at `path` into `scenario`: its world, start places and warnings. A floor
+/// texture is looked for beside `path`, then where find_file() looks; what is found becomes an
+/// absolute path, anything else stays as written. Throws ConfigError.
+void load_ground(const std::filesystem::path& path, GroundKind kind, const SearchPlaces& places,
+                 Scenario& scenario);
+
+}  // namespace eyebridge::files
