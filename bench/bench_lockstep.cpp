@@ -54,7 +54,7 @@ BENCHMARK(poll_and_wait);
 
 void lcd_printf(benchmark::State& state) {
   int i = 0;
-  for (auto _ : state) LCDSetPrintf(0, 0, "PSD %5d at %3d", ++i, i % 360);
+  for (auto _ : state) LCDSetPrintf(0, 0, "PSD %5d", ++i);
 }
 BENCHMARK(lcd_printf);
 

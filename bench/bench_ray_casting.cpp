@@ -34,41 +34,43 @@ std::vector<Vec2> scan_directions() {
   return directions;
 }
 
-/// CPU seconds a ray by brute force, measured now: the baseline of the same run.
-double brute_force_seconds(const WorldModel& model) {
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// Rays per CPU second by brute force, measured now: the baseline of the same run.
+double brute_force_rate(const WorldModel& model) {
   const RayCaster caster(model, RayMethod::BruteForce);
   const std::vector<Vec2> directions = scan_directions();
+  const std::vector<Vec2> places = places_in(model);
   std::vector<double> ranges(kRays);
-  std::size_t rays = 0;
-  const std::clock_t start = std::clock();
+  const double start = cpu_seconds();
   double spent = 0.0;
-  for (const Vec2 place : places_in(model)) {
-    caster.cast_fan(place, directions, kMaxRange, ranges);
+  std::size_t scans = 0;
+  while (spent < 0.2) {
+    caster.cast_fan(places[scans % places.size()], directions, kMaxRange, ranges);
     benchmark::DoNotOptimize(ranges.data());
-    rays += kRays;
-    spent = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-    if (spent > 0.2) break;
+    ++scans;
+    spent = cpu_seconds() - start;
   }
-  return spent / static_cast<double>(rays);
+  return static_cast<double>(scans * kRays) / spent;
 }
 
 void cast(benchmark::State& state, const WorldModel& model, RayMethod method) {
-  const double baseline = brute_force_seconds(model);
+  const double baseline = brute_force_rate(model);
   const RayCaster caster(model, method);
   const std::vector<Vec2> directions = scan_directions();
   const std::vector<Vec2> places = places_in(model);
   std::vector<double> ranges(kRays);
-  std::size_t place = 0;
-  std::size_t rays = 0;
+  std::size_t scans = 0;
+  const double start = cpu_seconds();
   for (auto _ : state) {
-    caster.cast_fan(places[place++ % places.size()], directions, kMaxRange, ranges);
+    caster.cast_fan(places[scans++ % places.size()], directions, kMaxRange, ranges);
     benchmark::DoNotOptimize(ranges.data());
-    rays += kRays;
   }
-  const auto count = static_cast<double>(rays);
+  const double rate = static_cast<double>(scans * kRays) / (cpu_seconds() - start);
   state.counters["walls"] = static_cast<double>(model.walls.size());
-  state.counters["rays/s"] = benchmark::Counter(count, benchmark::Counter::kIsRate);
-  state.counters["vs_brute"] = benchmark::Counter(count * baseline, benchmark::Counter::kIsRate);
+  state.counters["Mray/s"] = rate / 1e6;
+  state.counters["brute_Mray/s"] = baseline / 1e6;
+  state.counters["x_brute"] = rate / baseline;
 }
 
 void register_all(const char* scene, WorldModel (*make)(int), bool maze) {

@@ -1,3 +1,22 @@
+# eyebridge_headers(tests EXECUTABLE|STATIC HEADERS … [LIBRARIES …]): headers that many targets with
+# the same flags include, compiled once. clang-tidy sees every source without them, so that none
+# can forget an include of its own.
+function(eyebridge_headers name kind)
+  cmake_parse_arguments(arg "" "" "HEADERS;LIBRARIES" ${ARGN})
+  set(source "${CMAKE_BINARY_DIR}/headers/${name}.cpp")
+  file(CONFIGURE OUTPUT "${source}" CONTENT "int main() {}\n")
+  if(kind STREQUAL EXECUTABLE)
+    add_executable(headers_${name} EXCLUDE_FROM_ALL "${source}")
+  else()
+    add_library(headers_${name} STATIC EXCLUDE_FROM_ALL "${source}")
+  endif()
+  target_link_libraries(headers_${name} PRIVATE ${arg_LIBRARIES} eyebridge_warnings)
+  target_precompile_headers(headers_${name} PRIVATE ${arg_HEADERS})
+endfunction()
+eyebridge_headers(libraries STATIC
+  HEADERS <algorithm> <array> <cmath> <filesystem> <memory> <optional> <span> <string> <vector>
+          <tl/expected.hpp>)
+
 # eyebridge_library(base SOURCES … PUBLIC … PRIVATE …): the static library eyebridge_base, alias
 # eyebridge::base, with its own include folder, so that a forbidden include does not compile.
 function(eyebridge_library name)
@@ -8,27 +27,28 @@ function(eyebridge_library name)
                              PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/src")
   target_link_libraries(eyebridge_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE}
                         eyebridge_warnings)
+  target_precompile_headers(eyebridge_${name} REUSE_FROM headers_libraries)
 endfunction()
 
 # eyebridge_test(core_base SOURCES … LIBRARIES … [LABEL slow]): one GoogleTest program; every test in
 # it becomes a ctest named core_base.Suite.Test@preset, so that `./test core` picks a group by its
 # prefix. LABEL is unit unless given: unit tests together stay under two minutes. Those with LABEL
-# threads are all that the thread sanitizer builds; the fuzz preset builds no tests at all.
+# threads are all that the thread sanitizer runs; the fuzz preset runs only fuzzers.
 function(eyebridge_test name)
   cmake_parse_arguments(arg "" "LABEL" "SOURCES;LIBRARIES" ${ARGN})
   if(NOT arg_LABEL)
     set(arg_LABEL unit)
   endif()
-  if(EYEBRIDGE_FUZZ OR (EYEBRIDGE_SANITIZE MATCHES "thread" AND NOT arg_LABEL STREQUAL threads))
-    return()
-  endif()
   add_executable(test_${name} ${arg_SOURCES})
   target_link_libraries(test_${name} PRIVATE ${arg_LIBRARIES} GTest::gmock GTest::gtest_main
                         eyebridge_warnings)
-  target_precompile_headers(test_${name} PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
+  target_precompile_headers(test_${name} REUSE_FROM headers_tests)
   target_compile_definitions(test_${name} PRIVATE
                              EYEBRIDGE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                              EYEBRIDGE_SHARED_DIR="${CMAKE_SOURCE_DIR}/../shared")
+  if(EYEBRIDGE_FUZZ OR (EYEBRIDGE_SANITIZE MATCHES "thread" AND NOT arg_LABEL STREQUAL threads))
+    return()
+  endif()
   cmake_path(GET CMAKE_BINARY_DIR FILENAME preset)
   gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_SUFFIX @${preset} NO_PRETTY_VALUES
                        DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${arg_LABEL} TIMEOUT 300)
@@ -41,7 +61,7 @@ add_custom_target(threaded_tests)  # What `./test` builds with the thread saniti
 add_custom_target(fuzzers)
 
 # eyebridge_fuzzer(world LIBRARIES …): fuzz_world from fuzz_world.cpp, built with EYEBRIDGE_FUZZ, and
-# a ctest fuzz.world that feeds it for a bounded time from corpus/world.
+# a ctest fuzz.world that feeds it for a bounded time from corpus/world; both in tests/fuzz.
 function(eyebridge_fuzzer name)
   cmake_parse_arguments(arg "" "" "LIBRARIES" ${ARGN})
   if(NOT EYEBRIDGE_FUZZ)
@@ -53,7 +73,7 @@ function(eyebridge_fuzzer name)
   add_dependencies(fuzzers fuzz_${name})
   add_test(NAME fuzz.${name}
            COMMAND "${CMAKE_SOURCE_DIR}/cmake/run-fuzzer.sh" $<TARGET_FILE:fuzz_${name}>
-                   "${CMAKE_CURRENT_SOURCE_DIR}/corpus/${name}"
+                   "${CMAKE_SOURCE_DIR}/tests/fuzz/corpus/${name}"
                    "${CMAKE_CURRENT_BINARY_DIR}/scratch/${name}")
   set_tests_properties(fuzz.${name} PROPERTIES LABELS fuzz TIMEOUT 600 COST 500)
 endfunction()

@@ -9,6 +9,7 @@ import sys
 DROPPED = re.compile(
     r" -include \S*cmake_pch\.hxx| -Winvalid-pch| -fpch-preprocess| -fsanitize=\S+"
     r"| -fno-sanitize-recover=\S+| -Wno-maybe-uninitialized"
+    r"| -Wno-restrict"
 )
 # The launcher comes before the compiler.
 LAUNCHER = re.compile(r"^\S*ccache ")
@@ -19,9 +20,10 @@ def main(source: str, target: str) -> None:
     entries = []
     for entry in json.loads(pathlib.Path(source).read_text()):
         file = pathlib.Path(entry["file"])
+        unity = file.name.startswith("unity_")
         if file.name.startswith("cmake_pch") or not file.is_relative_to(root):
             continue
-        if (root / "build") in file.parents:
+        if (root / "build") in file.parents and not unity:
             continue
         command = LAUNCHER.sub("", entry["command"])
         entries.append({**entry, "command": DROPPED.sub("", command)})

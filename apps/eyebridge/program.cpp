@@ -45,7 +45,7 @@ fs::path find_in_path(const std::string& name) {
   std::string_view rest = path == nullptr ? "" : path;
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find(':'), rest.size());
-    const fs::path candidate = fs::path(rest.substr(0, end)) / name;
+    fs::path candidate = fs::path(rest.substr(0, end)) / name;
     if (end > 0 && access(candidate.c_str(), X_OK) == 0 && !fs::is_directory(candidate)) {
       return candidate;
     }
@@ -59,8 +59,7 @@ fs::path find_in_path(const std::string& name) {
 fs::path find_program(const std::string& name) {
   if (name.empty()) throw ConfigError({"program"}, "found an empty name, expected a robot program");
   if (name.find('/') != std::string::npos || is_there(name)) {
-    const fs::path program =
-        name.find('/') != std::string::npos ? fs::path(name) : "." / fs::path(name);
+    fs::path program = name.find('/') != std::string::npos ? fs::path(name) : "." / fs::path(name);
     if (!is_there(program)) throw ConfigError({name}, "no such program");
     check(program);
     return program;
@@ -79,6 +78,7 @@ void become(const fs::path& program, const std::vector<std::string>& arguments) 
   words.insert(words.end(), arguments.begin(), arguments.end());
 
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   // Not execvp for the program itself: it would hand what the kernel refuses to sh.

@@ -41,10 +41,11 @@ bool blocks_signals(const std::filesystem::path& folder) {
   return false;
 }
 
-const std::filesystem::path kTasks = "/proc/self/task";
+// Not a path: the thread that looks here outlives what exit() destroys.
+constexpr const char* kTasks = "/proc/self/task";
 
 /// A main thread that left by pthread_exit() stays as a zombie until the process ends.
-Task main_task() { return read_task(kTasks / std::to_string(getpid())); }
+Task main_task() { return read_task(std::filesystem::path(kTasks) / std::to_string(getpid())); }
 
 }  // namespace
 

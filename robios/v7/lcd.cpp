@@ -15,7 +15,6 @@ using eyebridge::fail;
 using eyebridge::Result;
 using eyebridge::Rgb;
 using eyebridge::robios::guarded;
-using eyebridge::robios::ImageWindow;
 using eyebridge::robios::Lcd;
 using eyebridge::robios::null_pointer;
 using eyebridge::robios::Session;

@@ -13,8 +13,6 @@ inline ProgramRun run_command(const std::vector<std::string>& arguments, const s
   std::vector<std::string> command = {EYEBRIDGE_BIN "/eyebridge"};
   command.insert(command.end(), arguments.begin(), arguments.end());
   environment.emplace("XDG_CONFIG_HOME", "/nonexistent");
-  environment.emplace("LSAN_OPTIONS", "print_suppressions=0:suppressions=" EYEBRIDGE_SOURCE_DIR
-                                      "/tests/apps/lsan.supp");
   return run_program({command, environment, folder});
 }
 

@@ -1,6 +1,7 @@
 // The maze explorer against mazes that nobody here drew: does it find the way that a flood fill of
 // the file finds?
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <deque>

@@ -5,10 +5,14 @@
 #include <string_view>
 #include <vector>
 
+#include "config/toml_text.hpp"
+#include "config/values.hpp"
 #include "eyebridge/files/readers.hpp"
+#include "eyebridge/hal/url.hpp"
+#include "pnm.hpp"
 
 // What the fuzz targets and the test over their corpus do with one input. Anything but a model or
-// a ConfigError ends the process: that is a finding.
+// a ConfigError (of an image: an Error) ends the process: that is a finding.
 namespace eyebridge::fuzz {
 
 /// Ends the process: what was read did not survive being written.
@@ -65,6 +69,36 @@ inline void parameter(std::string_view text) {
   try {
     static_cast<void>(files::read_parameter_file(text, "fuzz.p", warnings));
   } catch (const ConfigError&) {  // the input is no parameter file
+  }
+}
+
+/// An image holds what its size says, is not much bigger than its file, and survives a round trip.
+inline void pnm(std::string_view text) {
+  using namespace eyebridge::robios;
+  const auto image =
+      read_pnm({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, "fuzz.pnm");
+  if (!image) return;
+  const auto again = read_pnm(write_pnm(*image), "again.pnm");
+  if (image->bytes.size() != image->size.pixels() * pnm_channels(image->kind) ||
+      image->bytes.size() > 8 * text.size() || !again || *again != *image) {
+    found();
+  }
+}
+
+/// The text as an eyebridge.toml, as a duration and as the URL of a backend.
+inline void config(std::string_view text) {
+  const SourceLocation where{"fuzz"};
+  try {
+    hal::read_toml(text, "fuzz.toml");
+  } catch (const ConfigError&) {  // the input is no configuration
+  }
+  try {
+    if (hal::parse_duration(text, where) < 0.0) found();
+  } catch (const ConfigError&) {  // the input is no duration
+  }
+  try {
+    if (hal::parse_backend_url(text, where).scheme.empty()) found();
+  } catch (const ConfigError&) {  // the input is no URL
   }
 }
 

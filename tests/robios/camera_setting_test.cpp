@@ -1,5 +1,6 @@
 // What is wrong with --camera is said before the program's first call returns, not at CAMInit.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "run_program.hpp"

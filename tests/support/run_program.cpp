@@ -1,10 +1,5 @@
 #include "run_program.hpp"
 
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <array>
 #include <chrono>
 #include <csignal>
@@ -13,6 +8,11 @@
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace eyebridge::testing {
 namespace {
@@ -50,6 +50,7 @@ bool collect(const std::array<int, 2>& pipes, ProgramRun& run,
   dup2(out, 1);
   dup2(err, 2);
   if (!start.directory.empty() && chdir(start.directory.c_str()) != 0) _exit(127);
+  setenv("LSAN_OPTIONS", "print_suppressions=0:suppressions=" EYEBRIDGE_LSAN_SUPPRESSIONS, 1);
   for (const auto& [name, value] : start.environment) setenv(name.c_str(), value.c_str(), 1);
   std::vector<char*> argv;
   for (const std::string& word : start.command) argv.push_back(const_cast<char*>(word.c_str()));

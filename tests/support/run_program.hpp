@@ -15,12 +15,13 @@ struct ProgramRun {
 
 /// How to start a program.
 struct ProgramStart {
-  std::vector<std::string> command;                ///< Program first; found in PATH without a slash.
+  std::vector<std::string> command;  ///< Program first; found in PATH without a slash.
   std::map<std::string, std::string> environment;  ///< On top of this process's.
   std::string directory;                           ///< Working folder; this process's if empty.
 };
 
-/// Runs a program with an empty standard input to its end and collects both outputs.
+/// Runs a program with an empty standard input to its end and collects both outputs. Under the leak
+/// checker it does not answer for what lsan.supp lists.
 /// A program that is still running after a minute is killed, and the test fails by its exit code.
 ProgramRun run_program(const ProgramStart& start);
 

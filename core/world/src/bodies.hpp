@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -68,6 +69,34 @@ class Bodies {
         visit);
   }
 
+  /// Same for bodies that may touch the straight way from `from` along `way`, which is finite.
+  template <class Visit>
+  void each_on_ray(Vec2 from, Vec2 way, Visit visit) const {
+    const Vec2 to = from + way;
+    const double margin = largest_radius_ + 1e-6;  // more than rounding makes of a place
+    const double cell = 1.0 / per_cell_;
+    const std::size_t last_row = cell_of((from.y < to.y ? to.y : from.y) + margin, rows_);
+    std::size_t row = cell_of((from.y < to.y ? from.y : to.y) - margin, rows_);
+    if (heads_.empty() || row == last_row) {
+      each_on_way(from, way, 1e-6, visit);
+      return;
+    }
+    for (; row <= last_row; ++row) {
+      // The part of the way from which a body of this row can be touched; the rim has no end.
+      const double low = row == 0 ? -kEndless : static_cast<double>(row) * cell - margin;
+      const double high =
+          row + 1 == rows_ ? kEndless : static_cast<double>(row + 1) * cell + margin;
+      const double enter = std::clamp(((way.y > 0.0 ? low : high) - from.y) / way.y, 0.0, 1.0);
+      const double leave = std::clamp(((way.y > 0.0 ? high : low) - from.y) / way.y, 0.0, 1.0);
+      const double x0 = from.x + enter * way.x;
+      const double x1 = from.x + leave * way.x;
+      const std::size_t last = cell_of((x0 < x1 ? x1 : x0) + margin, columns_);
+      for (std::size_t c = cell_of((x0 < x1 ? x0 : x1) - margin, columns_); c <= last; ++c) {
+        for (BodyId id = heads_[row * columns_ + c]; id != kNoBody; id = next_[id]) visit(id);
+      }
+    }
+  }
+
   // Read by everyone, written by the owner of the state.
   std::vector<double> cos_, sin_;  ///< Headings.
   std::vector<double> radius_;     ///< Metres.
@@ -78,6 +107,8 @@ class Bodies {
   std::vector<Rgb> colour_;
 
  private:
+  static constexpr double kEndless = std::numeric_limits<double>::infinity();
+
   /// Places outside, and NaNs, belong to the rim.
   [[nodiscard]] std::size_t cell_of(double coordinate, std::size_t count) const {
     const double index = coordinate * per_cell_;

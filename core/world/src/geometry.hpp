@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -26,13 +27,14 @@ std::vector<Segment> outlines_of(const std::vector<Wall>& walls);
 /// joint of two walls against rounding, metres.
 inline constexpr double kRayTolerance = 1e-9;
 
+/// Below this sine of the angle between them ray and wall are parallel: over 1 km the ray drifts by
+/// less than kRayTolerance.
+inline constexpr double kParallel = 1e-12;
+
 /// Range along the ray (`direction` is a unit vector) to `wall` where that is less than `best`,
 /// else `best`. A ray along the wall's own line meets its nearer end; one from a point on the wall
 /// reads 0.
 inline double nearer_hit(const Segment& wall, Vec2 origin, Vec2 direction, double best) {
-  // Below this sine of the angle between ray and wall they are parallel: over 1 km the ray drifts
-  // by less than kRayTolerance.
-  constexpr double kParallel = 1e-12;
   const Vec2 w = wall.a - origin;
   const double signed_den = cross(direction, wall.u);
   const double sign = std::copysign(1.0, signed_den);  // a branch would be a coin's toss

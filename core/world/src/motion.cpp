@@ -15,6 +15,10 @@ constexpr double kPushLead = 1e-9;
 /// How far beyond the step walls are looked for, in radii of the body.
 constexpr double kLookAhead = 1.0;
 
+/// What is squeezed against a wall slips aside unless the sine of the angle between the push and
+/// the wall's normal is less than this: friction holds it then.
+constexpr double kJamSine = 0.2;
+
 /// A ball leaves what hits it at this fraction of the speed of approach.
 constexpr double kKickRestitution = 0.5;
 
@@ -65,6 +69,17 @@ void World::Impl::kick(BodyId ball, Vec2 velocity, Vec2 normal) {
   }
 }
 
+bool World::Impl::slip(BodyId id, Vec2 motion, Vec2 normal) {
+  const Vec2 along = motion - dot(motion, normal) * normal;
+  const double sine_squared = norm_squared(along) / norm_squared(motion);
+  if (!(sine_squared > kJamSine * kJamSine)) return false;
+  // So far that the pusher, too, can go its way: the part of this along `motion` is `motion`.
+  const Vec2 way = (1.0 / sine_squared) * along;
+  const Obstacle end = first_obstacle(id, way);
+  travel(id, (end.met() ? end.fraction : 1.0) * way);
+  return !end.met();
+}
+
 double World::Impl::shift(BodyId id, Vec2 motion, double dt, int depth) {
   const Obstacle first = first_obstacle(id, motion);
   if (!first.met()) {
@@ -73,7 +88,10 @@ double World::Impl::shift(BodyId id, Vec2 motion, double dt, int depth) {
   }
   const double before = first.fraction;
   travel(id, before * motion);
-  if (first.wall || !gives_way(first.body) || depth == 0) return before;
+  if (first.wall || !gives_way(first.body)) {
+    return slip(id, (1.0 - before) * motion, towards(first, id)) ? 1.0 : before;
+  }
+  if (depth == 0) return before;
   // The next one gives way along the line of centres; this one follows as far as it went.
   const Vec2 rest = (1.0 - before) * motion;
   const Vec2 normal = towards(first, id);

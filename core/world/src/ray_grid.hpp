@@ -10,27 +10,12 @@
 
 namespace eyebridge::world {
 
-/// Up to eight segments of one cell, in single precision and relative to the grid's origin: a quick
-/// look at which of them a ray may hit. Unused lanes are NaN, which no ray hits.
-struct alignas(32) RayBlock {
-  static constexpr std::size_t kLanes = 8;
-
-  float ax[kLanes];
-  float ay[kLanes];
-  float ux[kLanes];
-  float uy[kLanes];
-  float length[kLanes];
-  std::uint32_t segment[kLanes];  ///< Index of the lane's segment.
-};
-
-/// A uniform grid whose cells hold RayBlocks; a ray walks the cells in its way.
+/// A uniform grid of walls; rays walk the cells in their way, neighbours side by side.
 ///
-/// Single precision only sorts out, with a margin that is wider than its rounding; what it lets
-/// through is intersected in double. So ranges are exactly those of a loop over all segments,
-/// whichever instruction set was used.
+/// Ranges are exactly those of a loop over all walls with nearer_hit(), whichever instruction set
+/// was used: a ray is tried against too many walls at most.
 class RayGrid {
  public:
-  /// `segments` must live as long as the grid.
   explicit RayGrid(const std::vector<Segment>& segments);
 
   /// Ranges along `directions` from `origin`; `max_range` where nothing is nearer.
@@ -42,22 +27,21 @@ class RayGrid {
 
   static bool has_avx2();
 
+  /// Rays that walk together.
+  static constexpr std::size_t kChunk = 128;
+
  private:
-  struct Cell {
-    std::uint32_t first = 0;  ///< Into blocks_.
-    std::uint32_t count = 1;  ///< At least 1: block 0 is empty and shared by all empty cells.
-  };
+  /// Rays farther apart than this are not tried together, even in one cell.
+  static constexpr std::size_t kMaxGap = 8;
 
-  /// Fills one of `starts` for each of `directions`.
-  void start_rays(Vec2 origin, std::span<const Vec2> directions, double max_range,
-                  RayStart* starts) const;
+  /// Fills one of `states` for each of `directions`, and `active` with the indices of the rays that
+  /// meet the grid, ascending; returns how many.
+  std::size_t start_rays(Vec2 origin, std::span<const Vec2> directions, double max_range,
+                         RayState* states, std::uint32_t* active) const;
 
-  const std::vector<Segment>& segments_;
   SegmentGrid grid_;
-  std::vector<Cell> cells_;
-  std::vector<RayBlock> blocks_;
-  double size_ = 1.0;    ///< Diagonal of the grid, metres.
-  float margin_ = 0.0F;  ///< Bound on the rounding errors of a quick look, metres.
+  std::vector<std::uint32_t> starts_;  ///< Cell -> first of its segments; one more at the end.
+  std::vector<Segment> segments_;      ///< Those of each cell together.
 };
 
 }  // namespace eyebridge::world

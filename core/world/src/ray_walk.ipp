@@ -2,22 +2,61 @@
 // has defined before:
 //   EYEBRIDGE_RAY_TARGET   the attribute of functions of that instruction set, or nothing
 //   EYEBRIDGE_RAY_CAST     the name of the member function
-//   candidates_in()        which lanes of a block a ray may hit before query.reach, as bits
+//   EYEBRIDGE_RAY_LANES    how many rays fit one register
 // Text is shared, not a template, because g++ inlines no function of a richer instruction set into
 // one of a poorer, and the linker must not take one for the other.
 
 namespace {
 
-/// Least of `best` and the ranges to the segments in `lanes`. Not inlined: what the walk needs
-/// stays in registers, and most rays come here once, at their end.
-EYEBRIDGE_RAY_TARGET inline double nearest_of(const RayBlock& block, unsigned lanes,
-                                              const Segment* segments, Vec2 origin, Vec2 direction,
-                                              double best) {
-  for (; lanes != 0; lanes &= lanes - 1) {
-    const std::uint32_t hit = block.segment[__builtin_ctz(lanes)];
-    best = nearer_hit(segments[hit], origin, direction, best);
+constexpr std::size_t kLanes = EYEBRIDGE_RAY_LANES;
+using Lanes = double __attribute__((vector_size(8 * kLanes)));
+using LaneBits = std::int64_t __attribute__((vector_size(8 * kLanes)));
+
+/// Neighbours of a fan, and the ranges found so far.
+struct Rays {
+  alignas(64) double dx[RayGrid::kChunk];
+  alignas(64) double dy[RayGrid::kChunk];
+  alignas(64) double best[RayGrid::kChunk];
+};
+
+EYEBRIDGE_RAY_TARGET inline void load(Lanes& lanes, const double* from) {
+  std::memcpy(&lanes, from, sizeof lanes);
+}
+
+/// nearer_hit() of `wall` for at least the rays `first` to `last`: the same operations on the same
+/// numbers. False when one may be parallel to the wall: such rays are left as they are.
+EYEBRIDGE_RAY_TARGET inline bool meet(const Segment& wall, Vec2 origin, Rays& rays,
+                                      std::size_t first, std::size_t last) {
+  const Vec2 w = wall.a - origin;
+  const Lanes zero{};
+  const Lanes along = zero + cross(w, wall.u);
+  const LaneBits sign_bit = LaneBits{} + std::numeric_limits<std::int64_t>::min();
+  LaneBits parallel{};
+  for (std::size_t i = first / kLanes * kLanes; i <= last; i += kLanes) {
+    Lanes dx;
+    Lanes dy;
+    Lanes best;
+    load(dx, rays.dx + i);
+    load(dy, rays.dy + i);
+    load(best, rays.best + i);
+    const LaneBits signed_den = (LaneBits)(dx * wall.u.y - dy * wall.u.x);
+    const LaneBits sign = signed_den & sign_bit;
+    const Lanes den = (Lanes)(signed_den ^ sign);
+    const Lanes along_ray = (Lanes)((LaneBits)along ^ sign);
+    const Lanes along_wall = (Lanes)((LaneBits)(w.x * dy - w.y * dx) ^ sign);
+    const Lanes slack = kRayTolerance * den;
+    const Lanes range = along_ray / den;
+    const LaneBits near_parallel = den < kParallel;
+    const LaneBits hit = (along_wall >= -slack) & (along_wall <= wall.length * den + slack) &
+                         (along_ray >= -slack) & (range < best) & ~near_parallel;
+    const Lanes nearer = range > zero ? range : zero;
+    best = hit ? nearer : best;
+    std::memcpy(rays.best + i, &best, sizeof best);
+    parallel |= near_parallel;
   }
-  return best;
+  std::int64_t any = 0;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) any |= parallel[lane];
+  return any == 0;
 }
 
 }  // namespace
@@ -25,46 +64,64 @@ EYEBRIDGE_RAY_TARGET inline double nearest_of(const RayBlock& block, unsigned la
 EYEBRIDGE_RAY_TARGET
 void RayGrid::EYEBRIDGE_RAY_CAST(Vec2 origin, std::span<const Vec2> directions, double max_range,
                                  std::span<double> ranges) const {
-  const std::ptrdiff_t row_step = static_cast<std::ptrdiff_t>(grid_.columns());
-  // In two passes: how a ray starts takes divisions, and those would wait at each wrongly guessed
-  // branch of the walk before.
-  constexpr std::size_t kChunk = 64;
-  RayStart starts[kChunk];
+  // All rays go one cell ahead, then all that are left another one, and so on. Nobody can foresee
+  // in which cell a ray ends, and a processor that guesses wrong at the end of each ray waits for
+  // longer than the ray takes; here that is data, not a branch. And neighbours are in one cell
+  // mostly, so that a wall is fetched for all of them and several fill a register.
+  RayState states[kChunk];
+  std::uint32_t active[kChunk];
+  Rays rays;
+  double* const best = rays.best;
+
   for (std::size_t first = 0; first < directions.size(); first += kChunk) {
     const std::size_t rest = directions.size() - first;
-    const std::size_t count = rest < kChunk ? rest : kChunk;
-    start_rays(origin, directions.subspan(first, count), max_range, starts);
-
-    for (std::size_t i = 0; i < count; ++i) {
-      const RayStart& start = starts[i];
-      const Vec2 d = directions[first + i];
-      const std::ptrdiff_t step_x = d.x >= 0.0 ? 1 : -1;
-      const std::ptrdiff_t step_y = d.y >= 0.0 ? row_step : -row_step;
-      const RayQuery query{start.x, start.y, static_cast<float>(d.x), static_cast<float>(d.y),
-                           margin_};
-      double next_x = start.next_x;
-      double next_y = start.next_y;
-      double best = start.limit;
-      for (const Cell* at = cells_.data() + start.cell;;) {
-        const bool by_x = next_x < next_y;
-        const double border = by_x ? next_x : next_y;
-        // Hits behind the border are found from their own cells.
-        const double reach = (border < best ? border : best) - start.entry;
-        const RayBlock* block = blocks_.data() + at->first;
-        const RayBlock* const end = block + at->count;
-        do {  // every cell has a block: one branch less to guess
-          const unsigned lanes = candidates_in(*block, query, static_cast<float>(reach));
-          if (lanes != 0) best = nearest_of(*block, lanes, segments_.data(), origin, d, best);
-        } while (++block != end);
-        // A hit in a later cell cannot be nearer than the border to it. Also ends on NaN.
-        if (!(border < best)) break;
-        at += by_x ? step_x : step_y;
-        const double beyond_x = next_x + start.cells_x;
-        const double beyond_y = next_y + start.cells_y;
-        next_x = by_x ? beyond_x : next_x;
-        next_y = by_x ? next_y : beyond_y;
-      }
-      ranges[first + i] = best < start.limit ? best : max_range;
+    const std::size_t chunk = rest < kChunk ? rest : kChunk;
+    const Vec2* const d = directions.data() + first;
+    for (std::size_t i = 0; i < chunk; ++i) {
+      rays.dx[i] = d[i].x;
+      rays.dy[i] = d[i].y;
+      best[i] = max_range;
     }
+    for (std::size_t i = chunk; i % kLanes != 0; ++i) {  // the last register is full, too
+      rays.dx[i] = d[0].x;
+      rays.dy[i] = d[0].y;
+      best[i] = max_range;
+    }
+    std::size_t left = start_rays(origin, {d, chunk}, max_range, states, active);
+    while (left != 0) {
+      for (std::size_t k = 0; k < left;) {
+        const std::size_t cell = states[active[k]].cell;
+        const std::size_t run = active[k];
+        std::size_t end = run;
+        // Those between that have ended meet the walls again, for nothing but at no harm.
+        for (; k < left && states[active[k]].cell == cell && active[k] - end <= kMaxGap; ++k) {
+          end = active[k];
+        }
+        const Segment* const last = segments_.data() + starts_[cell + 1];
+        for (const Segment* wall = segments_.data() + starts_[cell]; wall != last; ++wall) {
+          if (meet(*wall, origin, rays, run, end)) continue;
+          for (std::size_t i = run; i <= end; ++i) {
+            if (std::fabs(cross(d[i], wall->u)) < kParallel) {
+              best[i] = nearer_hit(*wall, origin, d[i], best[i]);
+            }
+          }
+        }
+      }
+      std::size_t on = 0;
+      for (std::size_t k = 0; k < left; ++k) {
+        const std::uint32_t ray = active[k];
+        RayState& state = states[ray];
+        // An index, where the compiler would make a branch of a condition.
+        const std::size_t axis = state.next[0] < state.next[1] ? 0 : 1;
+        const double border = state.next[axis];
+        active[on] = ray;
+        // A hit in a later cell cannot be nearer than the border to it. Also ends on NaN.
+        on += static_cast<std::size_t>((border < best[ray]) & (border < state.limit));
+        state.cell += state.step[axis];
+        state.next[axis] = border + state.between[axis];
+      }
+      left = on;
+    }
+    for (std::size_t i = 0; i < chunk; ++i) ranges[first + i] = best[i];
   }
 }

@@ -8,6 +8,9 @@ namespace {
 /// Directions nearer to each other than this (radians) are one contact: two walls meet there.
 constexpr double kSameDirection = 1e-6;
 
+/// No body is farther away than this, metres: infinite ranges need an end.
+constexpr double kHorizon = 1e9;
+
 void add_once(Vec2 direction, std::size_t first, std::vector<Vec2>& out) {
   for (std::size_t i = first; i < out.size(); ++i) {
     if (norm_squared(out[i] - direction) < kSameDirection * kSameDirection) return;
@@ -26,16 +29,23 @@ double World::cast_ray(Vec2 origin, Vec2 direction, double max_range, BodyId ign
 void World::cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_range, BodyId ignore,
                      std::span<double> ranges) const {
   impl_->rays.cast_fan(origin, directions, max_range, ranges);
-  const double farthest = ranges.empty() ? 0.0 : *std::max_element(ranges.begin(), ranges.end());
+  if (ranges.empty()) return;
   const Bodies& bodies = impl_->bodies;
-  for (BodyId id = 0; id < bodies.size(); ++id) {
+  const double farthest = std::min(*std::max_element(ranges.begin(), ranges.end()), kHorizon);
+  const auto meet = [&](BodyId id) {
     const Vec2 centre = bodies.position(id);
     const double radius = bodies.radius_[id];
     const double reach = farthest + radius;
-    if (id == ignore || norm_squared(centre - origin) >= reach * reach) continue;
+    if (id == ignore || norm_squared(centre - origin) >= reach * reach) return;
     for (std::size_t i = 0; i < directions.size(); ++i) {
       ranges[i] = nearer_disc_hit(centre, radius, origin, directions[i], ranges[i]);
     }
+  };
+  // The least range wins in any order of visits.
+  if (directions.size() == 1) {
+    bodies.each_on_ray(origin, farthest * directions[0], meet);
+  } else {
+    bodies.each_on_way(origin, {}, farthest, meet);
   }
 }
 

@@ -40,6 +40,9 @@ struct World::Impl {
   void travel(BodyId id, Vec2 motion);
   /// Shifts a ball or can by `motion`, and what it pushes before it; how much of it was possible.
   double shift(BodyId id, Vec2 motion, double dt, int depth);
+  /// Moves a ball or can that is squeezed against something in the direction of `normal` aside, so
+  /// far that its pusher can go on by `motion`; false when it jams.
+  bool slip(BodyId id, Vec2 motion, Vec2 normal);
   /// Unit vector from `id` to the obstacle that it touches.
   [[nodiscard]] Vec2 towards(const Obstacle& obstacle, BodyId id) const;
   /// Gives a ball the speed that a hit by something moving at `velocity` along `normal` gives.

@@ -115,7 +115,7 @@ typedef BYTE CAM5MPgray[CAM5MP_PIXELS];
 #define KEY_INVALID 0xFFFFFFFF
 #define KEY_GOIDLE 1
 #define KEY_NOIDLE 0
-#define KEY_STATE -1
+#define KEY_STATE (-1)
 #define KEYTM_UNKNOWN 0
 #define KEYTM_CLASSIC 1
 #define KEYTM_STANDARD 2

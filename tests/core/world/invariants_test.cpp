@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -92,7 +93,8 @@ TEST(Invariants, FewBodiesAndManyBodiesMoveBitForBitAlike) {
   World few(shared(model));
   World many(shared(model));
   for (int i = 0; i < 10; ++i) {
-    const Pose pose{1.0 + 0.25 * (i % 4), 1.0 + 0.25 * (i / 4), 0.7 * i};
+    const int row = i / 4;
+    const Pose pose{1.0 + 0.25 * (i % 4), 1.0 + 0.25 * row, 0.7 * i};
     few.add_robot(pose, 0.1, 0.1, {});
     many.add_robot(pose, 0.1, 0.1, {});
   }
@@ -107,6 +109,44 @@ TEST(Invariants, FewBodiesAndManyBodiesMoveBitForBitAlike) {
     ASSERT_EQ(a.hit_body, b.hit_body);
     ASSERT_EQ(few.position(robot), many.position(robot));
     ASSERT_EQ(few.heading(robot), many.heading(robot));
+  }
+}
+
+TEST(Invariants, RaysMeetTheSameBodiesAsALoopOverAll) {
+  for (const int robots : {5, 300}) {  // without and with the grid of bodies
+    World world(shared(room(12, 8)));
+    Random random(80);
+    while (world.body_count() < static_cast<unsigned>(robots)) {
+      const Pose pose{12 * random.uniform(), 8 * random.uniform(), 0};
+      const double radius = 0.02 + 0.06 * random.uniform();
+      if (world.is_free(pose.position(), radius)) world.add_robot(pose, radius, 0.1, {});
+    }
+    // Put outside by a person; they belong to the rim of the grid.
+    world.set_pose(0, {-3, 4, 0});
+    world.set_pose(1, {14, -2, 0});
+    const RayCaster walls(world.model());
+    const std::vector<Vec2> around = directions_around(72);
+    std::vector<double> fan(around.size());
+    int met = 0;
+    for (int i = 0; i < 300; ++i) {
+      const Vec2 origin{16 * random.uniform() - 2, 12 * random.uniform() - 2};
+      const BodyId ignore = static_cast<BodyId>(random.bits() % world.body_count());
+      const double max_range = i % 3 == 0 ? std::numeric_limits<double>::infinity() : 0.1 * i;
+      world.cast_fan(origin, around, max_range, ignore, fan);
+      for (std::size_t k = 0; k < around.size(); ++k) {
+        const double wall = walls.cast(origin, around[k], max_range);
+        double expected = wall;
+        for (BodyId id = 0; id < world.body_count(); ++id) {
+          if (id == ignore) continue;
+          expected =
+              nearer_disc_hit(world.position(id), world.radius(id), origin, around[k], expected);
+        }
+        ASSERT_EQ(fan[k], expected);
+        ASSERT_EQ(world.cast_ray(origin, around[k], max_range, ignore), expected);
+        met += expected < wall ? 1 : 0;
+      }
+    }
+    EXPECT_GT(met, 100);
   }
 }
 
@@ -189,7 +229,7 @@ TEST(Invariants, StateHashOfAFixedSceneIsPinned) {
     world.cast_fan(world.position(25), directions, 4.0, 25, ranges);
     for (const double range : ranges) hash.add(range);
   }
-  EXPECT_EQ(hash.value(), 0x2FEDAEB8EE291AF1U);
+  EXPECT_EQ(hash.value(), 0x2640BB37507AA98FU);
 }
 
 }  // namespace

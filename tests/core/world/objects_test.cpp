@@ -75,6 +75,39 @@ TEST(Objects, ACanAtTheWallHoldsTheRobot) {
   EXPECT_NEAR(result.contact.x, 1.0, 1e-12);
 }
 
+TEST(Objects, WhatIsSqueezedObliquelyAgainstAWallSlipsAlongIt) {
+  for (const ObjectKind kind : {ObjectKind::Can, ObjectKind::Ball}) {
+    const ObjectSpec spec = object(kind, 1.5, kind == ObjectKind::Can ? 0.0301 : 0.0201);
+    World world = world_with(room(4, 2), {spec});
+    const BodyId robot = world.add_robot({1, 0.11, 0}, 0.1, 0.1, {});
+    for (int i = 0; i < 150; ++i) {
+      ASSERT_FALSE(world.move(robot, {{0.01, 0}, {}}, kStep).blocked()) << i;
+      world.step_objects(kStep);
+    }
+    EXPECT_NEAR(world.position(robot).x, 2.5, 1e-12) << "it did not slow the robot";
+    EXPECT_NEAR(world.position(robot).y, 0.11, 1e-12);
+    EXPECT_GT(world.position(0).x, 2.55);
+    EXPECT_GE(world.position(0).y, spec.radius);
+  }
+}
+
+TEST(Objects, ACanBetweenARobotAndTheWallGetsOutOfTheWay) {
+  World world = world_with(room(4, 2), {object(ObjectKind::Can, 1.95, 0.031)});
+  const BodyId robot = world.add_robot({1.5, 0.5, -kPi / 4}, 0.1, 0.1, {});
+  drive(world, robot, 0.01, 100);
+  EXPECT_NEAR(world.position(robot).y, 0.1, 1e-6) << "the robot came to the wall";
+  EXPECT_NEAR(world.position(0).y, 0.03, 1e-6);
+  EXPECT_NEAR(norm(world.position(0) - world.position(robot)), 0.13, 0.02);
+}
+
+TEST(Objects, ACanThatIsPushedSteeplyAgainstAWallJams) {
+  World world = world_with(room(2, 2), {object(ObjectKind::Can, 1.9, 1.015)});
+  const BodyId robot = world.add_robot({1.5, 1, 0}, 0.1, 0.1, {});
+  drive(world, robot, 0.01, 100);
+  EXPECT_LT(world.position(robot).x, 2 - 0.06 - 0.09);
+  EXPECT_EQ(world.move(robot, {{0.01, 0}, {}}, kStep).hit_body, 0u);
+}
+
 TEST(Objects, ARowOfCansIsPushedTogether) {
   World world =
       world_with(room(4, 2), {object(ObjectKind::Can, 1.5, 1), object(ObjectKind::Can, 1.7, 1),
@@ -139,8 +172,9 @@ TEST(Objects, ABallPassesItsSpeedOnToAnotherBall) {
 TEST(Objects, BallsLoseEnergyAndStayInTheirRoom) {
   WorldModel model = room(1, 1);
   for (int i = 0; i < 20; ++i) {
+    const int row = i / 5;
     model.objects.push_back(object(i % 4 == 3 ? ObjectKind::Can : ObjectKind::Ball,
-                                   0.15 + 0.17 * (i % 5), 0.3 + 0.17 * (i / 5)));
+                                   0.15 + 0.17 * (i % 5), 0.3 + 0.17 * row));
   }
   World world(shared(model));
   const BodyId robot = world.add_robot({0.5, 0.1, kPi / 2}, 0.06, 0.1, {});

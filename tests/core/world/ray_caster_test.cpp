@@ -4,6 +4,7 @@
 #include <limits>
 #include <ostream>
 #include <stdexcept>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -190,6 +191,32 @@ TEST(RayCaster, ScalarAndAvx2AgreeBitForBit) {
     scalar.cast_fan(origin, directions, 3.0, a);
     vector.cast_fan(origin, directions, 3.0, b);
     ASSERT_EQ(a, b);
+  }
+}
+
+TEST(RayCaster, FansOfAnySizeAndOrderReadAsEachRayAlone) {
+  // Rays share registers with their neighbours, and walk in groups.
+  const WorldModel model = random_walls(12, 300, 5.0, 0.03);
+  const RayCaster reference(model, RayMethod::BruteForce);
+  Random random(13);
+  std::vector<Vec2> directions = directions_around(360);
+  for (const bool shuffled : {false, true}) {
+    if (shuffled) {
+      for (std::size_t i = directions.size() - 1; i > 0; --i) {
+        std::swap(directions[i], directions[random.bits() % (i + 1)]);
+      }
+    }
+    for (const RayMethod method : {RayMethod::GridScalar, RayMethod::Auto}) {
+      const RayCaster caster(model, method);
+      for (const std::size_t size : {1U, 2U, 3U, 4U, 5U, 7U, 127U, 128U, 129U, 131U, 360U}) {
+        const Vec2 origin{7 * random.uniform() - 1, 7 * random.uniform() - 1};
+        std::vector<double> ranges(size, -1.0);
+        caster.cast_fan(origin, {directions.data(), size}, 4.0, ranges);
+        for (std::size_t i = 0; i < size; ++i) {
+          ASSERT_EQ(ranges[i], reference.cast(origin, directions[i], 4.0)) << size << ": " << i;
+        }
+      }
+    }
   }
 }
 

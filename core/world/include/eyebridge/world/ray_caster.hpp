@@ -12,8 +12,8 @@ namespace eyebridge::world {
 enum class RayMethod {
   Auto,        ///< EdgeBits for grid mazes, else GridAvx2 where the CPU has AVX2, else GridScalar.
   BruteForce,  ///< Every wall for every ray: the reference.
-  GridScalar,  ///< Uniform grid, cells walked along the ray.
-  GridAvx2,    ///< The same walk, eight walls at once.
+  GridScalar,  ///< Uniform grid, cells walked along the rays; what every CPU can do.
+  GridAvx2,    ///< The same walk, four rays of a fan at once.
   EdgeBits,    ///< Walks the cells of a maze; only where every wall is a maze edge.
 };
 

@@ -70,7 +70,8 @@ class World {
   /// A motion away from what the body touches, or parallel to it, is free; so is a turn on the
   /// spot. The heading turns by the fraction of `arc.turn` that was driven. Within a wall (a person
   /// put it there) only motions that lead out are possible. Balls and cans on the way are pushed
-  /// along the line of centres; `dt` is the duration of the step in seconds, from which balls get
+  /// along the line of centres, and slip aside when they are squeezed against a wall or a robot not
+  /// too steeply; `dt` is the duration of the step in seconds, from which balls get
   /// their speed. `arc` is finite.
   MoveResult move(BodyId id, const Arc& arc, double dt);
   /// Rolls balls and settles cans for `dt` seconds; called once a step, after the robots moved.
