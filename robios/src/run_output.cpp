@@ -57,8 +57,17 @@ RunOutput::RunOutput(std::filesystem::path directory, long long frames_to_keep)
 
 RunOutput::~RunOutput() = default;
 
-void RunOutput::point(const hal::TracePoint& p) {
+void RunOutput::point(const hal::TracePoint& p) noexcept {
   const std::lock_guard lock(mutex_);
+  if (!trace_failure_.empty()) return;
+  try {
+    add(p);
+  } catch (const std::exception& error) {
+    trace_failure_ = error.what();
+  }
+}
+
+void RunOutput::add(const hal::TracePoint& p) {
   const Vec2 here = p.pose.position();
   if (trail_.empty() || norm(here - trail_.back()) >= kTrailStep) trail_.push_back(here);
   if (p.time < next_row_) return;
@@ -92,8 +101,11 @@ void RunOutput::after_fork() { mutex_.unlock(); }
 
 void RunOutput::finish(const world::Scene* scene, const camera::Frame& lcd) {
   const std::lock_guard lock(mutex_);
-  if (std::fflush(trace_.get()) != 0 || std::ferror(trace_.get()) != 0) {
-    throw std::runtime_error((directory_ / "trace.csv").string() + ": " + std::strerror(errno));
+  if (trace_failure_.empty() && std::fflush(trace_.get()) != 0) {
+    trace_failure_ = std::strerror(errno);
+  }
+  if (!trace_failure_.empty()) {
+    throw std::runtime_error((directory_ / "trace.csv").string() + ": " + trace_failure_);
   }
   camera::write_png(lcd, directory_ / "lcd.png");
   if (scene != nullptr) {

@@ -22,8 +22,9 @@ class RunOutput final : public hal::TraceSink {
   RunOutput(std::filesystem::path directory, long long frames_to_keep);
   ~RunOutput() override;
 
-  /// One row of trace.csv every 50 ms of the robot's time.
-  void point(const hal::TracePoint& point) override;
+  /// One row of trace.csv every 50 ms of the robot's time. The first row that cannot be written is
+  /// the last: finish() tells why.
+  void point(const hal::TracePoint& point) noexcept override;
   /// Keeps the first frames as frames/0000.png …
   void frame(const camera::Frame& frame);
   /// Around fork(): the child must not write what the parent has in hand.
@@ -37,6 +38,8 @@ class RunOutput final : public hal::TraceSink {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
+  void add(const hal::TracePoint& point);
+
   std::filesystem::path directory_;
   long long frames_left_;
   int frames_written_ = 0;
@@ -44,6 +47,7 @@ class RunOutput final : public hal::TraceSink {
   std::unique_ptr<std::FILE, Close> trace_;
   Time next_row_{0};
   std::vector<Vec2> trail_;
+  std::string trace_failure_;  ///< Empty: none so far.
 };
 
 }  // namespace eyebridge::robios

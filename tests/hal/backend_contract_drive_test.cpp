@@ -17,7 +17,7 @@ constexpr double kSlowly = 0.05;
 /// Keeps the trace points and a copy of their ranges.
 class KeepingTrace final : public TraceSink {
  public:
-  void point(const TracePoint& point) override {
+  void point(const TracePoint& point) noexcept override {
     const std::lock_guard lock(mutex_);
     points_.push_back(point);
     ranges_.emplace_back(point.ranges.begin(), point.ranges.end());

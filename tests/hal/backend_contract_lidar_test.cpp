@@ -1,10 +1,9 @@
 // The central test, second part: scans.
-#include "backend_contract.hpp"
-
 #include <cmath>
 
 #include <gmock/gmock.h>
 
+#include "backend_contract.hpp"
 #include "eyebridge/base/units.hpp"
 #include "sim/open_sim.hpp"
 

@@ -37,7 +37,7 @@ files::Scenario noisy_scenario() {
 
 class HashingTrace final : public TraceSink {
  public:
-  void point(const TracePoint& point) override {
+  void point(const TracePoint& point) noexcept override {
     hash_.add(static_cast<std::uint64_t>(point.time.count()));
     for (const double value : {point.pose.x, point.pose.y, point.pose.theta, point.odometry.x}) {
       hash_.add(value);
@@ -51,7 +51,7 @@ class HashingTrace final : public TraceSink {
 };
 
 struct CountingTrace final : TraceSink {
-  void point(const TracePoint&) override { ++count; }
+  void point(const TracePoint&) noexcept override { ++count; }
   int count = 0;
 };
 

@@ -45,6 +45,17 @@ TEST(ProgramLife, ResultsAreWrittenHoweverAProgramEnds) {
   }
 }
 
+TEST(ProgramLife, ATraceThatCannotBeWrittenDoesNotStopTheProgram) {
+  const ScratchFolder folder;
+  std::filesystem::create_symlink("/dev/full", folder.path() + "/trace.csv");
+  const ProgramRun r = run_named("endless", {{"EYEBRIDGE_FAST", "true"},
+                                             {"EYEBRIDGE_TIME_LIMIT", "30s"},
+                                             {"EYEBRIDGE_OUT", folder.path()}});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.err, HasSubstr("trace.csv"));
+  EXPECT_THAT(r.err, HasSubstr("No space left on device"));
+}
+
 TEST(ProgramLife, ATimeLimitEndsThreadsThatPollAndMainsThatSleep) {
   for (const auto& clock : kClocks) {
     for (const char* how : {"wait", "idle"}) {
