@@ -31,6 +31,8 @@ Frame decode_jpeg(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels
                           &colours) != 0) {
     jpeg_failed(decoder);
   }
+  // Cut before its picture begins, a file still passes as one of tables alone.
+  if (width == 0) throw std::runtime_error("JPEG: no picture in it");
   Frame frame = frame_to_decode(width, height, most_pixels);
   // A small file of very many scans takes minutes otherwise.
   constexpr int kFlags = TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS | TJFLAG_ACCURATEDCT;

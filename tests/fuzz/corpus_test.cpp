@@ -42,7 +42,7 @@ INSTANTIATE_TEST_SUITE_P(Readers, FuzzCorpus,
                          testing::Values(Target{"world", world}, Target{"maze", maze},
                                          Target{"robi", robi}, Target{"sim", sim},
                                          Target{"parameter", parameter}, Target{"pnm", pnm},
-                                         Target{"config", config}),
+                                         Target{"picture", picture}, Target{"config", config}),
                          [](const auto& row) { return std::string(row.param.name); });
 
 }  // namespace
