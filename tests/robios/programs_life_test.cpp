@@ -86,7 +86,9 @@ TEST(ProgramLife, AForkedChildLeavesItsParentAlone) {
 }
 
 TEST(ProgramLife, ThreadsOfTheRendererDoNotKeepAProgramAlive) {
-  const ProgramRun r = run_named("camera_threads");
+  // glibc never destroys the thread_local objects of a main thread that left by pthread_exit, here
+  // the renderer: the leak checker would report it.
+  const ProgramRun r = run_named("camera_threads", {{"ASAN_OPTIONS", "detect_leaks=0"}});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("frame 0\n"));
 }
