@@ -21,9 +21,8 @@ SimLidar::SimLidar(SimWorld& world, robot::RobotIndex robot) : SimDevice(world, 
 Result<void> SimLidar::configure(double field_of_view, double tilt, int points) {
   return require(field_of_view > 0.0 && field_of_view <= 2 * kPi, kName, field_of_view,
                  "a field of view of more than 0, at most 2 pi")
-      .and_then([&] {
-        return require(std::abs(tilt) <= kPi / 2, kName, tilt, "a tilt of -pi/2 … pi/2");
-      })
+      .and_then(
+          [&] { return require(std::abs(tilt) <= kPi / 2, kName, tilt, "a tilt of -pi/2 … pi/2"); })
       .and_then([&] {
         return require(points >= kFewestPoints && points <= kMostPoints, kName, points,
                        "1 … 36000 points");

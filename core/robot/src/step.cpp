@@ -5,7 +5,7 @@
 namespace eyebridge::robot {
 namespace {
 
-constexpr double kStanding = 1e-9;  // metres per second: a lagging motor has run down
+constexpr double kStanding = 1e-9;    // metres per second: a lagging motor has run down
 constexpr double kReleaseGap = 1e-3;  // metres: free again after a contact
 
 bool nothing_to_do(RobotState& state) {
