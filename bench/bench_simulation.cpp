@@ -68,7 +68,7 @@ BENCHMARK(pipeline)->Arg(1)->Arg(100);
 void pipeline_with_errors(benchmark::State& state) {
   RobotModel model = sensing_robot();
   model.drive.motor_time_constant = 0.05;
-  model.drive_error = {0.05, 0.05, 0.01, -0.01, 1.0};
+  model.drive_error = {0.05, 0.05, 0.01, -0.01, true};
   step_rate(state, maze_with(static_cast<int>(state.range(0)), model));
 }
 BENCHMARK(pipeline_with_errors)->Arg(100);

@@ -21,34 +21,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// `error`, which knows a place within the value at most, at the place the value came from.
-ConfigError at_value(const ConfigError& error, const SourceLocation& value) {
-  SourceLocation where = value;
-  if (where.line == 0) {
-    where.line = error.where().line;
-    where.column = error.where().column;
-  }
-  return {where, error.text()};
-}
-
 void check_keys(const hal::ConfigValue& keys) {
   try {
     robios::parse_key_script(keys.text);
   } catch (const ConfigError& error) {
-    throw at_value(error, keys.where);
+    throw hal::error_in(keys, error);
   }
 }
 
 /// A default camera may be missing until the program wants it; one that was asked for may not.
 void check_camera(const hal::ConfigValue& camera, hal::Backend* backend, LogSink& log) {
   camera::View* view = backend == nullptr ? nullptr : backend->camera_view();
-  const bool asked_for = camera.where.file != "default";
-  if (camera.text == "none" || (!asked_for && view == nullptr)) return;
+  if (camera.text == "none" || (camera.is_default() && view == nullptr)) return;
   try {
     camera::check_source(camera.text,
                          {backend == nullptr ? nullptr : &backend->clock(), view, &log});
   } catch (const ConfigError& error) {
-    throw ConfigError(camera.where, error.text());
+    throw hal::error_in(camera, error);
   }
 }
 

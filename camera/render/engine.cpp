@@ -9,7 +9,7 @@
 
 #include "eyebridge/base/log.hpp"
 #include "eyebridge/camera/convert.hpp"
-#include "eyebridge/camera/png.hpp"
+#include "eyebridge/camera/picture.hpp"
 #include "render/body_painter.hpp"
 #include "render/gl_objects.hpp"
 #include "render/mesh.hpp"
@@ -82,7 +82,7 @@ std::optional<Frame> floor_picture(const world::WorldModel& model, const std::st
                                    LogSink& log) {
   if (!model.floor_texture) return std::nullopt;
   try {
-    return read_png(std::filesystem::path(directory) / *model.floor_texture);
+    return read_picture(std::filesystem::path(directory) / *model.floor_texture);
   } catch (const std::runtime_error& error) {
     log.write(Severity::Warning,
               std::string("floor texture: ") + error.what() + "; the floor is drawn plain");

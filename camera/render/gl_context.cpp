@@ -1,11 +1,10 @@
 #include "render/gl_context.hpp"
 
 #include <array>
-#include <cstdlib>
-#include <mutex>
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/log.hpp"
+#include "eyebridge/camera/prepare_process.hpp"
 
 namespace eyebridge::camera {
 namespace {
@@ -16,13 +15,6 @@ constexpr std::array<GlContextMaker, 2> kMakers{{
 }};
 
 thread_local const GlContext* current_context = nullptr;
-
-void prefer_one_thread() {
-  // llvmpipe reads it once, with its first context. Worker threads of its own gain nothing for
-  // several cameras and would run beside the virtual time of lockstep.
-  static std::once_flag once;
-  std::call_once(once, [] { setenv("LP_NUM_THREADS", "0", /*overwrite=*/0); });
-}
 
 }  // namespace
 
@@ -51,7 +43,7 @@ bool forget_current(const GlContext* context) {
 }
 
 std::unique_ptr<GlContext> make_gl_context(std::string_view name, LogSink& log) {
-  prefer_one_thread();
+  prepare_process();
   if (!name.empty()) check_gl_context_maker(name);
   std::string failures;
   for (const GlContextMaker& maker : kMakers) {

@@ -6,11 +6,11 @@
 #include "eyebridge/base/math.hpp"
 #include "eyebridge/base/units.hpp"
 #include "render/textures.hpp"
+#include "src/marker.hpp"
 
 namespace eyebridge::camera {
 namespace {
 
-constexpr double kMarkerRadius = 0.05;
 constexpr int kCylinderSides = 32;
 
 struct Corner {

@@ -54,7 +54,8 @@ void add_salt_and_pepper(double fraction, Random& random, Frame& frame) {
 }  // namespace
 
 void NoiseMaker::apply(const ImageNoise& noise, Frame& frame) {
-  Random random(noise.seed, frame.sequence);
+  // By time: the sequence begins again with every source that is opened.
+  Random random(noise.seed, static_cast<std::uint64_t>(frame.time.count()));
   if (noise.sigma > 0.0) {
     if (normal_.empty()) normal_ = normal_table();
     add_gaussian(normal_, static_cast<float>(noise.sigma), random, frame);

@@ -7,7 +7,7 @@
 
 namespace eyebridge::camera {
 
-/// Adds a camera's noise to pictures. The same seed and frame sequence give the same noise.
+/// Adds a camera's noise to pictures. The same seed and frame time give the same noise.
 class NoiseMaker {
  public:
   /// Adds Gaussian noise to every channel of `frame` (Rgb24), then turns pixels black or white.

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "src/canvas.hpp"
+#include "src/marker.hpp"
 
 namespace eyebridge::camera {
 namespace {
@@ -15,7 +16,6 @@ constexpr Rgb kGrid{222, 222, 216};
 constexpr Rgb kFrame{150, 150, 146};
 constexpr Rgb kInk{60, 60, 60};
 constexpr Rgb kStart{70, 120, 200};
-constexpr double kMarkerRadius = 0.05;
 
 /// A wall as seen on white paper: walls of the default, nearly white colour are drawn dark.
 Rgb wall_ink(Rgb colour) {

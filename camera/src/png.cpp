@@ -5,13 +5,11 @@
 
 #include <png.h>
 
-#include "eyebridge/camera/convert.hpp"
+#include "eyebridge/camera/picture.hpp"
+#include "src/decoders.hpp"
 
 namespace eyebridge::camera {
 namespace {
-
-// Decoding more would take over a gigabyte; no camera and no floor needs it.
-constexpr std::uint64_t kMostPixels = 100'000'000;
 
 /// Frees what libpng's simplified interface allocates, on every way out.
 struct Image : png_image {
@@ -37,6 +35,21 @@ png_uint_32 png_format(PixelFormat format) {
   return PNG_FORMAT_GRAY;
 }
 
+[[noreturn]] void fail_with(const Image& image) {
+  throw std::runtime_error(std::string("PNG: ") + image.message);
+}
+
+/// The picture whose header has been read.
+Frame finish_reading(Image& image, std::uint64_t most_pixels) {
+  Frame frame = frame_to_decode(image.width, image.height, most_pixels);
+  image.format = PNG_FORMAT_RGB;
+  const png_color white{255, 255, 255};  // behind transparent pixels
+  if (png_image_finish_read(&image, &white, frame.bytes.data(), frame.stride, nullptr) == 0) {
+    fail_with(image);
+  }
+  return frame;
+}
+
 }  // namespace
 
 void write_png(const Frame& frame, const std::filesystem::path& path) {
@@ -52,22 +65,18 @@ void write_png(const Frame& frame, const std::filesystem::path& path) {
 
 Frame read_png(const std::filesystem::path& path) {
   Image image;
-  if (png_image_begin_read_from_file(&image, path.c_str()) == 0) {
-    fail_with(path, std::string("cannot read PNG: ") + image.message);
+  try {
+    if (png_image_begin_read_from_file(&image, path.c_str()) == 0) fail_with(image);
+    return finish_reading(image, kMostPicturePixels);
+  } catch (const std::runtime_error& error) {
+    fail_with(path, std::string("cannot read ") + error.what());
   }
-  if (std::uint64_t{image.width} * image.height > kMostPixels) {
-    fail_with(path, "cannot read PNG: " + std::to_string(image.width) + " x " +
-                        std::to_string(image.height) + " pixels, at most " +
-                        std::to_string(kMostPixels) + " are read");
-  }
-  image.format = PNG_FORMAT_RGB;
-  Frame frame =
-      make_frame(static_cast<int>(image.width), static_cast<int>(image.height), PixelFormat::Rgb24);
-  const png_color white{255, 255, 255};  // behind transparent pixels
-  if (png_image_finish_read(&image, &white, frame.bytes.data(), frame.stride, nullptr) == 0) {
-    fail_with(path, std::string("cannot read PNG: ") + image.message);
-  }
-  return frame;
+}
+
+Frame decode_png(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels) {
+  Image image;
+  if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) fail_with(image);
+  return finish_reading(image, most_pixels);
 }
 
 }  // namespace eyebridge::camera

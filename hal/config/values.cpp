@@ -70,6 +70,15 @@ double parse_number(std::string_view text, const SourceLocation& where) {
   throw ConfigError(where, fmt::format("found {}, expected a number", in_quotes(text)));
 }
 
+ConfigError error_in(const ConfigValue& value, const ConfigError& error) {
+  SourceLocation where = value.where;
+  if (where.line == 0) {
+    where.line = error.where().line;
+    where.column = error.where().column;
+  }
+  return {where, error.text()};
+}
+
 PixelSize parse_size(std::string_view text, const SourceLocation& where) {
   std::string_view rest = trimmed(text);
   PixelSize size;

@@ -21,8 +21,9 @@ void LockstepClock::spend(Time cost) {
 void LockstepClock::advance_to(Time time) {
   if (time <= now()) return;
   while (time - world_time_ >= step_) {
-    step_world_();
+    // Before the call: a step that throws has been begun, and must not be made again.
     world_time_ += step_;
+    step_world_();
     now_.store(std::max(now(), world_time_).count(), std::memory_order_release);
   }
   now_.store(time.count(), std::memory_order_release);

@@ -13,7 +13,7 @@ namespace eyebridge::hal {
 class LockstepClock final : public Clock {
  public:
   /// `step_world` is called once for each `step` of time that passes. It must not call the clock,
-  /// but for now().
+  /// but for now(). What it throws goes to whoever waits; that step counts as made.
   LockstepClock(Time step, std::function<void()> step_world);
 
   [[nodiscard]] Time now() const override { return Time(now_.load(std::memory_order_acquire)); }

@@ -12,13 +12,8 @@ namespace {
 /// An empty room with the robot that was asked for.
 files::Scenario empty_room(const Config& config) {
   files::Scenario scenario = files::default_scenario();
-  const std::string name = config.text("robot");
-  const robot::RobotModel* model = files::builtin_robot(name);
-  if (model == nullptr) {
-    throw ConfigError(config.value("robot").where,
-                      fmt::format("unknown robot '{}', expected a built-in one such as S4", name));
-  }
-  scenario.models.at(scenario.robots.at(0).model) = *model;
+  const ConfigValue& robot = config.value("robot");
+  scenario.models.at(scenario.robots.at(0).model) = files::named_robot(robot.text, robot.where);
   return scenario;
 }
 
@@ -35,7 +30,9 @@ std::unique_ptr<Backend> open_sim(const BackendUrl& url, const BackendContext& c
     return open_scenario(empty_room(config), {"the empty room"}, context);
   }
   const auto path = config.path("world");
-  return open_scenario(files::load_scenario(path, config.text("robot")), {path.string()}, context);
+  const auto& robot = config.value("robot");
+  return open_scenario(files::load_scenario(path, robot.text, {}, robot.where), {path.string()},
+                       context);
 }
 
 }  // namespace eyebridge::hal

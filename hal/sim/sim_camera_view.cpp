@@ -37,8 +37,8 @@ std::uint32_t SimCameraView::carrier() const {
 
 camera::ImageNoise SimCameraView::noise() const {
   const robot::CameraModel& model = *world_.model(robot_).camera;
-  // Robots of one seed must not see the same snow.
-  return {model.salt_and_pepper, model.sigma, world_.seed() + (std::uint64_t{robot_} << 32U)};
+  return {model.salt_and_pepper, model.sigma,
+          world_.locked([&](auto& sim) { return sim.camera_noise_seed(robot_); })};
 }
 
 std::string SimCameraView::texture_directory() const { return world_.directory(); }

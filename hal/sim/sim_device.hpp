@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <string>
 
 #include "eyebridge/base/result.hpp"
 #include "sim/sim_world.hpp"
@@ -15,11 +14,7 @@ class SimDevice {
 
  protected:
   /// Success when `good`; else what `device` was asked for, as an error.
-  static Result<void> require(bool good, const char* device, double value, const char* expected) {
-    if (good) return {};
-    return fail(Errc::OutOfRange,
-                std::string(device) + ": got " + std::to_string(value) + ", expected " + expected);
-  }
+  static Result<void> require(bool good, const char* device, double value, const char* expected);
 
   SimWorld& world_;
   const robot::RobotIndex robot_;

@@ -10,25 +10,19 @@ namespace eyebridge::hal {
 /// A beam tilted down ends at the floor. Walls count as tall enough for a beam tilted up.
 class SimLidar final : public Lidar, private SimDevice {
  public:
-  static constexpr int kFewestPoints = 2;
+  static constexpr int kFewestPoints = 1;
   static constexpr int kMostPoints = 36000;
 
   SimLidar(SimWorld& world, robot::RobotIndex robot);
 
   Result<void> configure(double field_of_view, double tilt, int points) override;
-  [[nodiscard]] int points() const override;
+  [[nodiscard]] LidarShape shape() const override;
+  [[nodiscard]] int points() const override { return shape().points; }
   Result<void> read(std::span<double> ranges) override;
   [[nodiscard]] double max_range() const override;
 
  private:
-  struct Shape {
-    double field_of_view;
-    double tilt;
-    int points;
-  };
-  [[nodiscard]] Shape shape() const;
-
-  Shape shape_;  ///< Guarded by the world's lock.
+  LidarShape shape_;  ///< Guarded by the world's lock.
 };
 
 }  // namespace eyebridge::hal

@@ -13,25 +13,11 @@ std::string describe(const robot::CollisionEvent& event) {
                      event.pose.x, event.pose.y);
 }
 
-/// What `sensor` would read without its error. The trace must not draw from the sensors' random
-/// streams: a traced run and an untraced one have to be the same.
-double true_range(const robot::Simulation& simulation, robot::RobotIndex robot,
-                  const robot::RangeSensorModel& sensor) {
-  const world::World& world = simulation.world();
-  const world::BodyId body = simulation.body(robot);
-  const Heading heading = world.heading(body);
-  const Vec2 origin = world.position(body) + heading.rotate(sensor.pose_in_robot.position());
-  const Vec2 direction = heading.turned(Heading::from_angle(sensor.pose_in_robot.theta)).forward();
-  const double range = world.cast_ray(origin, direction, sensor.max_range, body);
-  return range < sensor.min_range || range >= sensor.max_range ? sensor.out_of_range : range;
-}
-
 }  // namespace
 
 SimWorld::SimWorld(files::Scenario scenario, const robot::SimulationSettings& settings,
                    LogSink& log)
     : directory_(scenario.directory.string()),
-      seed_(settings.seed),
       step_length_(from_seconds(settings.step)),
       simulation_(std::make_shared<const world::WorldModel>(std::move(scenario.world)), settings) {
   for (const files::RobotPlacement& placement : scenario.robots) {
@@ -54,16 +40,16 @@ void SimWorld::trace_to(TraceSink* sink, robot::RobotIndex robot) {
   sink_ = sink;
   traced_ = robot;
   traced_sensors_.clear();
-  for (const auto& sensor : simulation_.model(robot).range_sensors) {
-    traced_sensors_.push_back(&sensor);
-  }
-  std::ranges::sort(traced_sensors_, {}, &robot::RangeSensorModel::id);
+  const auto& sensors = simulation_.model(robot).range_sensors;
+  for (std::size_t i = 0; i < sensors.size(); ++i) traced_sensors_.push_back(i);
+  std::ranges::sort(traced_sensors_, {}, [&](std::size_t i) { return sensors[i].id; });
   ranges_.resize(traced_sensors_.size());
 }
 
 void SimWorld::trace() {
-  std::ranges::transform(traced_sensors_, ranges_.begin(), [&](const auto* sensor) {
-    return true_range(simulation_, traced_, *sensor);
+  // Without error: drawing from the sensors' random streams would make a traced run another one.
+  std::ranges::transform(traced_sensors_, ranges_.begin(), [&](std::size_t sensor) {
+    return simulation_.true_range(traced_, sensor);
   });
   sink_->point({static_cast<Time::rep>(steps_) * step_length_, simulation_.pose(traced_),
                 simulation_.twist(traced_), simulation_.odometry(traced_), ranges_});

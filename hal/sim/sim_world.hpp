@@ -39,20 +39,18 @@ class SimWorld {
   /// Never changes; needs no lock.
   [[nodiscard]] const robot::RobotModel& model(robot::RobotIndex robot) const;
   [[nodiscard]] const std::string& directory() const { return directory_; }
-  [[nodiscard]] std::uint64_t seed() const { return seed_; }
 
  private:
   void trace();
 
   const std::string directory_;
-  const std::uint64_t seed_;
   const Time step_length_;
   std::mutex mutex_;
   robot::Simulation simulation_;
   std::uint64_t steps_ = 0;
   TraceSink* sink_ = nullptr;
   robot::RobotIndex traced_ = 0;
-  std::vector<const robot::RangeSensorModel*> traced_sensors_;  ///< In order of id.
+  std::vector<std::size_t> traced_sensors_;  ///< In order of id.
   std::vector<double> ranges_;
 };
 

@@ -15,6 +15,7 @@
 
 #include "camera_port.hpp"
 #include "costs.hpp"
+#include "eyebridge/camera/prepare_process.hpp"
 #include "eyebridge/camera/view.hpp"
 #include "eyebridge/hal/registry.hpp"
 #include "failures.hpp"
@@ -46,22 +47,13 @@ Severity lowest_severity(const hal::Config& config) {
 }
 
 hal::Config read_config() {
+  camera::prepare_process();  // before the session's threads
   std::error_code error;
   return hal::Config::from_process(std::filesystem::read_symlink("/proc/self/exe", error));
 }
 
 std::unique_ptr<Lcd> make_lcd(const hal::Config& config) {
-  const hal::ConfigValue& value = config.value("lcd");
-  int width = 0;
-  int height = 0;
-  int used = 0;
-  if (std::sscanf(value.text.c_str(), "%dx%d%n", &width, &height, &used) != 2 ||
-      static_cast<std::size_t>(used) != value.text.size()) {
-    throw ConfigError(value.where,
-                      fmt::format("'{}' is no size of a display; expected WIDTHxHEIGHT in pixels, "
-                                  "such as 560x400",
-                                  value.text));
-  }
+  const auto [width, height] = config.size("lcd");
   return std::make_unique<Lcd>(width, height);
 }
 
@@ -72,10 +64,7 @@ auto from_setting(const hal::Config& config, const char* name, Use&& use) {
   try {
     return use(value.text);
   } catch (const ConfigError& error) {
-    const int column = error.where().column;
-    throw ConfigError(value.where,
-                      column > 0 ? fmt::format("{}, character {}: {}", name, column, error.text())
-                                 : fmt::format("{}: {}", name, error.text()));
+    throw hal::error_in(value, error);
   }
 }
 
@@ -90,8 +79,7 @@ std::unique_ptr<Keys> make_keys(const hal::Config& config, Clock& clock, Lcd& lc
 /// until the program wants it.
 void check_camera(const hal::Config& config, const camera::SourceContext& context) {
   const hal::ConfigValue& value = config.value("camera");
-  const bool asked_for = value.where.file != "default";
-  if (value.text == "none" || (!asked_for && context.view == nullptr)) return;
+  if (value.text == "none" || (value.is_default() && context.view == nullptr)) return;
   from_setting(config, "camera",
                [&](const std::string& url) { camera::check_source(url, context); });
 }
@@ -178,6 +166,7 @@ Session& Session::instance() {
     try {
       auto* made = new Session;
       the_session = made;
+      publish_globals(*made);
       // Not atexit(): a run whose results are missing must not end as one that succeeded.
       on_exit(
           [](int status, void*) {

@@ -72,4 +72,8 @@ class Session {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Sets the variables that a skin shows to programs and that depend on the robot. Defined by the
+/// skin; called once, when the session has begun.
+void publish_globals(Session& session);
+
 }  // namespace eyebridge::robios

@@ -13,15 +13,8 @@ namespace {
 
 using namespace eyebridge;
 
-struct Shape {
-  int range_deg = 360;
-  int tilt_deg = 0;
-  int points = 360;
-};
-
-// The shape that LIDARSet asked for last, and the right to scan: one thread at a time.
+// A scan and the shape it is of belong together: one thread at a time.
 std::mutex scan_mutex;
-Shape program_shape;
 
 Result<hal::Lidar*> find(robios::Session& session) {
   hal::Lidar* lidar = session.backend().lidar();
@@ -29,8 +22,8 @@ Result<hal::Lidar*> find(robios::Session& session) {
   return lidar;
 }
 
-Result<void> configure(hal::Lidar& lidar, const Shape& shape) {
-  return lidar.configure(deg_to_rad(shape.range_deg), deg_to_rad(shape.tilt_deg), shape.points);
+Result<void> configure(hal::Lidar& lidar, const hal::LidarShape& shape) {
+  return lidar.configure(shape.field_of_view, shape.tilt, shape.points);
 }
 
 /// One scan of the present shape in whole millimetres, rounded down as in EyeSim.
@@ -47,13 +40,15 @@ Result<void> scan(hal::Lidar& lidar, std::vector<int>& out) {
 
 }  // namespace
 
+void eyebridge::robios::publish_globals(Session& session) {
+  if (const hal::Lidar* lidar = session.backend().lidar()) LIDAR_RESOLUTION = lidar->points();
+}
+
 int LIDARSet(int range, int tilt, int points) {
   return robios::guarded("LIDARSet", 1, [&](robios::Session& session) -> Result<int> {
     const std::lock_guard lock(scan_mutex);
     return find(session).and_then([&](hal::Lidar* lidar) -> Result<int> {
-      const Shape shape{range, tilt, points};
-      return configure(*lidar, shape).map([&] {
-        program_shape = shape;
+      return configure(*lidar, {deg_to_rad(range), deg_to_rad(tilt), points}).map([&] {
         LIDAR_RESOLUTION = points;
         return 0;
       });
@@ -81,9 +76,10 @@ int SIMLaserScan(int scan_out[]) {
     const std::lock_guard lock(scan_mutex);
     return find(session).and_then([&](hal::Lidar* lidar) -> Result<int> {
       std::vector<int> ranges;
-      Result<void> done = configure(*lidar, Shape{});
+      const hal::LidarShape before = lidar->shape();
+      Result<void> done = configure(*lidar, {2 * kPi, 0.0, 360});
       if (done) done = scan(*lidar, ranges);
-      const Result<void> restored = configure(*lidar, program_shape);
+      const Result<void> restored = configure(*lidar, before);
       if (!done) return tl::unexpected(done.error());
       if (!restored) return tl::unexpected(restored.error());
       for (int i = 0; i < 360; ++i) {

@@ -193,5 +193,20 @@ TEST(Render, NoiseDiffersFromFrameToFrameButNotFromRunToRun) {
   EXPECT_EQ(noisy.first->bytes, frames(0.1, 5.0).first->bytes);
 }
 
+TEST(Render, SnowDoesNotRepeatForASourceThatIsOpenedAgain) {
+  FakeClock clock;
+  FakeView view;
+  view.model = empty_room();
+  view.noise_ = {0.1, 5.0, 42};
+  const auto first_frame = [&] {
+    return *open_source("render", {&clock, &view, nullptr})->next(clock.now() + kLater);
+  };
+  const FramePtr first = first_frame();
+  clock.spend(Time(1'000'000'000));
+  const FramePtr second = first_frame();
+  EXPECT_EQ(first->sequence, second->sequence);
+  EXPECT_NE(first->bytes, second->bytes);
+}
+
 }  // namespace
 }  // namespace eyebridge::camera::testing

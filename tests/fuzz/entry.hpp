@@ -1,19 +1,23 @@
 #pragma once
 
+#include <cstdint>
 #include <cstdlib>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "config/toml_text.hpp"
 #include "config/values.hpp"
+#include "eyebridge/camera/picture.hpp"
 #include "eyebridge/files/readers.hpp"
 #include "eyebridge/hal/url.hpp"
 #include "key_script.hpp"
 #include "pnm.hpp"
 
 // What the fuzz targets and the test over their corpus do with one input. Anything but a model or
-// a ConfigError (of an image: an Error) ends the process: that is a finding.
+// a ConfigError (of an image: an Error, of a picture: a runtime_error) ends the process: that is a
+// finding.
 namespace eyebridge::fuzz {
 
 /// Ends the process: what was read did not survive being written.
@@ -104,6 +108,19 @@ inline void pnm(std::string_view text) {
   if (image->bytes.size() != image->size.pixels() * pnm_channels(image->kind) ||
       image->bytes.size() > 8 * text.size() || !again || *again != *image) {
     found();
+  }
+}
+
+/// A picture has at most the pixels allowed and is as large as it says.
+inline void picture(std::string_view text) {
+  constexpr std::uint64_t kMostPixels = 1U << 20U;
+  try {
+    const camera::Frame frame = camera::decode_picture(
+        {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, kMostPixels);
+    const auto pixels =
+        static_cast<std::uint64_t>(frame.width) * static_cast<unsigned>(frame.height);
+    if (pixels < 1 || pixels > kMostPixels || frame.bytes.size() != 3 * pixels) found();
+  } catch (const std::runtime_error&) {  // the input is no picture
   }
 }
 

@@ -1,5 +1,5 @@
 // The central test, first part: what a robot senses, and what it must not be asked for.
-// backend_contract_drive_test.cpp has the movements.
+// backend_contract_lidar_test.cpp has the scans, backend_contract_drive_test.cpp the movements.
 #include "backend_contract.hpp"
 
 #include <cmath>
@@ -12,9 +12,6 @@
 
 namespace eyebridge::hal {
 namespace {
-
-using testing::DoubleNear;
-using testing::Each;
 
 INSTANTIATE_TEST_SUITE_P(AllBackends, BackendContract, testing::ValuesIn(all_rigs()),
                          [](const auto& rig) { return rig.param.name; });
@@ -80,52 +77,6 @@ TEST_P(BackendContract, BumperFeelsTheWallThatTheRobotRanInto) {
   ASSERT_TRUE(rig.backend->drive()->set_speed({0.3, 0.0}));
   rig.wait(3.0);
   EXPECT_TRUE(rig.backend->bumper(1)->read().value());
-}
-
-TEST_P(BackendContract, LidarScansAFullCircleClockwiseFromStraightBehind) {
-  const Rig rig = make(0.5);
-  ASSERT_TRUE(rig.backend->world()->set_robot_pose(0, {1.0, 0.7, 0.0}));
-  Lidar* lidar = rig.backend->lidar();
-  ASSERT_TRUE(lidar->configure(2 * kPi, 0.0, 4));
-  std::vector<double> ranges(static_cast<std::size_t>(lidar->points()));
-  ASSERT_TRUE(lidar->read(ranges));
-  // Behind, left, ahead, right.
-  EXPECT_THAT(ranges, testing::Pointwise(DoubleNear(range_tolerance()),
-                                         {1.0, 2 * kSideWall - 0.7, 2.0, 0.7}));
-}
-
-TEST_P(BackendContract, LidarScansASectorFromLeftToRight) {
-  const Rig rig = make(0.5);
-  ASSERT_TRUE(rig.backend->world()->set_robot_pose(0, {1.0, 0.7, 0.0}));
-  Lidar* lidar = rig.backend->lidar();
-  ASSERT_TRUE(lidar->configure(kPi, 0.0, 3));
-  std::vector<double> ranges(3);
-  ASSERT_TRUE(lidar->read(ranges));
-  EXPECT_THAT(ranges,
-              testing::Pointwise(DoubleNear(range_tolerance()), {2 * kSideWall - 0.7, 2.0, 0.7}));
-}
-
-TEST_P(BackendContract, LidarTiltedDownEndsAtTheFloor) {
-  const Rig rig = make(0.5);
-  Lidar* lidar = rig.backend->lidar();
-  ASSERT_TRUE(lidar->configure(2 * kPi, kPi / 6, 8));
-  std::vector<double> ranges(8);
-  ASSERT_TRUE(lidar->read(ranges));
-  EXPECT_THAT(ranges, Each(DoubleNear(2 * rig_model().lidar->height, 1e-9)));  // 1 / sin 30° = 2
-}
-
-TEST_P(BackendContract, LidarRefusesShapesThatCannotBe) {
-  const Rig rig = make(0.5);
-  Lidar* lidar = rig.backend->lidar();
-  const int before = lidar->points();
-  EXPECT_EQ(lidar->configure(7.0, 0.0, 10).error().code, Errc::OutOfRange);
-  EXPECT_EQ(lidar->configure(0.0, 0.0, 10).error().code, Errc::OutOfRange);
-  EXPECT_EQ(lidar->configure(1.0, 2.0, 10).error().code, Errc::OutOfRange);
-  EXPECT_EQ(lidar->configure(1.0, 0.0, 1).error().code, Errc::OutOfRange);
-  EXPECT_EQ(lidar->configure(std::nan(""), 0.0, 10).error().code, Errc::OutOfRange);
-  EXPECT_EQ(lidar->points(), before);
-  std::vector<double> too_few(static_cast<std::size_t>(before) - 1);
-  EXPECT_EQ(lidar->read(too_few).error().code, Errc::OutOfRange);
 }
 
 TEST_P(BackendContract, CompassGivesTheHeadingInTheWorld) {

@@ -1,5 +1,7 @@
 #include "sim/lockstep_clock.hpp"
 
+#include <stdexcept>
+
 #include <gtest/gtest.h>
 
 namespace eyebridge::hal {
@@ -51,6 +53,17 @@ TEST(LockstepClock, ShowsTheTimeOfTheStepThatIsUnderWay) {
   stepping.wait_until(35ms);
   EXPECT_EQ(times, (std::vector<Time>{0ms, 10ms, 20ms}));
   EXPECT_TRUE(stepping.is_virtual());
+}
+
+TEST(LockstepClock, DoesNotRepeatAStepThatThrew) {
+  int steps = 0;
+  LockstepClock clock(10ms, [&] {
+    if (++steps == 2) throw std::runtime_error("full disk");
+  });
+  EXPECT_THROW(clock.wait_until(50ms), std::runtime_error);
+  clock.wait_until(50ms);
+  EXPECT_EQ(steps, 5);
+  EXPECT_EQ(clock.now(), 50ms);
 }
 
 }  // namespace

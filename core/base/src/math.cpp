@@ -41,6 +41,15 @@ double cos_small(double x) {
 constexpr double kHalfPiHigh = 1.57079632673412561417e+00;
 constexpr double kHalfPiLow = 6.07710050650619224932e-11;
 
+// As far as k * kHalfPiHigh is exact.
+constexpr double kReducedExactly = 1e6;
+
+/// `angle` without its whole turns, by how many turns ever; NaN unless finite.
+double without_turns(double angle) {
+  // IEEE 754 wants it exact, so that it is the same on every machine.
+  return std::remainder(angle, 2.0 * kPi);
+}
+
 double atan_unit(double t) {  // |t| <= tan(pi/16): the series converges fast
   const double z = t * t;
   double sum = 0.0;
@@ -51,6 +60,11 @@ double atan_unit(double t) {  // |t| <= tan(pi/16): the series converges fast
 }  // namespace
 
 SinCos sin_cos(double angle) {
+  // Written so that NaN comes here, too.
+  if (!(std::abs(angle) <= kReducedExactly)) {
+    angle = without_turns(angle);
+    if (std::isnan(angle)) return {angle, angle};
+  }
   const double k = std::nearbyint(angle * (2.0 / kPi));
   const double x = (angle - k * kHalfPiHigh) - k * kHalfPiLow;
   const double s = sin_small(x);
@@ -104,8 +118,9 @@ double log_of(double x) {
 
 double wrap_angle(double angle) {
   if (angle > -kPi && angle <= kPi) return angle;
-  const double turns = std::floor((angle + kPi) / (2.0 * kPi));
-  double wrapped = angle - turns * (2.0 * kPi);
+  const bool near = std::abs(angle) <= kReducedExactly;
+  const double turns = near ? std::floor((angle + kPi) / (2.0 * kPi)) : 0.0;
+  double wrapped = near ? angle - turns * (2.0 * kPi) : without_turns(angle);
   if (wrapped <= -kPi) wrapped += 2.0 * kPi;
   if (wrapped > kPi) wrapped -= 2.0 * kPi;
   return wrapped;

@@ -120,7 +120,7 @@ void RobotBuilder::read_error(const Statement& s) {
     if (lower(s.text(2)) != "quantised") {
       s.fail(2, in_quotes(s.text(2)) + " found: expected 'quantised'");
     }
-    model_.drive_error.encoder_quantised = 1;
+    model_.drive_error.encoder_quantised = true;
   } else if (kind == "compass") {
     expect(1, "compass sigma_deg");
     model_.compass_error.sigma = deg_to_rad(s.number(2, "sigma", 0, 180));

@@ -9,35 +9,38 @@ constexpr double kBumperReach = 2e-3;  // metres: the play of a bumper plate
 
 }  // namespace
 
+double Simulation::Impl::look(RobotIndex robot, const Sight& device, double reach) const {
+  const world::BodyId self = states.at(robot).body;
+  const Sight sight = device.in_world(world.position(self), world.heading(self));
+  return world.cast_ray(sight.origin, sight.heading.forward(), reach, self);
+}
+
 double Simulation::read_range(RobotIndex robot, std::size_t sensor) {
   RobotDevices& devices = impl_->devices_of(robot);
-  assert(sensor < devices.ranges.size());
+  RayDevice& device = devices.ranges.at(sensor);
   const RangeSensorModel& model = devices.model.range_sensors[sensor];
-  RayDevice& device = devices.ranges[sensor];
-  const world::World& world = impl_->world;
-  const world::BodyId self = body(robot);
-  const Sight sight = device.sight.in_world(world.position(self), world.heading(self));
-  const double range = world.cast_ray(sight.origin, sight.heading.forward(), model.max_range, self);
-  return range_reading(range, model, device.noise);
+  return range_reading(impl_->look(robot, device.sight, model.max_range), model, device.noise);
+}
+
+double Simulation::true_range(RobotIndex robot, std::size_t sensor) const {
+  const RobotDevices& devices = impl_->devices_of(robot);
+  const RayDevice& device = devices.ranges.at(sensor);
+  const RangeSensorModel& model = devices.model.range_sensors[sensor];
+  return range_reading(impl_->look(robot, device.sight, model.max_range), model);
 }
 
 bool Simulation::read_proximity(RobotIndex robot, std::size_t sensor) {
   RobotDevices& devices = impl_->devices_of(robot);
-  assert(sensor < devices.proximities.size());
+  RayDevice& device = devices.proximities.at(sensor);
   const ProximityModel& model = devices.model.proximity_sensors[sensor];
-  RayDevice& device = devices.proximities[sensor];
-  const world::World& world = impl_->world;
-  const world::BodyId self = body(robot);
-  const Sight sight = device.sight.in_world(world.position(self), world.heading(self));
-  const bool near = world.cast_ray(sight.origin, sight.heading.forward(), model.threshold, self) <
-                    model.threshold;
+  const bool near = impl_->look(robot, device.sight, model.threshold) < model.threshold;
   const bool flipped = model.flip_probability > 0.0 && device.noise.chance(model.flip_probability);
   return near != flipped;
 }
 
 bool Simulation::read_bumper(RobotIndex robot, std::size_t bumper) {
   RobotDevices& devices = impl_->devices_of(robot);
-  assert(bumper < devices.bumpers.size());
+  Random& noise = devices.bumpers.at(bumper);
   const BumperModel& model = devices.model.bumpers[bumper];
   const world::BodyId self = body(robot);
   const Heading heading = impl_->world.heading(self);
@@ -50,20 +53,17 @@ bool Simulation::read_bumper(RobotIndex robot, std::size_t bumper) {
         return in_sector(bearing, model.start, model.end);
       });
   if (!touched) return false;
-  return model.miss_probability <= 0.0 || !devices.bumpers[bumper].chance(model.miss_probability);
+  return model.miss_probability <= 0.0 || !noise.chance(model.miss_probability);
 }
 
 void Simulation::read_lidar(RobotIndex robot, double field_of_view, std::span<double> ranges) {
-  const auto& lidar = model(robot).lidar;
-  assert(lidar.has_value());
-  read_lidar(robot, field_of_view, lidar->tilt, ranges);
+  read_lidar(robot, field_of_view, model(robot).lidar.value().tilt, ranges);
 }
 
 void Simulation::read_lidar(RobotIndex robot, double field_of_view, double tilt,
                             std::span<double> ranges) {
   RobotDevices& devices = impl_->devices_of(robot);
-  assert(devices.model.lidar.has_value());
-  const LidarModel& model = *devices.model.lidar;
+  const LidarModel& model = devices.model.lidar.value();
   const world::World& world = impl_->world;
   const world::BodyId self = body(robot);
   const Sight sight =

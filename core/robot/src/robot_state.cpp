@@ -41,7 +41,7 @@ DriveLimits limits_of(const RobotModel& model, double dt) {
   const bool lags = drive.motor_time_constant > 0.0;
   limits.distance_end = lags ? kCreepDistance : kExact;
   limits.angle_end = lags ? kCreepAngle : kExact;
-  if (model.drive_error.encoder_quantised != 0.0) {
+  if (model.drive_error.encoder_quantised) {
     // A goal between two ticks is reached at either of them.
     const double tick = kPi * drive.wheel_diameter / drive.ticks_per_revolution;
     limits.distance_end += tick;

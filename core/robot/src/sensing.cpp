@@ -42,15 +42,27 @@ const std::vector<Vec2>& ScanShape::directions(double field_of_view, std::size_t
   return directions_;
 }
 
+namespace {
+
+bool in_reach(double range, const RangeSensorModel& model) {
+  return range >= model.min_range && range < model.max_range;
+}
+
+}  // namespace
+
 double range_reading(double range, const RangeSensorModel& model, Random& random) {
-  if (range < model.min_range || range >= model.max_range) return model.out_of_range;
+  if (!in_reach(range, model)) return model.out_of_range;
   return std::clamp(with_error(range, model.error, random), 0.0, model.max_range);
+}
+
+double range_reading(double range, const RangeSensorModel& model) {
+  return in_reach(range, model) ? range : model.out_of_range;
 }
 
 SlantedBeam::SlantedBeam(const LidarModel& model, double tilt)
     : max_range_(model.max_range), level_reach_(model.max_range), miss_(model.max_range) {
   const SinCos slant = sin_cos(tilt);
-  cosine_ = slant.cos;
+  cosine_ = std::max(slant.cos, 0.0);  // straight down, rounding may put it below 0
   level_reach_ = max_range_ * cosine_;
   if (slant.sin > 0.0 && model.height < max_range_ * slant.sin) {
     miss_ = model.height / slant.sin;

@@ -43,6 +43,8 @@ class ScanShape {
 /// The reading of a range sensor whose ray meets something after `range` metres; `range` at or
 /// beyond the sensor's reach is nothing met. Draws from `random` only for a reading with error.
 double range_reading(double range, const RangeSensorModel& model, Random& random);
+/// The same without the sensor's error.
+double range_reading(double range, const RangeSensorModel& model);
 
 /// A lidar tilted down by `tilt` radians measures along its slanted rays.
 class SlantedBeam {

@@ -34,7 +34,8 @@ void check(const RobotModel& model) {
 
 /// In whole steps, at least one; a time-out beyond what can be counted never comes.
 std::uint32_t timeout_steps(const SimulationSettings& settings) {
-  check(settings.step > 0.0, "simulation: the step must be positive");
+  check(settings.step > 0.0 && std::isfinite(settings.step),
+        "simulation: the step must be positive and finite");
   check(settings.stall_timeout >= 0.0, "simulation: the stall time-out must not be negative");
   const double steps = std::ceil(settings.stall_timeout / settings.step - 1e-9);
   return static_cast<std::uint32_t>(
@@ -133,46 +134,45 @@ Twist Simulation::measured_twist(RobotIndex robot) const { return impl_->at(robo
 
 void Simulation::set_motor_duty(RobotIndex robot, unsigned motor, double duty) {
   RobotState& state = impl_->at(robot);
-  assert(motor < state.commands.size());
+  MotorCommand& command = state.commands.at(motor);
   state.use_motors();
-  state.commands[motor] = {std::clamp(duty, -1.0, 1.0) * state.motor.top, false};
+  command = {std::clamp(duty, -1.0, 1.0) * state.motor.top, false};
 }
 
 void Simulation::set_motor_speed(RobotIndex robot, unsigned motor, double ticks_per_second) {
   RobotState& state = impl_->at(robot);
-  assert(motor < state.commands.size());
+  MotorCommand& command = state.commands.at(motor);
   state.use_motors();
   const double speed = ticks_per_second / state.motor.ticks_per_metre;
-  state.commands[motor] = {std::clamp(speed, -state.motor.top, state.motor.top), true};
+  command = {std::clamp(speed, -state.motor.top, state.motor.top), true};
 }
 
 void Simulation::set_motor_pid(RobotIndex robot, unsigned motor, int p, int i, int d) {
   RobotState& state = impl_->at(robot);
-  assert(motor < state.wheels.size());
-  state.wheels[motor].set_gains(
+  state.wheels.at(motor).set_gains(
       {std::clamp(p, 0, 255), std::clamp(i, 0, 255), std::clamp(d, 0, 255)});
 }
 
 std::int64_t Simulation::encoder_ticks(RobotIndex robot, unsigned motor) const {
   const RobotState& state = impl_->at(robot);
-  assert(motor < state.wheels.size());
-  return state.wheels[motor].ticks(state.motor);
+  return state.wheels.at(motor).ticks(state.motor);
 }
 
 void Simulation::reset_encoder(RobotIndex robot, unsigned motor) {
   RobotState& state = impl_->at(robot);
-  assert(motor < state.wheels.size());
-  state.wheels[motor].reset_ticks(state.motor);
+  state.wheels.at(motor).reset_ticks(state.motor);
 }
 
 void Simulation::set_servo(RobotIndex robot, unsigned servo, double position) {
-  assert(servo < kServoCount);
-  impl_->devices_of(robot).servos[servo] = std::clamp(position, 0.0, 1.0);
+  impl_->devices_of(robot).servos.at(servo) = std::clamp(position, 0.0, 1.0);
 }
 
 double Simulation::servo(RobotIndex robot, unsigned servo) const {
-  assert(servo < kServoCount);
-  return impl_->devices_of(robot).servos[servo];
+  return impl_->devices_of(robot).servos.at(servo);
+}
+
+std::uint64_t Simulation::camera_noise_seed(RobotIndex robot) const {
+  return noise_stream(impl_->settings.seed, robot, NoiseSource::Camera, 0).bits();
 }
 
 void Simulation::on_collision(std::function<void(const CollisionEvent&)> listener) {

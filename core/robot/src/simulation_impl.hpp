@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cassert>
-
 #include "eyebridge/robot/simulation.hpp"
 #include "robot_state.hpp"
 
@@ -10,14 +8,11 @@ namespace eyebridge::robot {
 struct Simulation::Impl {
   Impl(std::shared_ptr<const world::WorldModel> model, const SimulationSettings& given);
 
-  [[nodiscard]] RobotState& at(RobotIndex robot) {
-    assert(robot < states.size());
-    return states[robot];
-  }
-  [[nodiscard]] RobotDevices& devices_of(RobotIndex robot) {
-    assert(robot < devices.size());
-    return devices[robot];
-  }
+  // Both throw std::out_of_range.
+  [[nodiscard]] RobotState& at(RobotIndex robot) { return states.at(robot); }
+  [[nodiscard]] RobotDevices& devices_of(RobotIndex robot) { return devices.at(robot); }
+  /// How far a device on `robot` sees, metres; `reach` when nothing is nearer.
+  [[nodiscard]] double look(RobotIndex robot, const Sight& device, double reach) const;
   /// One step of one robot: from command to pose.
   void step_robot(RobotIndex robot);
   /// Keeps account of stalls and contacts after a move.

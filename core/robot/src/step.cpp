@@ -6,7 +6,7 @@ namespace eyebridge::robot {
 namespace {
 
 constexpr double kStanding = 1e-9;    // metres per second: a lagging motor has run down
-constexpr double kContactGap = 1e-3;  // metres: free again after a contact
+constexpr double kReleaseGap = 1e-3;  // metres: free again after a contact
 
 bool nothing_to_do(RobotState& state) {
   const bool commanded = state.by_motors
@@ -51,7 +51,7 @@ PathStep true_path(RobotState& state, const WheelTravel& wheels) {
 
 /// What odometry sees of the wheels' travel.
 PathStep measured_path(RobotState& state, const WheelTravel& wheels) {
-  if (state.error.encoder_quantised == 0.0) return path_of(wheels, state.wheel_base);
+  if (!state.error.encoder_quantised) return path_of(wheels, state.wheel_base);
   double travel[2];
   for (std::size_t i = 0; i < 2; ++i) {
     const std::int64_t ticks = state.wheels[i].raw_ticks(state.motor);
@@ -99,7 +99,7 @@ void Simulation::Impl::account(RobotIndex robot, RobotState& state,
   if (!result.blocked()) {
     state.clear_stall();
     if (state.touching) {
-      const double clear = world.radius(state.body) + kContactGap;
+      const double clear = world.radius(state.body) + kReleaseGap;
       state.touching = !world.is_free(world.position(state.body), clear, state.body);
     }
     return;

@@ -27,11 +27,14 @@ World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
+// Metres. A robot as wide as a cell touches its walls, whatever rounding made of their places.
+constexpr double kTouch = 1e-9;
+
 BodyId World::add_robot(const Pose& pose, double radius, double height, Rgb colour) {
   Bodies& bodies = impl_->bodies;
   const Vec2 centre = pose.position();
   const double gap = impl_->walls.distance(centre, radius);
-  if (gap < radius || impl_->walls.inside_thick(centre)) {
+  if (gap < radius - kTouch || impl_->walls.inside_thick(centre)) {
     const double depth = impl_->walls.inside_thick(centre) ? radius + gap : radius - gap;
     throw std::invalid_argument(
         fmt::format("robot of radius {:.3f} m at ({:.3f}, {:.3f}) stands {:.4f} m deep in a wall",
@@ -39,7 +42,7 @@ BodyId World::add_robot(const Pose& pose, double radius, double height, Rgb colo
   }
   for (BodyId other = 0; other < bodies.size(); ++other) {
     const double overlap = radius + bodies.radius_[other] - norm(centre - bodies.position(other));
-    if (overlap > 0.0) {
+    if (overlap > kTouch) {
       throw std::invalid_argument(fmt::format(
           "robot of radius {:.3f} m at ({:.3f}, {:.3f}) overlaps body {} at ({:.3f}, {:.3f}) by "
           "{:.4f} m",

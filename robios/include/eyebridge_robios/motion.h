@@ -11,8 +11,8 @@ int SERVOSet(int servo, int angle);
 /** As SERVOSet(), past the robot's table. */
 int SERVOSetRaw(int servo, int angle);
 /**
- * Pulse lengths of positions 0 and 255, in 1/100 ms: 0 <= low < high <= 255, else 1. Nothing changes
- * in simulation, as in EyeSim.
+ * Pulse lengths of positions 0 and 255, in 1/100 ms: 0 <= low < high <= 255, else 1. Nothing
+ * changes in simulation, as in EyeSim.
  */
 int SERVORange(int servo, int low, int high);
 

@@ -28,8 +28,9 @@ int OSMachineID(void);
 int OSWait(int n);
 /**
  * Calls fct every `scale` milliseconds on the robot's clock until OSDetachTimer(). The function may
- * call RoBIOS. In real time it has a thread of its own; in virtual time it is called between two calls
- * of the program, in whose thread it must not wait for a mutex. Returns a handle, 0 on failure (null function, scale below 1).
+ * call RoBIOS. In real time it has a thread of its own; in virtual time it is called between two
+ * calls of the program, in whose thread it must not wait for a mutex. Returns a handle, 0 on
+ * failure (null function, scale below 1).
  */
 TIMER OSAttachTimer(int scale, void (*fct)(void));
 /** Ends a timer. 1 for an unknown handle. */

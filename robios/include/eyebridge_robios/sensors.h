@@ -13,7 +13,10 @@ int PSDGet(int psd);
 /** Raw value of the sensor. In simulation the same as PSDGet(). */
 int PSDGetRaw(int psd);
 
-/** Number of values that LIDARGet() fills in; 360 until LIDARSet(). */
+/**
+ * Number of values that LIDARGet() fills in: those of the robot file, 360 unless it says otherwise,
+ * until LIDARSet(). Known once the program has called any function of this library.
+ */
 extern int LIDAR_RESOLUTION;
 /**
  * Fills distance[0 … points-1], in mm, 9999 where nothing is hit. A full scan starts straight
@@ -23,7 +26,7 @@ extern int LIDAR_RESOLUTION;
 int LIDARGet(int distance[]);
 /**
  * Range 1..360 degrees centred on the front, tilt in degrees (positive down), number of points
- * (2..36000). 1 for values outside; the shape then stays.
+ * (1..36000; a single one looks ahead). 1 for values outside; the shape then stays.
  */
 int LIDARSet(int range, int tilt, int points);
 

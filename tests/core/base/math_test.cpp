@@ -1,6 +1,7 @@
 #include "eyebridge/base/math.hpp"
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -34,6 +35,26 @@ TEST(SinCos, GivesAUnitVector) {
   for (double a = -10; a < 10; a += 0.001) {
     const SinCos sc = sin_cos(a);
     ASSERT_NEAR(sc.sin * sc.sin + sc.cos * sc.cos, 1.0, 5e-16) << a;
+  }
+}
+
+TEST(SinCos, OfAnyFiniteAngleIsAUnitVector) {
+  for (const double angle : {1e6, 1.1e6, 1e9, 1e15, 9.3e18, 1e19, 1e40, 1e300, 1.7e308}) {
+    for (const double a : {angle, -angle}) {
+      const SinCos sc = sin_cos(a);
+      EXPECT_NEAR(sc.sin * sc.sin + sc.cos * sc.cos, 1.0, 5e-16) << a;
+    }
+  }
+  EXPECT_NEAR(sin_cos(1e9).sin, std::sin(1e9), 1e-7);
+  EXPECT_NEAR(sin_cos(-1e9).cos, std::cos(1e9), 1e-7);
+}
+
+TEST(SinCos, OfWhatIsNoAngleIsNaN) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double a : {kInfinity, -kInfinity, std::nan("")}) {
+    EXPECT_TRUE(std::isnan(sin_cos(a).sin)) << a;
+    EXPECT_TRUE(std::isnan(sin_cos(a).cos)) << a;
+    EXPECT_TRUE(std::isnan(wrap_angle(a))) << a;
   }
 }
 
@@ -76,6 +97,11 @@ TEST(WrapAngle, BringsEveryAngleIntoTheHalfOpenTurn) {
     ASSERT_GT(w, -kPi);
     ASSERT_LE(w, kPi);
     ASSERT_NEAR(std::sin(w), std::sin(a), 1e-13);
+  }
+  for (const double a : {1e6, 1e9, 1e18, 1e300}) {
+    EXPECT_GT(wrap_angle(a), -kPi) << a;
+    EXPECT_LE(wrap_angle(a), kPi) << a;
+    EXPECT_EQ(wrap_angle(-a), -wrap_angle(a)) << a;
   }
 }
 

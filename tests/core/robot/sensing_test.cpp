@@ -130,6 +130,7 @@ TEST(NoiseStream, NoTwoDevicesShareOne) {
   EXPECT_NE(base, first(0, NoiseSource::Range, 1));
   EXPECT_NE(base, first(1, NoiseSource::Range, 0));
   EXPECT_NE(base, first(0, NoiseSource::Lidar, 0));
+  EXPECT_NE(base, first(0, NoiseSource::Camera, 0));
   EXPECT_NE(base, noise_stream(2, 0, NoiseSource::Range, 0).bits());
 }
 
@@ -146,6 +147,10 @@ TEST(SlantedBeam, ReadsAlongTheBeam) {
   EXPECT_NEAR(down.level_reach(), 0.1 * std::sqrt(3.0), 1e-12);
   EXPECT_NEAR(down.range(0.1), 0.1 / std::cos(kPi / 6), 1e-12);
   EXPECT_NEAR(down.range(down.level_reach()), 0.2, 1e-12) << "the floor";
+
+  const SlantedBeam straight_down(model, kPi / 2);
+  EXPECT_GE(straight_down.level_reach(), 0.0);
+  EXPECT_EQ(straight_down.range(straight_down.level_reach()), 0.1);
 
   const SlantedBeam up(model, deg_to_rad(-60));
   EXPECT_NEAR(up.level_reach(), 2.5, 1e-12);

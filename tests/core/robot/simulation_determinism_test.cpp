@@ -10,7 +10,7 @@ namespace {
 RobotModel erring_model() {
   RobotModel model;
   model.drive.motor_time_constant = 0.04;
-  model.drive_error = {0.05, 0.05, 0.01, -0.005, 1.0};
+  model.drive_error = {0.05, 0.05, 0.01, -0.005, true};
   model.range_sensors.resize(2);
   model.range_sensors[1].pose_in_robot = {0.0, 0.05, kPi / 2};
   for (RangeSensorModel& sensor : model.range_sensors) sensor.error = {0.001, 0.005, 0.02};

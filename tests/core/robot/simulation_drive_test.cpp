@@ -188,7 +188,7 @@ TEST(DriveError, GaussianSlipHasTheSpreadItWasGiven) {
 
 TEST(DriveError, QuantisedOdometrySeesWholeTicks) {
   RobotModel model;
-  model.drive_error.encoder_quantised = 1.0;
+  model.drive_error.encoder_quantised = true;
   Rig rig(model, {1.0, 2.0, 0.0});
   const double tick = kPi * model.drive.wheel_diameter / model.drive.ticks_per_revolution;
   rig.sim.drive(rig.robot, {1.0, 0.0, 0.3});

@@ -1,9 +1,12 @@
 #include <array>
 #include <cmath>
+#include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "errors.hpp"
 #include "rig.hpp"
 
 namespace eyebridge::robot {
@@ -37,6 +40,18 @@ TEST(RangeSensor, OutsideItsLimitsReadsOutOfRange) {
   EXPECT_NEAR(rig.sim.read_range(rig.robot, 0), 0.65, 1e-9);
   rig.sim.set_pose(rig.robot, {3.9, 2.0, 0.0});
   EXPECT_EQ(rig.sim.read_range(rig.robot, 0), 9.999) << "too near";
+}
+
+TEST(RangeSensor, ItsTruthHasNoErrorAndDrawsNothing) {
+  RobotModel model;
+  model.range_sensors = {psd(0.0), psd(kPi)};
+  model.range_sensors[0].error = {0.1, 0.02, 0.0};
+  model.range_sensors[1].max_range = 0.5;
+  Rig asked(model);
+  Rig unasked(model);
+  EXPECT_NEAR(asked.sim.true_range(asked.robot, 0), 1.95, 1e-9);
+  EXPECT_EQ(asked.sim.true_range(asked.robot, 1), 9.999) << "out of range";
+  EXPECT_EQ(asked.sim.read_range(asked.robot, 0), unasked.sim.read_range(unasked.robot, 0));
 }
 
 TEST(RangeSensor, SeesOtherRobotsButNotItself) {
@@ -200,6 +215,45 @@ TEST(Servo, StartsInTheMiddleAndIsClamped) {
   rig.sim.set_servo(rig.robot, 1, 7.0);
   EXPECT_EQ(rig.sim.servo(rig.robot, 0), 0.75);
   EXPECT_EQ(rig.sim.servo(rig.robot, 1), 1.0);
+}
+
+TEST(Devices, ThatARobotLacksAreOutOfRange) {
+  Rig rig;
+  EXPECT_THROW(rig.sim.set_servo(rig.robot, kServoCount, 0.5), std::out_of_range);
+  EXPECT_THROW(static_cast<void>(rig.sim.servo(rig.robot, kServoCount)), std::out_of_range);
+  EXPECT_THROW(rig.sim.set_motor_duty(rig.robot, 2, 0.5), std::out_of_range);
+  EXPECT_THROW(rig.sim.set_motor_speed(rig.robot, 2, 10.0), std::out_of_range);
+  EXPECT_THROW(rig.sim.set_motor_pid(rig.robot, 2, 1, 1, 1), std::out_of_range);
+  EXPECT_THROW(static_cast<void>(rig.sim.encoder_ticks(rig.robot, 2)), std::out_of_range);
+  EXPECT_THROW(static_cast<void>(rig.sim.read_range(rig.robot, 0)), std::out_of_range);
+  EXPECT_THROW(static_cast<void>(rig.sim.true_range(rig.robot, 0)), std::out_of_range);
+  EXPECT_THROW(static_cast<void>(rig.sim.read_proximity(rig.robot, 0)), std::out_of_range);
+  EXPECT_THROW(static_cast<void>(rig.sim.read_bumper(rig.robot, 0)), std::out_of_range);
+  EXPECT_THROW(static_cast<void>(rig.sim.pose(rig.robot + 1)), std::out_of_range);
+  double range = 0.0;
+  EXPECT_THROW(rig.sim.read_lidar(rig.robot, 1.0, {&range, 1}), std::bad_optional_access);
+}
+
+TEST(CameraNoise, HasAStreamOfItsOwn) {
+  Rig rig;
+  const RobotIndex second = rig.sim.add_robot({}, {1.0, 1.0, 0.0});
+  const std::uint64_t seed = rig.sim.camera_noise_seed(rig.robot);
+  EXPECT_EQ(seed, rig.sim.camera_noise_seed(rig.robot));
+  EXPECT_NE(seed, rig.sim.camera_noise_seed(second));
+  SimulationSettings other;
+  other.seed = 2;
+  const Rig reseeded({}, {2.0, 2.0, 0.0}, other);
+  EXPECT_NE(seed, reseeded.sim.camera_noise_seed(0));
+  // Frame 0, 1, … of the camera against the streams of the robot's other devices.
+  for (std::uint64_t time = 0; time < 3; ++time) {
+    const std::uint64_t snow = Random(seed, time).bits();
+    for (const auto source : {NoiseSource::Drive, NoiseSource::Range, NoiseSource::Proximity,
+                              NoiseSource::Bumper, NoiseSource::Lidar, NoiseSource::Compass}) {
+      for (std::size_t index = 0; index < 4; ++index) {
+        EXPECT_NE(snow, noise_stream(1, 0, source, index).bits());
+      }
+    }
+  }
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ TEST(Simulation, PushesABallOutOfTheWay) {
 
 TEST(Simulation, EveryGoalOfARealisticRobotEnds) {
   RobotModel model;
-  model.drive_error = {0.05, 0.05, 0.01, -0.01, 1.0};
+  model.drive_error = {0.05, 0.05, 0.01, -0.01, true};
   Random random(5);
   for (const double time_constant : {0.0, 0.02, 0.1}) {
     model.drive.motor_time_constant = time_constant;

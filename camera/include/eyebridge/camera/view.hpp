@@ -21,7 +21,7 @@ struct Eye {
 struct ImageNoise {
   double salt_and_pepper = 0.0;  ///< Fraction of pixels turned black or white.
   double sigma = 0.0;            ///< Gaussian, a channel, 0 … 255.
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;        ///< Of this camera alone; each frame's time makes a stream of it.
 };
 
 /// What a rendered camera looks at: implemented by a simulated robot. Any thread.

@@ -19,24 +19,30 @@ namespace eyebridge::hal {
 
 /// One robot, whichever way it is reached. Owns its devices; null means "this robot has none".
 ///
-/// Device ids are those of RoBIOS: they start at 1. Lookups and devices: any thread.
+/// Device ids are those of RoBIOS: they start at 1, and any other number, too, is "this robot has
+/// none". Lookups never fail otherwise, and give the same device every time; it lives as long as
+/// the backend. Lookups and devices: any thread.
 class Backend {
  public:
   virtual ~Backend() = default;
 
-  /// The time this robot's program lives in.
+  /// The time this robot's program lives in; starts at 0. Owned by the backend.
   virtual Clock& clock() = 0;
-  /// 1-based number of this robot in its world (1 on real hardware).
+  /// Number of this robot in its world, from 1 (1 on real hardware).
   [[nodiscard]] virtual int robot_id() const = 0;
 
   virtual Drive* drive() = 0;
+  /// A distance sensor (PSD).
   virtual RangeSensor* range_sensor(int id) = 0;
+  /// An infrared switch.
   virtual SwitchSensor* proximity(int id) = 0;
   virtual SwitchSensor* bumper(int id) = 0;
   virtual Lidar* lidar() = 0;
   virtual Compass* compass() = 0;
+  /// 1 is the left wheel's motor, 2 the right one's; encoders likewise.
   virtual Motor* motor(int id) = 0;
   virtual Encoder* encoder(int id) = 0;
+  /// 1 is the camera's pan, 2 its tilt, where there are such.
   virtual Servo* servo(int id) = 0;
 
   /// Null on real hardware.
@@ -44,10 +50,13 @@ class Backend {
   /// What a rendered camera on this robot looks at; null when nothing here can be rendered.
   virtual camera::View* camera_view() = 0;
 
-  /// Tells `sink` of every step from now on; null ends it. The sink is lent until then.
+  /// Tells `sink` of every step from now on, in the place of an earlier sink; null ends it. The
+  /// sink is lent until then: once this returns, the old one is not called any more. Any thread,
+  /// but not from a sink.
   virtual void trace_to(TraceSink* sink) = 0;
 
-  /// Stops all motors now. Called once, when the program ends in any way; never throws.
+  /// Stops all motors now; what cannot be reached any more is left as it is. Called once, when the
+  /// program ends in any way, from any thread; never throws.
   virtual void stop() noexcept = 0;
 };
 

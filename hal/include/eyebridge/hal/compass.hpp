@@ -4,12 +4,13 @@
 
 namespace eyebridge::hal {
 
-/// Heading in the world.
+/// Heading in the world. The backend owns it; any thread.
 class Compass {
  public:
   virtual ~Compass() = default;
 
-  /// Radians counter-clockwise from the world's +x axis, (-pi, pi].
+  /// Radians counter-clockwise from the world's +x axis, (-pi, pi]. Fails with Timeout or
+  /// Disconnected on hardware.
   virtual Result<double> read() = 0;
 };
 

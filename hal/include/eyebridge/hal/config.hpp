@@ -44,7 +44,14 @@ std::string_view nearest_key(std::string_view key);
 struct ConfigValue {
   std::string text;
   SourceLocation where;
+
+  /// True when nobody set it.
+  [[nodiscard]] bool is_default() const { return where.file == "default"; }
 };
+
+/// `error`, which was found while reading the text of `value`, at the place where the value was
+/// set. The error's column is that within the text, kept where the place has none of its own.
+ConfigError error_in(const ConfigValue& value, const ConfigError& error);
 
 /// Width and height of a picture, pixels.
 struct PixelSize {

@@ -13,11 +13,13 @@ class RangeSensor {
   virtual ~RangeSensor() = default;
 
   /// Distance from the sensor's face to the first surface along its axis, in metres.
-  /// No surface within reach reads as `out_of_range()`, as it does on the robot.
+  /// No surface within reach, or one that is too near, reads as `out_of_range()`, as it does on the
+  /// robot.
   /// Fails with Timeout or Disconnected; never blocks longer than the link's timeout.
   virtual Result<double> read() = 0;
 
   /// The sensor's reading before linearisation: an ADC value on a board, millimetres in simulation.
+  /// Fails as read() does.
   virtual Result<int> read_raw() = 0;
 
   /// What read() gives when nothing is within reach, in metres.

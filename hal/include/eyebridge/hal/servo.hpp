@@ -4,12 +4,13 @@
 
 namespace eyebridge::hal {
 
-/// One servo.
+/// One servo. The backend owns it; any thread.
 class Servo {
  public:
   virtual ~Servo() = default;
 
-  /// `position` 0 … 1; 0.5 is the middle.
+  /// Turns to `position` 0 … 1 and returns at once; 0.5 is the middle. Another position is
+  /// OutOfRange. Fails with Timeout or Disconnected on hardware.
   virtual Result<void> set(double position) = 0;
 };
 

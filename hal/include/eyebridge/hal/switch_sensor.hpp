@@ -4,7 +4,8 @@
 
 namespace eyebridge::hal {
 
-/// A sensor that says yes or no: an infrared proximity switch or a bumper.
+/// A sensor that says yes or no: an infrared proximity switch or a bumper. The
+/// backend owns it; any thread.
 class SwitchSensor {
  public:
   virtual ~SwitchSensor() = default;

@@ -9,19 +9,21 @@ namespace eyebridge::hal {
 
 /// What a robot did and saw at one moment.
 struct TracePoint {
-  Time time{0};
-  Pose pose;      ///< Truth, in the world; on a board the same as `odometry`.
-  Twist twist;    ///< As driven.
+  Time time{0};   ///< Of the robot's clock.
+  Pose pose;      ///< Truth, in the world, metres and radians; on a board the same as `odometry`.
+  Twist twist;    ///< As driven, metres and radians per second.
   Pose odometry;  ///< As the robot believes.
   std::span<const double>
       ranges;  ///< Of all distance sensors in order of id, metres; lent for the call.
 };
 
-/// Takes the trace of a run. Called from the thread that steps the world; must not call the
-/// backend.
+/// Takes the trace of a run. Called from the thread that steps the world, which may be another one
+/// each time, but never two at once; must not call the backend.
 class TraceSink {
  public:
   virtual ~TraceSink() = default;
+  /// One step. Whoever cannot take it (a full disk) keeps that to himself until he is asked: a
+  /// step has no one to tell.
   virtual void point(const TracePoint& point) noexcept = 0;
 };
 

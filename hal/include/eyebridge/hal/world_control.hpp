@@ -7,13 +7,17 @@ namespace eyebridge::hal {
 
 /// The hand of God: what only a simulated world can do. Behind the SIM* calls, tests and windows;
 /// robot programs that use it do not run on a real robot.
+///
+/// Poses are in the world, metres and radians. The backend owns it; any thread.
 class WorldControl {
  public:
   virtual ~WorldControl() = default;
 
   [[nodiscard]] virtual int robot_count() const = 0;
+  /// Of what robots can push: balls and cans.
   [[nodiscard]] virtual int object_count() const = 0;
-  /// Ids from 1, in the order of the scenario; robot 0 is the caller's own.
+  // Ids from 1, in the order of the scenario; robot 0 is the caller's own. An id that is not there
+  // and a pose that is not finite are OutOfRange.
   virtual Result<Pose> robot_pose(int id) const = 0;
   virtual Result<void> set_robot_pose(int id, const Pose& pose) = 0;
   virtual Result<Pose> object_pose(int id) const = 0;

@@ -12,16 +12,18 @@ struct SinCos {
   double cos;
 };
 
-/// Sine and cosine of `angle` radians; best for |angle| up to about 1e6.
+/// Sine and cosine of `angle` radians. Any finite angle gives a unit vector; beyond 1e6 the turns
+/// are counted with the double nearest to 2 pi, and the error grows as |angle| * 4e-17. NaN for an
+/// angle that is not finite.
 SinCos sin_cos(double angle);
 
-/// Angle of the vector (x, y) in radians, -pi … pi; 0 for the null vector.
+/// Angle of the vector (x, y) in radians, -pi … pi; 0 for the null vector. `x` and `y` are finite.
 double arc_tan2(double y, double x);
 
 /// Natural logarithm of `x`; `x` is finite and > 0.
 double log_of(double x);
 
-/// `angle` brought into (-pi, pi].
+/// `angle`, radians, brought into (-pi, pi]. NaN for an angle that is not finite.
 double wrap_angle(double angle);
 
 }  // namespace eyebridge

@@ -112,7 +112,7 @@ struct DriveError {
   double angular_sigma = 0.0;  ///< Gaussian, fraction of each step's turn.
   double left_scale = 0.0;     ///< Systematic: the left wheel's travel is 1 + this times what its
   double right_scale = 0.0;    ///< encoder says; likewise right (unequal wheel diameters).
-  double encoder_quantised = 0.0;  ///< 1: odometry sees whole encoder ticks only, 0: exact travel.
+  bool encoder_quantised = false;  ///< Odometry sees whole encoder ticks only, not exact travel.
 
   friend bool operator==(const DriveError&, const DriveError&) = default;
 };

@@ -54,10 +54,12 @@ struct SimulationSettings {
 /// wheels -> arc -> collision -> pose; encoders and odometry come from the wheels. "Perfect" and
 /// "with errors" are the same code with other parameters. Every kind of drive moves as a
 /// differential one for now: Ackermann and Omni have no kinematics of their own yet. Same calls,
-/// same seed: same bits. Not thread-safe. Robot indices are checked by assert only.
+/// same seed: same bits. Not thread-safe. Indices of robots, motors, servos and sensors that do not
+/// exist throw std::out_of_range; numbers are finite. Metres, radians, seconds.
 class Simulation {
  public:
-  /// Throws std::invalid_argument when the step is not positive or the time-out negative.
+  /// Throws std::invalid_argument when the step is not positive and finite, or the time-out
+  /// negative; an infinite time-out never comes.
   Simulation(std::shared_ptr<const world::WorldModel> model, const SimulationSettings& settings);
   ~Simulation();
   Simulation(Simulation&&) noexcept;
@@ -101,11 +103,11 @@ class Simulation {
   [[nodiscard]] Twist measured_twist(RobotIndex robot) const;
 
   // Wheels: motor 0 is left, 1 is right. Using one takes the robot out of v-omega control.
-  /// `duty` -1 … 1 of the model's top wheel speed.
+  /// `duty` -1 … 1 of the model's top wheel speed; beyond, it is clamped without an error.
   void set_motor_duty(RobotIndex robot, unsigned motor, double duty);
-  /// PID-controlled wheel speed, encoder ticks per second.
+  /// PID-controlled wheel speed, encoder ticks per second; clamped to the model's top speed.
   void set_motor_speed(RobotIndex robot, unsigned motor, double ticks_per_second);
-  /// Gains as the IO7 board takes them, 0 … 255 each; 4, 1, 1 by default.
+  /// Gains as the IO7 board takes them, 0 … 255 each (clamped); 4, 1, 1 by default.
   void set_motor_pid(RobotIndex robot, unsigned motor, int p, int i, int d);
   [[nodiscard]] std::int64_t encoder_ticks(RobotIndex robot, unsigned motor) const;
   void reset_encoder(RobotIndex robot, unsigned motor);
@@ -113,6 +115,9 @@ class Simulation {
   // Sensors. A fresh reading of the present state at every call; errors draw from the device's
   // stream.
   [[nodiscard]] double read_range(RobotIndex robot, std::size_t sensor);
+  /// What read_range() would give without the sensor's error. Draws nothing: asking for it does not
+  /// change a run.
+  [[nodiscard]] double true_range(RobotIndex robot, std::size_t sensor) const;
   [[nodiscard]] bool read_proximity(RobotIndex robot, std::size_t sensor);
   [[nodiscard]] bool read_bumper(RobotIndex robot, std::size_t bumper);
   /// Ranges of a scan of `points` rays over `field_of_view` radians centred on the front, from the
@@ -120,16 +125,23 @@ class Simulation {
   /// repeat its first ray. Ray i looks along bearing fov/2 - i * fov/points (full circle), or
   /// fov/2 - i * fov/(points - 1).
   /// Tilted as the model says. Walls and bodies count as high enough for every ray; a ray that is
-  /// tilted down (positive) ends on the floor.
+  /// tilted down (positive) ends on the floor. A single ray looks ahead. Throws
+  /// std::bad_optional_access when the robot has no lidar.
   void read_lidar(RobotIndex robot, double field_of_view, std::span<double> ranges);
-  /// The same with another tilt, radians, |tilt| < pi/2.
+  /// The same with another tilt, radians, -pi/2 … pi/2.
   void read_lidar(RobotIndex robot, double field_of_view, double tilt, std::span<double> ranges);
   /// Heading in the world, radians counter-clockwise from +x, with the model's error.
   [[nodiscard]] double read_compass(RobotIndex robot);
 
-  // Servos: position 0 … 1 (clamped), 0.5 is the middle and the start. 0 is pan (1 = left), 1 is
-  // tilt (1 = up); servo < kServoCount.
+  /// What the noise of the robot's camera is seeded with: of the run's seed, as the devices'
+  /// streams are, and shared with none of them.
+  [[nodiscard]] std::uint64_t camera_noise_seed(RobotIndex robot) const;
+
+  /// Turns a servo at once. `position` 0 … 1, clamped without an error; 0.5 is the middle and the
+  /// start. Servo 0 is pan (1 = left), 1 is tilt (1 = up). Throws std::out_of_range unless
+  /// `servo` < kServoCount.
   void set_servo(RobotIndex robot, unsigned servo, double position);
+  /// Where a servo stands, 0 … 1. Throws as set_servo() does.
   [[nodiscard]] double servo(RobotIndex robot, unsigned servo) const;
 
   /// Called from step() once for each new contact. Replaces the previous listener.

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "eyebridge/camera/frame.hpp"
+
+namespace eyebridge::camera {
+
+// The decoders behind decode_picture(): bytes of a whole file to Rgb24. Each throws
+// std::runtime_error with the reason, and refuses more than `most_pixels`.
+
+Frame decode_png(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels);
+/// A JPEG that libjpeg-turbo only warns of (cut, odd markers) counts as damaged.
+Frame decode_jpeg(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels);
+/// Uncompressed, 8 bits with a palette or 24 bits, either row order, Windows' or OS/2's header.
+Frame decode_bmp(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels);
+
+/// An empty Rgb24 picture for the pixels. Throws when a side is less than 1, or when there are more
+/// than `most_pixels`.
+Frame frame_to_decode(std::int64_t width, std::int64_t height, std::uint64_t most_pixels);
+
+}  // namespace eyebridge::camera
