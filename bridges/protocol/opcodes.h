@@ -26,15 +26,15 @@
 #define IO7_ANALOG 'a'         /* port -> raw ADC value */
 
 /* Not on the readable part of the page: by analogy, used only when asked for (SPECIFICATION.md). */
-#define IO7_VW_SET_SPEED 'x'  /* v mm/s, w deg/s */
-#define IO7_VW_GET_SPEED 'X'  /* -> v mm/s, w deg/s */
-#define IO7_VW_GET_POSE 'q'   /* -> x mm, y mm, phi deg */
-#define IO7_VW_SET_POSE 'Q'   /* x mm, y mm, phi deg */
-#define IO7_VW_STRAIGHT 'y'   /* speed mm/s, distance mm */
-#define IO7_VW_TURN 'Y'       /* speed deg/s, angle deg */
-#define IO7_VW_CURVE 'C'      /* distance mm, angle deg, speed mm/s */
-#define IO7_VW_REMAINING 'z'  /* -> mm */
-#define IO7_VW_DONE 'Z'       /* -> 0 or 1 */
+#define IO7_VW_SET_SPEED 'x' /* v mm/s, w deg/s */
+#define IO7_VW_GET_SPEED 'X' /* -> v mm/s, w deg/s */
+#define IO7_VW_GET_POSE 'q'  /* -> x mm, y mm, phi deg */
+#define IO7_VW_SET_POSE 'Q'  /* x mm, y mm, phi deg */
+#define IO7_VW_STRAIGHT 'y'  /* speed mm/s, distance mm */
+#define IO7_VW_TURN 'Y'      /* speed deg/s, angle deg */
+#define IO7_VW_CURVE 'C'     /* distance mm, angle deg, speed mm/s */
+#define IO7_VW_REMAINING 'z' /* -> mm */
+#define IO7_VW_DONE 'Z'      /* -> 0 or 1 */
 
 /* First and last of each argument. */
 #define IO7_MOTOR_FIRST 1

@@ -21,7 +21,9 @@ struct Corner {
 };
 
 void add_quad(QuadMesh& mesh, const std::array<Corner, 4>& corners, Rgb colour, double light) {
-  const auto lit = [&](std::uint8_t c) { return static_cast<std::uint8_t>(c * light + 0.5); };
+  const auto lit = [&](std::uint8_t c) {
+    return static_cast<std::uint8_t>(std::lround(c * light));
+  };
   for (const Corner& corner : corners) {
     mesh.vertices.push_back({static_cast<float>(corner.at.x),
                              static_cast<float>(corner.at.y),

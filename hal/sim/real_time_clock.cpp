@@ -1,9 +1,9 @@
 #include "sim/real_time_clock.hpp"
 
-#include <pthread.h>
-
 #include <algorithm>
 #include <utility>
+
+#include <pthread.h>
 
 namespace eyebridge::hal {
 namespace {

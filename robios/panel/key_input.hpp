@@ -42,8 +42,8 @@ std::unique_ptr<KeyInput> terminal_keys();
 /// handlers alone that the process has already.)
 void restore_terminal() noexcept;
 
-/// As restore_terminal(), for good: no TerminalKeys switches over again, even when a thread of the program
-/// still waits for a key while the process ends. Any thread.
+/// As restore_terminal(), for good: no TerminalKeys switches over again, even when a thread of the
+/// program still waits for a key while the process ends. Any thread.
 void release_terminal() noexcept;
 
 }  // namespace eyebridge::robios

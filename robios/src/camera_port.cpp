@@ -20,7 +20,7 @@ Result<void> CameraPort::init(int width, int height) {
   }
   if (!source_) source_ = camera::open_source(url_, context_);
   open_ = false;
-  if (const Result<void> sized = source_->set_size(width, height); !sized) return sized;
+  if (Result<void> sized = source_->set_size(width, height); !sized) return sized;
   open_ = true;
   return {};
 }

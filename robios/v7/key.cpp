@@ -3,7 +3,6 @@
 #include <eyebot.h>
 
 using eyebridge::Errc;
-using eyebridge::fail;
 using eyebridge::Result;
 using eyebridge::Time;
 using eyebridge::robios::guarded;

@@ -29,7 +29,7 @@ Result<void> configure(hal::Lidar& lidar, const hal::LidarShape& shape) {
 /// One scan of the present shape in whole millimetres, rounded down as in EyeSim.
 Result<void> scan(hal::Lidar& lidar, std::vector<int>& out) {
   std::vector<double> ranges(static_cast<std::size_t>(lidar.points()));
-  if (const Result<void> read = lidar.read(ranges); !read) return read;
+  if (Result<void> read = lidar.read(ranges); !read) return read;
   out.resize(ranges.size());
   std::transform(ranges.begin(), ranges.end(), out.begin(), [](double range) {
     // A nudge, so that a range of exactly 0.3 m is 300 and not 299.

@@ -89,9 +89,9 @@ TEST_F(Registry, RefusesABadUrl) {
 }
 
 TEST_F(Registry, RefusesAnUnknownRobot) {
-  EXPECT_THAT(complaint({{"robot", "R2D2"}}), HasSubstr("--robot: unknown robot 'R2D2'"));
+  EXPECT_THAT(complaint({{"robot", "R2D2"}}), HasSubstr("--robot: no robot 'R2D2'"));
   const std::string world = write("room.wld", "floor 2000 2000\n");
-  EXPECT_THAT(complaint({{"robot", "R2D2"}, {"world", world}}), HasSubstr("R2D2"));
+  EXPECT_THAT(complaint({{"robot", "R2D2"}, {"world", world}}), HasSubstr("--robot: "));
 }
 
 TEST_F(Registry, RefusesAWorldThatIsMissingOrWrong) {

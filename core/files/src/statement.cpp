@@ -22,7 +22,7 @@ std::optional<double> parse(std::string_view text, int shift = 0) {
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc{} || stop != end || !std::isfinite(value)) return std::nullopt;
-  if (shift == 0) return value;
+  if (shift == 0 || value == 0) return value + 0.0;  // no minus zero
 
   // The written exponent is moved instead of dividing the value, so that every double can be
   // written in millimetres and read back.
@@ -31,16 +31,11 @@ std::optional<double> parse(std::string_view text, int shift = 0) {
   if (e < text.size()) {
     std::string_view digits = text.substr(e + 1);
     if (digits.starts_with('+')) digits.remove_prefix(1);
-    if (std::from_chars(digits.data(), digits.data() + digits.size(), exponent).ec != std::errc{}) {
-      return std::nullopt;
-    }
-    exponent = std::clamp(exponent, -1000, 1000);
+    std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
   }
   const std::string moved = std::string(text.substr(0, e)) + 'e' + std::to_string(exponent + shift);
-  if (std::from_chars(moved.data(), moved.data() + moved.size(), value).ec != std::errc{}) {
-    return std::nullopt;
-  }
-  return value == 0 ? 0.0 : value;
+  std::from_chars(moved.data(), moved.data() + moved.size(), value);  // too small: as it was
+  return value;
 }
 
 std::string shown(double value) {

@@ -1,5 +1,6 @@
-#include "eyebot++.h"
 #include <vector>
+
+#include "eyebot++.h"
 using namespace std;
 
 int main() {

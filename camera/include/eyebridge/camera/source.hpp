@@ -46,8 +46,9 @@ struct SourceFactory {
 /// All sources, in order of preference.
 std::span<const SourceFactory> source_table();
 
-/// Throws what open_source() would throw for a bad `url`, without opening anything: at the start of a
-/// run, long before the program asks for a frame. A library that is missing shows only on opening.
+/// Throws what open_source() would throw for a bad `url`, without opening anything: at the start of
+/// a run, long before the program asks for a frame. A library that is missing shows only on
+/// opening.
 void check_source(const std::string& url, const SourceContext& context);
 
 /// Opens `url`: "render", "render:egl", "pattern", … Throws ConfigError{"--camera"} for an unknown
