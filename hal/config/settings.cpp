@@ -14,6 +14,7 @@ constexpr auto kSettings = std::to_array<Setting>({
     {"world", Kind::Path, "", "world to drive in: .wld .maz .sim .robi .p; unset: an empty room"},
     {"robot", Kind::Text, "S4", "type of the robot where the world places none"},
     {"camera", Kind::Text, "render", "where frames come from: a source's URL, or none"},
+    {"faults", Kind::Text, "", "devices that fail: psd:1 lose @2s..4s; all delay 20ms"},
     {"fast", Kind::Boolean, "false", "virtual time: run as fast as the machine can"},
     {"factor", Kind::Number, "1", "simulated seconds per second of real time", 0.001, 1e6},
     {"seed", Kind::Integer, "1", "of all noise", 0},

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "fault/fault_backend.hpp"
 #include "sim/open_sim.hpp"
 
 namespace eyebridge::hal {
@@ -14,6 +15,15 @@ constexpr auto kBackends = std::to_array<BackendFactory>({
     {"sim", "a simulated robot in the world that --world names", open_sim},
 });
 
+FaultScript faults_of(const Config& config) {
+  const ConfigValue& value = config.value("faults");
+  try {
+    return parse_fault_script(value.text, {});
+  } catch (const ConfigError& error) {
+    throw error_in(value, error);
+  }
+}
+
 }  // namespace
 
 std::span<const BackendFactory> backend_table() { return kBackends; }
@@ -22,7 +32,10 @@ const BackendFactory& find_backend(const Config& config) {
   const ConfigValue& hal = config.value("hal");
   const BackendUrl url = parse_backend_url(hal.text, hal.where);
   const auto* row = std::ranges::find(kBackends, url.scheme, &BackendFactory::scheme);
-  if (row != kBackends.end()) return *row;
+  if (row != kBackends.end()) {
+    static_cast<void>(faults_of(config));
+    return *row;
+  }
 
   std::string known;
   for (const BackendFactory& backend : kBackends) {
@@ -34,8 +47,13 @@ const BackendFactory& find_backend(const Config& config) {
 }
 
 std::unique_ptr<Backend> open_backend(const BackendContext& context) {
-  const ConfigValue& hal = context.config.value("hal");
-  return find_backend(context.config).open(parse_backend_url(hal.text, hal.where), context);
+  const Config& config = context.config;
+  const ConfigValue& hal = config.value("hal");
+  FaultScript script = faults_of(config);
+  auto backend = find_backend(config).open(parse_backend_url(hal.text, hal.where), context);
+  if (script.empty()) return backend;
+  const auto seed = static_cast<std::uint64_t>(config.integer("seed"));
+  return std::make_unique<FaultBackend>(std::move(backend), std::move(script), seed);
 }
 
 }  // namespace eyebridge::hal

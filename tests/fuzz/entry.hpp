@@ -12,6 +12,7 @@
 #include "eyebridge/camera/picture.hpp"
 #include "eyebridge/files/readers.hpp"
 #include "eyebridge/hal/url.hpp"
+#include "fault/fault_script.hpp"
 #include "key_script.hpp"
 #include "pnm.hpp"
 
@@ -87,6 +88,17 @@ inline void object(std::string_view text) {
 }
 
 /// The presses of a script are in order and each is one key or a touch.
+inline void faults(std::string_view text) {
+  try {
+    for (const hal::FaultRule& rule : hal::parse_fault_script(text, {})) {
+      const bool sane = rule.from >= Time{0} && rule.from < rule.to && rule.value >= 0.0 &&
+                        rule.id >= 0 && rule.id < 100 && !rule.device.empty();
+      if (!sane) found();
+    }
+  } catch (const ConfigError&) {  // the input is no script
+  }
+}
+
 inline void keys(std::string_view text) {
   try {
     Time last{0};

@@ -2,6 +2,7 @@
 
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/files/readers.hpp"
+#include "fault/fault_backend.hpp"
 #include "sim/open_sim.hpp"
 
 namespace eyebridge::hal {
@@ -29,6 +30,14 @@ Rig make_sim(double wall, const std::map<std::string, std::string>& flags) {
 
 Rig make_lockstep(double wall) { return make_sim(wall, {{"fast", "true"}}); }
 Rig make_real_time(double wall) { return make_sim(wall, {{"factor", "50"}}); }
+
+/// A decorator that has nothing to do must not show.
+Rig make_faultless(double wall) {
+  Rig rig = make_lockstep(wall);
+  FaultScript later = parse_fault_script("all lose @1000000s; all delay 1s @1000000s", {});
+  rig.backend = std::make_unique<FaultBackend>(std::move(rig.backend), std::move(later), 1);
+  return rig;
+}
 
 }  // namespace
 
@@ -115,7 +124,9 @@ DriveStatus Rig::wait_for_drive() const {
 void PrintTo(const RigCase& rig, std::ostream* out) { *out << rig.name; }
 
 std::vector<RigCase> all_rigs() {
-  return {{"SimLockstep", make_lockstep, 1e-9, 1e-3}, {"SimRealTime", make_real_time, 1e-9, 1e-3}};
+  return {{"SimLockstep", make_lockstep, 1e-9, 1e-3},
+          {"SimRealTime", make_real_time, 1e-9, 1e-3},
+          {"FaultNone", make_faultless, 1e-9, 1e-3}};
 }
 
 }  // namespace eyebridge::hal

@@ -33,10 +33,11 @@ struct BackendFactory {
 std::span<const BackendFactory> backend_table();
 
 /// The row of the backend that `config` names under "hal". Throws ConfigError for a bad URL, or an
-/// unknown scheme (naming the known ones).
+/// unknown scheme (naming the known ones), and for a bad script under "faults".
 const BackendFactory& find_backend(const Config& config);
 
-/// Opens the backend that `config` names under "hal", e.g. "sim". Throws ConfigError as
+/// Opens the backend that `config` names under "hal", e.g. "sim"; behind the faults that it names
+/// under "faults". Throws ConfigError as
 /// find_backend(), and for a world that cannot be loaded.
 std::unique_ptr<Backend> open_backend(const BackendContext& context);
 
