@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "fault/fault_backend.hpp"
+#include "fault/fault_tap.hpp"
 #include "sim/open_sim.hpp"
 
 namespace eyebridge::hal {
@@ -53,7 +53,7 @@ std::unique_ptr<Backend> open_backend(const BackendContext& context) {
   auto backend = find_backend(config).open(parse_backend_url(hal.text, hal.where), context);
   if (script.empty()) return backend;
   const auto seed = static_cast<std::uint64_t>(config.integer("seed"));
-  return std::make_unique<FaultBackend>(std::move(backend), std::move(script), seed);
+  return with_faults(std::move(backend), std::move(script), seed);
 }
 
 }  // namespace eyebridge::hal

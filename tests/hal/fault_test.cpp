@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "eyebridge/hal/registry.hpp"
-#include "fault/fault_backend.hpp"
+#include "fault/fault_tap.hpp"
 #include "rigs.hpp"
 
 namespace eyebridge::hal {
@@ -15,8 +15,7 @@ using testing::HasSubstr;
 /// The robot of the rigs, 1 m before a wall, in virtual time, with broken devices.
 Rig broken(const std::string& script, std::uint64_t seed = 1) {
   Rig rig = all_rigs().front().make(1.0);
-  rig.backend =
-      std::make_unique<FaultBackend>(std::move(rig.backend), parse_fault_script(script, {}), seed);
+  rig.backend = with_faults(std::move(rig.backend), parse_fault_script(script, {}), seed);
   return rig;
 }
 

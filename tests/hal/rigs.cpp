@@ -2,7 +2,7 @@
 
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/files/readers.hpp"
-#include "fault/fault_backend.hpp"
+#include "fault/fault_tap.hpp"
 #include "sim/open_sim.hpp"
 
 namespace eyebridge::hal {
@@ -35,7 +35,7 @@ Rig make_real_time(double wall) { return make_sim(wall, {{"factor", "50"}}); }
 Rig make_faultless(double wall) {
   Rig rig = make_lockstep(wall);
   FaultScript later = parse_fault_script("all lose @1000000s; all delay 1s @1000000s", {});
-  rig.backend = std::make_unique<FaultBackend>(std::move(rig.backend), std::move(later), 1);
+  rig.backend = with_faults(std::move(rig.backend), std::move(later), 1);
   return rig;
 }
 

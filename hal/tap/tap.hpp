@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "eyebridge/hal/backend.hpp"
+
+namespace eyebridge::hal {
+
+/// The numbers of a request or a reply, in SI units, in the order of the fields of its type.
+using Values = std::vector<double>;
+
+/// One call of a device, whatever its types.
+struct Call {
+  std::string_view device;  ///< "psd": the kind, as scripts and recordings name it.
+  int id = 1;
+  std::string_view name;    ///< "read"
+  bool is_command = false;  ///< It changes something and answers nothing.
+  Values request;
+};
+
+/// Stands in every call to a backend's devices: the one place for what concerns them all.
+class Tap {
+ public:
+  virtual ~Tap() = default;
+  /// Answers `call`, perhaps by asking `device`, which may be called at most once. Any thread.
+  virtual Result<Values> exchange(const Call& call,
+                                  const std::function<Result<Values>()>& device) = 0;
+};
+
+/// Makes the tap of a backend, which outlives it.
+using TapMaker = std::function<std::unique_ptr<Tap>(Backend& inner)>;
+
+/// `inner` with a tap in front of all its devices. The clock, the world, the camera's view, traces
+/// and stop() are the inner one's: motors stop whatever the tap does.
+std::unique_ptr<Backend> make_tapped(std::unique_ptr<Backend> inner, const TapMaker& make_tap);
+
+}  // namespace eyebridge::hal

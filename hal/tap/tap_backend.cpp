@@ -1,0 +1,68 @@
+#include <map>
+#include <mutex>
+
+#include "tap/tapped_devices.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+class TapBackend final : public Backend {
+ public:
+  TapBackend(std::unique_ptr<Backend> inner, const TapMaker& make_tap)
+      : inner_(std::move(inner)), tap_(make_tap(*inner_)) {}
+
+  Clock& clock() override { return inner_->clock(); }
+  [[nodiscard]] int robot_id() const override { return inner_->robot_id(); }
+
+  Drive* drive() override { return wrap(drives_, "drive", 1, inner_->drive()); }
+  RangeSensor* range_sensor(int id) override {
+    return wrap(range_sensors_, "psd", id, inner_->range_sensor(id));
+  }
+  SwitchSensor* proximity(int id) override {
+    return wrap(proximity_sensors_, "proximity", id, inner_->proximity(id));
+  }
+  SwitchSensor* bumper(int id) override { return wrap(bumpers_, "bumper", id, inner_->bumper(id)); }
+  Lidar* lidar() override { return wrap(lidars_, "lidar", 1, inner_->lidar()); }
+  Compass* compass() override { return wrap(compasses_, "compass", 1, inner_->compass()); }
+  Motor* motor(int id) override { return wrap(motors_, "motor", id, inner_->motor(id)); }
+  Encoder* encoder(int id) override { return wrap(encoders_, "encoder", id, inner_->encoder(id)); }
+  Servo* servo(int id) override { return wrap(servos_, "servo", id, inner_->servo(id)); }
+
+  WorldControl* world() override { return inner_->world(); }
+  camera::View* camera_view() override { return inner_->camera_view(); }
+  void trace_to(TraceSink* sink) override { inner_->trace_to(sink); }
+  void stop() noexcept override { inner_->stop(); }
+
+ private:
+  /// Devices of one kind, made when they are first asked for.
+  template <class Device>
+  using Slots = std::map<int, Device>;
+
+  template <class Outer, class Inner>
+  Outer* wrap(Slots<Outer>& slots, std::string_view kind, int id, Inner* device) {
+    if (device == nullptr) return nullptr;
+    const std::lock_guard lock(mutex_);
+    return &slots.try_emplace(id, *tap_, kind, id, *device).first->second;
+  }
+
+  std::unique_ptr<Backend> inner_;
+  std::unique_ptr<Tap> tap_;
+  std::mutex mutex_;
+  Slots<TappedDrive> drives_;
+  Slots<TappedRangeSensor> range_sensors_;
+  Slots<TappedSwitchSensor> proximity_sensors_;
+  Slots<TappedSwitchSensor> bumpers_;
+  Slots<TappedLidar> lidars_;
+  Slots<TappedCompass> compasses_;
+  Slots<TappedMotor> motors_;
+  Slots<TappedEncoder> encoders_;
+  Slots<TappedServo> servos_;
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> make_tapped(std::unique_ptr<Backend> inner, const TapMaker& make_tap) {
+  return std::make_unique<TapBackend>(std::move(inner), make_tap);
+}
+
+}  // namespace eyebridge::hal
