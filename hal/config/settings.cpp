@@ -26,6 +26,7 @@ constexpr auto kSettings = std::to_array<Setting>({
     {"lcd", Kind::Size, "560x400", "size of the LCD, pixels", 160, 4096},
     {"mirror", Kind::Boolean, "false", "write the LCD's text to the terminal"},
     {"out", Kind::Path, "", "folder for pictures and trace; unset: none are written"},
+    {"record", Kind::Path, "", "file (.ebrec) for every exchange with the robot's devices"},
     {"save_frames", Kind::Integer, "20", "how many camera frames are kept in --out", 0, 1e6},
     {"log", Kind::Text, "warning", "least severity of the messages that are shown",
      -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),

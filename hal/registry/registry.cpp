@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "fault/fault_tap.hpp"
+#include "replay/open_replay.hpp"
+#include "replay/record_tap.hpp"
 #include "sim/open_sim.hpp"
 
 namespace eyebridge::hal {
@@ -13,6 +15,7 @@ namespace {
 
 constexpr auto kBackends = std::to_array<BackendFactory>({
     {"sim", "a simulated robot in the world that --world names", open_sim},
+    {"replay", "what a robot answered in a recorded run: replay:FILE.ebrec", open_replay},
 });
 
 FaultScript faults_of(const Config& config) {
@@ -21,6 +24,15 @@ FaultScript faults_of(const Config& config) {
     return parse_fault_script(value.text, {});
   } catch (const ConfigError& error) {
     throw error_in(value, error);
+  }
+}
+
+std::unique_ptr<Backend> recorded(std::unique_ptr<Backend> backend, const BackendContext& context) {
+  const ConfigValue& record = context.config.value("record");
+  try {
+    return with_recording(std::move(backend), context.config.path("record"), context.log);
+  } catch (const ConfigError& error) {
+    throw error_in(record, error);
   }
 }
 
@@ -51,9 +63,13 @@ std::unique_ptr<Backend> open_backend(const BackendContext& context) {
   const ConfigValue& hal = config.value("hal");
   FaultScript script = faults_of(config);
   auto backend = find_backend(config).open(parse_backend_url(hal.text, hal.where), context);
-  if (script.empty()) return backend;
-  const auto seed = static_cast<std::uint64_t>(config.integer("seed"));
-  return with_faults(std::move(backend), std::move(script), seed);
+  if (!script.empty()) {
+    const auto seed = static_cast<std::uint64_t>(config.integer("seed"));
+    backend = with_faults(std::move(backend), std::move(script), seed);
+  }
+  // Outermost: what the program sees.
+  if (config.is_set("record")) backend = recorded(std::move(backend), context);
+  return backend;
 }
 
 }  // namespace eyebridge::hal

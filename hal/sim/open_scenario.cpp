@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "sim/lockstep_clock.hpp"
+#include "clock/lockstep_clock.hpp"
+#include "clock/real_time_clock.hpp"
 #include "sim/open_sim.hpp"
-#include "sim/real_time_clock.hpp"
 #include "sim/sim_backend.hpp"
 
 namespace eyebridge::hal {

@@ -31,7 +31,10 @@ class TapBackend final : public Backend {
   WorldControl* world() override { return inner_->world(); }
   camera::View* camera_view() override { return inner_->camera_view(); }
   void trace_to(TraceSink* sink) override { inner_->trace_to(sink); }
-  void stop() noexcept override { inner_->stop(); }
+  void stop() noexcept override {
+    inner_->stop();
+    tap_->finish();
+  }
 
  private:
   /// Devices of one kind, made when they are first asked for.

@@ -18,14 +18,23 @@ struct Target {
   Entry run;
 };
 
-constexpr Target kTargets[] = {{"world", world},         {"maze", maze},
-                               {"robi", robi},           {"object", object},
-                               {"keys", keys},           {"sim", sim},
-                               {"parameter", parameter}, {"pnm", pnm},
-                               {"picture", picture},     {"config", config},
-                               {"faults", faults},       {"io7_reply", io7_reply},
-                               {"io7_help", io7_help},   {"can_frame", can_frame},
-                               {"trace", trace},         {"url", url}};
+constexpr Target kTargets[] = {{"world", world},
+                               {"maze", maze},
+                               {"robi", robi},
+                               {"object", object},
+                               {"keys", keys},
+                               {"sim", sim},
+                               {"parameter", parameter},
+                               {"pnm", pnm},
+                               {"picture", picture},
+                               {"config", config},
+                               {"faults", faults},
+                               {"recording", recording},
+                               {"io7_reply", io7_reply},
+                               {"io7_help", io7_help},
+                               {"can_frame", can_frame},
+                               {"trace", trace},
+                               {"url", url}};
 
 const auto kCorpus = std::filesystem::path(EYEBRIDGE_SOURCE_DIR) / "tests/fuzz/corpus";
 

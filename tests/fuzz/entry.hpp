@@ -1,11 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include <unistd.h>
 
 #include "config/toml_text.hpp"
 #include "config/values.hpp"
@@ -15,6 +19,7 @@
 #include "fault/fault_script.hpp"
 #include "key_script.hpp"
 #include "pnm.hpp"
+#include "replay/ebrec.hpp"
 
 // What the fuzz targets and the test over their corpus do with one input. Anything but a model or
 // a ConfigError (of an image: an Error, of a picture: a runtime_error) ends the process: that is a
@@ -88,6 +93,16 @@ inline void object(std::string_view text) {
 }
 
 /// The presses of a script are in order and each is one key or a touch.
+inline void recording(std::string_view bytes) {
+  static const std::string path = "/tmp/eyebridge-fuzz-" + std::to_string(getpid()) + ".ebrec";
+  std::ofstream(path, std::ios::binary) << bytes;
+  try {
+    hal::read_recording(path);
+  } catch (const ConfigError&) {  // the input is no recording
+  }
+  std::remove(path.c_str());
+}
+
 inline void faults(std::string_view text) {
   try {
     for (const hal::FaultRule& rule : hal::parse_fault_script(text, {})) {

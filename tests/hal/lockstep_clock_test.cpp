@@ -1,4 +1,4 @@
-#include "sim/lockstep_clock.hpp"
+#include "clock/lockstep_clock.hpp"
 
 #include <stdexcept>
 

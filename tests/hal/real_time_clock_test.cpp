@@ -1,4 +1,4 @@
-#include "sim/real_time_clock.hpp"
+#include "clock/real_time_clock.hpp"
 
 #include <atomic>
 

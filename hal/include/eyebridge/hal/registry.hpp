@@ -37,7 +37,7 @@ std::span<const BackendFactory> backend_table();
 const BackendFactory& find_backend(const Config& config);
 
 /// Opens the backend that `config` names under "hal", e.g. "sim"; behind the faults that it names
-/// under "faults". Throws ConfigError as
+/// under "faults", recorded to the file under "record". Throws ConfigError as
 /// find_backend(), and for a world that cannot be loaded.
 std::unique_ptr<Backend> open_backend(const BackendContext& context);
 

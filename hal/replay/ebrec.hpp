@@ -1,0 +1,73 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "eyebridge/base/clock.hpp"
+#include "tap/tap.hpp"
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace eyebridge::hal {
+
+/// One call of a device and what came of it, as a recording holds it.
+struct Exchange {
+  Time time{0};        ///< On the robot's clock, when the call began.
+  std::string device;  ///< As in Call.
+  int id = 1;
+  std::string name;
+  Values request;
+  Result<Values> reply;
+};
+
+/// A device that the recorded robot had, and what it says about itself without a call.
+struct RecordedDevice {
+  std::string kind;
+  int id = 1;
+  /// A psd's out_of_range(); a lidar's max_range(), field of view, tilt and points; else nothing.
+  Values facts;
+};
+
+/// A recording: one SQLite 3 file (`.ebrec`) that any SQLite tool opens. Tables: `meta` (key,
+/// value), `device` (kind, id, facts), `exchange` (seq, t in ns, device, id, call, request, reply,
+/// error, what); numbers of a request or reply are decimals with blanks between, in SI units.
+/// Written ahead (WAL), so that a program that is killed leaves what it did up to the last second.
+/// One thread at a time.
+class EbrecWriter {
+ public:
+  /// Replaces `path`. Throws ConfigError without a place when it cannot be written.
+  EbrecWriter(const std::filesystem::path& path, const std::vector<RecordedDevice>& devices);
+  ~EbrecWriter();
+  EbrecWriter(const EbrecWriter&) = delete;
+  EbrecWriter& operator=(const EbrecWriter&) = delete;
+
+  /// Throws std::runtime_error when the disk does not take it.
+  void add(Time time, const Call& call, const Result<Values>& reply);
+  /// Hands all that was added to the system. Throws likewise.
+  void commit();
+
+ private:
+  struct Close {
+    void operator()(sqlite3* database) const;
+    void operator()(sqlite3_stmt* statement) const;
+  };
+  std::unique_ptr<sqlite3, Close> database_;
+  std::unique_ptr<sqlite3_stmt, Close> insert_;
+  Time committed_{0};
+  bool pending_ = false;
+};
+
+/// All of a recording.
+struct Recording {
+  std::vector<RecordedDevice> devices;
+  std::vector<Exchange> exchanges;  ///< In the order in which they were made.
+};
+
+/// Throws ConfigError naming the file: it is missing, no recording, of another version, or damaged.
+Recording read_recording(const std::filesystem::path& path);
+
+}  // namespace eyebridge::hal
