@@ -7,8 +7,8 @@
 #include <limits>
 #include <string>
 
-#include "drive_controller.hpp"
-#include "odometry.hpp"
+#include "core/robot/src/drive_controller.hpp"
+#include "core/robot/src/odometry.hpp"
 
 namespace eyebridge::hal {
 namespace {
