@@ -11,27 +11,28 @@ die() {
   exit 1
 }
 
-# Names of the packages in cmake/packages.txt, down to [test] or (with "test") all of them.
+# Names of the packages in cmake/packages.txt: those above all sections, and of the sections given.
 wanted_packages() {
-  awk -v all="${1:-}" '{ sub(/#.*/, "") } $1 == "[test]" { if (all != "test") exit; next } NF { print $1 }' \
-    cmake/packages.txt
+  awk -v sections=" $* " 'BEGIN { wanted = 1 } { sub(/#.*/, "") }
+    /^\[/ { wanted = index(sections, " " substr($1, 2, length($1) - 2) " "); next }
+    NF && wanted { print $1 }' cmake/packages.txt
 }
 
 missing_packages() {
   local package
-  for package in $(wanted_packages "$1"); do
+  for package in $(wanted_packages "$@"); do
     dpkg-query -W -f '${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed ||
       printf '%s\n' "$package"
   done
 }
 
-# Installs what is missing; says nothing when nothing is.
+# install_packages [SECTION…]: installs what is missing; says nothing when nothing is.
 install_packages() {
   command -v dpkg-query >/dev/null ||
     die "this is not a Debian system (no dpkg-query)" \
       "install what cmake/packages.txt lists, then: cmake --preset release && cmake --build --preset release"
   local missing log as_root=()
-  missing=$(missing_packages "${1:-}")
+  missing=$(missing_packages "$@")
   [ -n "$missing" ] || return 0
   if [ "$(id -u)" != 0 ]; then
     command -v sudo >/dev/null ||

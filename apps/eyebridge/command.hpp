@@ -20,5 +20,6 @@ void add_run(CLI::App& root, int& code);
 void add_world(CLI::App& root, int& code);
 void add_config(CLI::App& root, int& code);
 void add_doctor(CLI::App& root, int& code);
+void add_lab(CLI::App& root, int& code);
 
 }  // namespace eyebridge::apps

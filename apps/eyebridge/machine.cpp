@@ -10,10 +10,9 @@
 
 #include <dlfcn.h>
 #include <fcntl.h>
-#include <linux/can.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
+#include "can_state.hpp"
 #include "own_files.hpp"
 
 namespace eyebridge::apps {
@@ -72,25 +71,6 @@ Finding pseudo_terminals() {
   return {"PTY", false, works, reason, "mount devpts on /dev/pts"};
 }
 
-Finding socket_can() {
-  const int descriptor = socket(PF_CAN, SOCK_RAW, CAN_RAW);
-  if (descriptor < 0) {
-    return {"CAN", false, false, std::string("SocketCAN: ") + std::strerror(errno),
-            "needs a kernel with CAN (modprobe can_raw); apt install can-utils to look at a bus"};
-  }
-  close(descriptor);
-  std::vector<std::string> buses;
-  for (const std::string& name : names_in("/sys/class/net", {""})) {
-    int type = 0;
-    std::ifstream(fs::path("/sys/class/net") / name / "type") >> type;
-    constexpr int kCanHardware = 280;  // ARPHRD_CAN of linux/if_arp.h
-    if (type == kCanHardware) buses.push_back(name);
-  }
-  return {"CAN", false, !buses.empty(),
-          buses.empty() ? "the kernel can, but there is no bus" : joined(buses),
-          "ip link add vcan0 type vcan && ip link set vcan0 up"};
-}
-
 Finding devices(const char* what, std::initializer_list<std::string_view> prefixes,
                 const char* absent, const char* remedy) {
   const auto names = names_in("/dev", prefixes);
@@ -106,7 +86,7 @@ Finding own(const char* what, const fs::path& path, const char* remedy) {
 
 std::vector<Finding> examine_machine() {
   const OwnFiles files = own_files();
-  return {
+  std::vector<Finding> out = {
       command("gcc", true, "compiles robot programs in C", "build-essential"),
       command("g++", true, "compiles robot programs in C++", "build-essential"),
       command("python3", false, "runs robot programs in Python", "python3"),
@@ -119,10 +99,11 @@ std::vector<Finding> examine_machine() {
               "libegl1"),
       pseudo_terminals(),
       devices("serial boards", {"ttyACM", "ttyUSB"}, "no /dev/ttyACM* or /dev/ttyUSB*", ""),
-      socket_can(),
-      devices("V4L2 cameras", {"video"}, "no /dev/video*",
-              "plug one in; apt install v4l-utils to look at it"),
   };
+  for (Finding& finding : judge_can(look_at_can())) out.push_back(std::move(finding));
+  out.push_back(devices("V4L2 cameras", {"video"}, "no /dev/video*",
+                        "plug one in; apt install v4l-utils to look at it"));
+  return out;
 }
 
 }  // namespace eyebridge::apps

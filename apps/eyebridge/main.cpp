@@ -21,6 +21,7 @@ int run(int argc, char** argv) {
   add_world(app, code);
   add_config(app, code);
   add_doctor(app, code);
+  add_lab(app, code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& done) {  // --help, --version

@@ -8,10 +8,11 @@ OwnFiles own_files() {
   const fs::path prefix = bin.parent_path();
   if (bin == fs::path(EYEBRIDGE_BUILD_DIR) / "bin") {
     const fs::path source = EYEBRIDGE_SOURCE_DIR;
-    return {prefix / "lib/libeyebridge.so", source / "robios/include/eyebot.h", source / "worlds"};
+    return {prefix / "lib/libeyebridge.so", source / "robios/include/eyebot.h", source / "worlds",
+            source / "tests/lab"};
   }
   return {prefix / "lib/libeyebridge.so", prefix / "include/eyebridge/eyebot.h",
-          prefix / "share/eyebridge/worlds"};
+          prefix / "share/eyebridge/worlds", prefix / "share/eyebridge/lab"};
 }
 
 }  // namespace eyebridge::apps

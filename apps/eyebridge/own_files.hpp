@@ -10,6 +10,7 @@ struct OwnFiles {
   std::filesystem::path library;  ///< libeyebridge.so
   std::filesystem::path header;   ///< eyebot.h
   std::filesystem::path worlds;   ///< Folder.
+  std::filesystem::path lab;      ///< Folder of the lab's scripts.
 };
 
 /// Does not say whether they exist. Throws std::filesystem::filesystem_error without /proc.

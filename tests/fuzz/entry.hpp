@@ -14,6 +14,7 @@
 #include "config/toml_text.hpp"
 #include "config/values.hpp"
 #include "eyebridge/camera/picture.hpp"
+#include "eyebridge/files/hdt.hpp"
 #include "eyebridge/files/readers.hpp"
 #include "eyebridge/hal/url.hpp"
 #include "fault/fault_script.hpp"
@@ -89,6 +90,34 @@ inline void object(std::string_view text) {
     const auto object = files::read_object(text, "fuzz.esObj", "fuzz", warnings);
     if (!(object.radius > 0 && object.height > 0)) found();
   } catch (const ConfigError&) {  // the input is no object
+  }
+}
+
+/// What its tables say of any reading is within what the board takes.
+inline void hdt(std::string_view text) {
+  std::vector<Warning> warnings;
+  try {
+    const files::Hdt hdt = files::read_hdt(text, "fuzz.txt", warnings);
+    for (const files::HdtMotor& motor : hdt.motors) {
+      const double duty = files::motor_duty(hdt.table_of(motor), -0.333);
+      if (!(duty >= -1 && duty <= 0)) found();
+    }
+    for (const files::HdtServo& servo : hdt.servos) {
+      const int position = files::servo_position(hdt.table_of(servo), 0.7);
+      const files::ServoLimits limits = files::servo_limits(servo);
+      if (position < 0 || position > 255 || limits.lower > limits.upper) found();
+    }
+    for (const files::HdtPsd& psd : hdt.psds) {
+      for (const int raw : {-1, 0, 1234, 4095, 4096, 65535}) {
+        const double range = files::psd_range(*hdt.table_of(psd), raw);
+        if (!(range >= 0 && range <= 65.535)) found();
+      }
+    }
+    for (const files::HdtEncoder& encoder : hdt.encoders) {
+      if (encoder.ticks_per_metre < 1) found();
+    }
+    if (hdt.drive && !(hdt.drive->wheel_base > 0)) found();
+  } catch (const ConfigError&) {  // the input is no HDT
   }
 }
 

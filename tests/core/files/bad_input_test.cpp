@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "eyebridge/files/hdt.hpp"
 #include "reading.hpp"
 
 namespace eyebridge::files {
@@ -20,6 +21,7 @@ const Row kReaders[] = {
     {"sim", [](const std::string& t, std::vector<Warning>& w) { read_sim(t, "f", w); }},
     {"parameters",
      [](const std::string& t, std::vector<Warning>& w) { read_parameter_file(t, "f", w); }},
+    {"hdt", [](const std::string& t, std::vector<Warning>& w) { read_hdt(t, "f", w); }},
 };
 
 TEST(BadInput, EmptyFilesBinaryJunkAndEndlessLinesAreErrorsOfEveryReader) {

@@ -1,0 +1,282 @@
+#include "board/host_drive.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "core/robot/src/drive_controller.hpp"
+#include "core/robot/src/odometry.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+constexpr double kPeriodSeconds = 0.01;
+constexpr int kTopTicks = 127;           // of letter M
+constexpr int kMostPeriods = 10;         // that the ramps make up for after a late call
+constexpr int kStallDebt = 4;            // ticks that a wheel owes before it counts as held …
+constexpr int kStallPeriods = 20;        // … and for how long
+constexpr double kCreepDistance = 1e-4;  // metres: nearer to its goal no motor drives
+constexpr double kCreepAngle = 1e-3;     // radians
+
+double speed_step(double acceleration) {
+  return acceleration > 0.0 ? acceleration * kPeriodSeconds
+                            : std::numeric_limits<double>::infinity();
+}
+
+robot::DriveLimits limits_of(const HostDriveSettings& s) {
+  assert(s.wheel_base > 0.0 && s.left_ticks_per_metre > 0.0 && s.right_ticks_per_metre > 0.0);
+  const double coarser = std::min(s.left_ticks_per_metre, s.right_ticks_per_metre);
+  const double finer = std::max(s.left_ticks_per_metre, s.right_ticks_per_metre);
+  robot::DriveLimits limits;
+  limits.dt = kPeriodSeconds;
+  limits.linear = s.max_linear;
+  limits.angular = s.max_angular;
+  limits.linear_step = speed_step(s.linear_acceleration);
+  limits.angular_step = speed_step(s.angular_acceleration);
+  limits.wheel = kTopTicks / kPeriodSeconds / finer;
+  limits.half_base = s.wheel_base / 2;
+  // A goal between two ticks is reached at either of them.
+  limits.distance_end = kCreepDistance + 1.0 / coarser;
+  limits.angle_end = kCreepAngle + 1.0 / coarser / s.wheel_base;
+  return limits;
+}
+
+/// One wheel: its counter, the part of a tick that its speed still owes, its stall.
+struct Side {
+  bool reversed = false;
+  double ticks_per_metre = 0.0;
+  UnwrappedCount count;
+  double carry = 0.0;
+  int speed = 0;  ///< Ticks in a period, forward positive.
+  int debt = 0;   ///< Ticks asked for, less four times those that came.
+  int held = 0;   ///< Periods since the debt began.
+
+  /// Metres since the last counts.
+  double travel(std::uint16_t reading, int periods) {
+    const int ticks = (reversed ? -1 : 1) * count.feed(reading);
+    const int came = speed < 0 ? -ticks : ticks;
+    debt = std::clamp(debt + periods * std::abs(speed) - 4 * came, 0, 2 * kStallDebt);
+    held = debt == 0 ? 0 : held + periods;
+    return ticks / ticks_per_metre;
+  }
+  void ask(double metres_per_second) {
+    const double exact = metres_per_second * ticks_per_metre * kPeriodSeconds + carry;
+    speed = std::clamp(static_cast<int>(std::lround(exact)), -kTopTicks, kTopTicks);
+    carry = std::clamp(exact - speed, -0.5, 0.5);
+  }
+  void stand() {
+    carry = 0.0;
+    speed = 0;
+    clear_stall();
+  }
+  void clear_stall() {
+    debt = 0;
+    held = 0;
+  }
+  [[nodiscard]] bool stalled() const { return debt >= kStallDebt && held >= kStallPeriods; }
+  [[nodiscard]] int on_board() const { return reversed ? -speed : speed; }
+};
+
+}  // namespace
+
+HostDriveSettings host_drive_settings(const files::Hdt& hdt, const std::string& file) {
+  if (!hdt.drive) throw ConfigError({file}, "no DRIVE line: expected one, for v-omega on the host");
+  const files::HdtDrive& drive = *hdt.drive;
+  if (drive.kind != robot::DriveKind::Differential) {
+    throw ConfigError(drive.where, "expected a DIFFERENTIAL drive, for v-omega on the host");
+  }
+  const auto encoder = [&](std::size_t side) -> const files::HdtEncoder& {
+    for (const files::HdtEncoder& candidate : hdt.encoders) {
+      if (candidate.id == drive.encoders[side]) return candidate;
+    }
+    throw ConfigError(drive.where, "DRIVE without ENCODER " + std::to_string(drive.encoders[side]) +
+                                       ": expected its ticks per metre");
+  };
+  const files::HdtEncoder& left = encoder(0);
+  const files::HdtEncoder& right = encoder(1);
+  HostDriveSettings out;
+  out.left_motor = left.motor;
+  out.right_motor = right.motor;
+  out.left_reversed = drive.left_clockwise;
+  out.right_reversed = drive.right_clockwise;
+  out.left_ticks_per_metre = left.ticks_per_metre;
+  out.right_ticks_per_metre = right.ticks_per_metre;
+  out.wheel_base = drive.wheel_base;
+  if (drive.max_speed > 0.0) out.max_linear = drive.max_speed;
+  return out;
+}
+
+int UnwrappedCount::feed(std::uint16_t count) {
+  const auto change = static_cast<std::int16_t>(last_ ? count - *last_ : 0);
+  last_ = count;
+  total_ += change;
+  return change;
+}
+
+struct HostDrive::Impl {
+  explicit Impl(const HostDriveSettings& given)
+      : settings(given),
+        controller(limits_of(given)),
+        timeout_periods(static_cast<int>(
+            std::clamp(std::ceil(given.stall_timeout / kPeriodSeconds - 1e-9), 1.0, 1e9))) {
+    left.reversed = given.left_reversed;
+    right.reversed = given.right_reversed;
+    left.ticks_per_metre = given.left_ticks_per_metre;
+    right.ticks_per_metre = given.right_ticks_per_metre;
+  }
+
+  /// Where the next ramp starts: from what is commanded, or found when the program drove itself.
+  [[nodiscard]] Twist present() const { return engaged ? controller.twist() : measured; }
+  void engage() {
+    engaged = true;
+    left.clear_stall();
+    right.clear_stall();
+  }
+  void stand() {
+    left.stand();
+    right.stand();
+    rolling = {};
+  }
+
+  void measure(const WheelCounts& counts, double seconds, int periods) {
+    const robot::WheelTravel wheels{left.travel(counts.left, periods),
+                                    right.travel(counts.right, periods)};
+    const robot::PathStep path = robot::path_of(wheels, settings.wheel_base);
+    odometry.add(robot::arc_of(path));
+    measured = {path.distance / seconds, path.angle / seconds};
+    if (!engaged) return;
+    controller.advance(path);
+    const bool given_up = (left.stalled() && left.held >= timeout_periods) ||
+                          (right.stalled() && right.held >= timeout_periods);
+    if (given_up && controller.state() == robot::DriveState::Driving) {
+      failed_left = left.stalled();
+      failed_right = right.stalled();
+      controller.fail();
+    }
+  }
+
+  void command(int periods) {
+    if (!engaged || controller.at_rest()) {
+      stand();
+      return;
+    }
+    Twist twist;
+    for (int i = 0; i < std::min(periods, kMostPeriods); ++i) {
+      twist = controller.next(
+          {rolling.linear * settings.motor_lag, rolling.angular * settings.motor_lag});
+      // What the wheels are believed to do: a first-order lag after what is asked of them. The
+      // counts themselves are too coarse for a speed from one period to the next.
+      const double part =
+          settings.motor_lag > kPeriodSeconds ? kPeriodSeconds / settings.motor_lag : 1.0;
+      rolling.linear += part * (twist.linear - rolling.linear);
+      rolling.angular += part * (twist.angular - rolling.angular);
+    }
+    const double turning = twist.angular * settings.wheel_base / 2;
+    left.ask(twist.linear - turning);
+    right.ask(twist.linear + turning);
+  }
+
+  HostDriveSettings settings;
+  robot::DriveController controller;
+  robot::Odometry odometry;
+  int timeout_periods;
+  Side left;
+  Side right;
+  std::optional<Time> last;
+  Twist measured;
+  Twist rolling;
+  bool engaged = false;
+  bool failed_left = false;  ///< Which wheels made the last goal fail.
+  bool failed_right = false;
+};
+
+HostDrive::HostDrive(const HostDriveSettings& settings) : impl_(std::make_unique<Impl>(settings)) {}
+HostDrive::~HostDrive() = default;
+HostDrive::HostDrive(HostDrive&&) noexcept = default;
+HostDrive& HostDrive::operator=(HostDrive&&) noexcept = default;
+
+void HostDrive::set_speed(const Twist& twist) {
+  const Twist present = impl_->present();
+  impl_->engage();
+  impl_->controller.set_speed(twist, present);
+}
+
+void HostDrive::start(const DriveGoal& goal) {
+  const Twist present = impl_->present();
+  impl_->engage();
+  impl_->controller.start(goal, present);
+}
+
+void HostDrive::stop() {
+  impl_->engage();
+  impl_->controller.stop();
+}
+
+void HostDrive::release() {
+  impl_->controller.stop();
+  impl_->stand();
+  impl_->engaged = false;
+}
+
+bool HostDrive::engaged() const { return impl_->engaged; }
+
+Result<WheelSpeeds> HostDrive::step(const WheelCounts& counts, Time now) {
+  Impl& self = *impl_;
+  int periods = 1;
+  if (self.last) {
+    const Time gap = now - *self.last;
+    if (gap > kLongestGap) {
+      const double seconds = to_seconds(gap);
+      const bool driving = self.controller.state() == robot::DriveState::Driving;
+      restart();
+      self.failed_left = self.failed_right = false;
+      if (driving) self.controller.fail();
+      return fail(Errc::Timeout, "drive: the encoders were not read for " +
+                                     std::to_string(std::llround(seconds * 1000)) +
+                                     " ms: what was driven meanwhile is unknown");
+    }
+    periods = static_cast<int>((gap + kPeriod / 2) / kPeriod);
+    if (periods < 1) return WheelSpeeds{self.left.on_board(), self.right.on_board()};
+    self.measure(counts, to_seconds(gap), periods);
+  } else {
+    self.left.count.feed(counts.left);
+    self.right.count.feed(counts.right);
+  }
+  self.last = now;
+  self.command(periods);
+  return WheelSpeeds{self.left.on_board(), self.right.on_board()};
+}
+
+void HostDrive::restart() {
+  impl_->controller.stop();
+  impl_->stand();
+  impl_->measured = {};
+  impl_->left.count.forget();
+  impl_->right.count.forget();
+  impl_->last.reset();
+}
+
+DriveStatus HostDrive::status() const {
+  const robot::DriveState state = impl_->controller.state();
+  DriveStatus out;
+  out.remaining = impl_->controller.remaining();
+  if (state == robot::DriveState::Failed) {
+    out.progress = DriveProgress::Failed;
+    out.stalled_left = impl_->failed_left;
+    out.stalled_right = impl_->failed_right;
+    return out;
+  }
+  if (state == robot::DriveState::Driving) out.progress = DriveProgress::Driving;
+  out.stalled_left = impl_->left.stalled();
+  out.stalled_right = impl_->right.stalled();
+  return out;
+}
+
+Twist HostDrive::measured_twist() const { return impl_->measured; }
+Pose HostDrive::odometry() const { return impl_->odometry.pose(); }
+void HostDrive::set_odometry(const Pose& pose) { impl_->odometry.set(pose); }
+
+}  // namespace eyebridge::hal

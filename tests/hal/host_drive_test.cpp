@@ -1,0 +1,248 @@
+#include "board/host_drive.hpp"
+
+#include <gmock/gmock.h>
+
+#include "host_drive_plant.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(UnwrappedCount, GoesOnWhereSixteenBitsWrapAround) {
+  UnwrappedCount count;
+  EXPECT_EQ(count.feed(65530), 0) << "the first count is where it starts";
+  EXPECT_EQ(count.feed(4), 10);
+  EXPECT_EQ(count.feed(65534), -6);
+  EXPECT_EQ(count.feed(32766), -32768);
+  EXPECT_EQ(count.feed(32765), -1);
+  EXPECT_EQ(count.total(), -32765);
+  count.forget();
+  EXPECT_EQ(count.feed(100), 0);
+  EXPECT_EQ(count.total(), -32765);
+}
+
+TEST(HostDrive, SpeedsBetweenTwoTicksAreReachedOnAverage) {
+  Plant plant;
+  const double tick_speed = 100.0 / plant_settings(plant_model()).left_ticks_per_metre;
+  plant.drive.set_speed({3.3 * tick_speed, 0.0});
+  plant.steps(100);
+  const auto before = plant.sim.encoder_ticks(plant.robot, 0);
+  plant.steps(1000);
+  EXPECT_NEAR(static_cast<double>(plant.sim.encoder_ticks(plant.robot, 0) - before), 3300, 1.5);
+}
+
+TEST(HostDrive, SpeedIsRampedHeldAndMeasured) {
+  Plant plant;
+  plant.drive.set_speed({0.3, 0.0});
+  plant.steps(16);
+  EXPECT_NEAR(plant.sim.twist(plant.robot).linear, 0.16, 0.02) << "1 m/s^2";
+  plant.steps(200);
+  EXPECT_NEAR(plant.drive.measured_twist().linear, 0.3, 0.016) << "a tick in 10 ms";
+  EXPECT_EQ(plant.drive.status().progress, DriveProgress::Done) << "nothing that could end";
+  plant.drive.set_speed({});
+  plant.steps(40);
+  EXPECT_EQ(plant.drive.measured_twist(), Twist{});
+  EXPECT_EQ(*plant.drive.step(plant.counts(), plant.now), (WheelSpeeds{0, 0}));
+}
+
+TEST(HostDrive, TooFastIsClampedAndTheCurvatureStays) {
+  HostDriveSettings settings = plant_settings(plant_model());
+  settings.left_ticks_per_metre = settings.right_ticks_per_metre = 50000;  // 127 are 0.254 m/s
+  settings.linear_acceleration = settings.angular_acceleration = 0.0;      // at once
+  HostDrive drive(settings);
+  drive.set_speed({0.5, 4.0});  // rims at 0.32 and 0.68 m/s
+  const auto speeds = drive.step({0, 0}, Time(0));
+  ASSERT_TRUE(speeds);
+  EXPECT_EQ(speeds->right, 127);
+  EXPECT_NEAR(speeds->left, 127 * 0.32 / 0.68, 1.0);
+}
+
+TEST(HostDrive, RemainingFallsToZero) {
+  Plant plant;
+  plant.drive.start({0.5, 0.0, 0.25});
+  double last = plant.drive.status().remaining;
+  EXPECT_DOUBLE_EQ(last, 0.5);
+  while (plant.drive.status().progress == DriveProgress::Driving) {
+    plant.step();
+    ASSERT_LE(plant.drive.status().remaining, last);
+    last = plant.drive.status().remaining;
+  }
+  EXPECT_EQ(last, 0.0);
+  plant.drive.start({0.0, 1.0, 1.0});
+  EXPECT_EQ(plant.drive.status().remaining, 0.0) << "turns have no way to go";
+}
+
+TEST(HostDrive, GoalsWithoutLengthOrSpeedAreDoneAtOnce) {
+  Plant plant;
+  for (const DriveGoal& goal : {DriveGoal{0.0, 0.0, 1.0}, DriveGoal{1.0, 0.0, 0.0}}) {
+    plant.drive.start(goal);
+    EXPECT_EQ(plant.drive.status().progress, DriveProgress::Done);
+    EXPECT_EQ(*plant.drive.step(plant.counts(), plant.now), (WheelSpeeds{0, 0}));
+  }
+}
+
+TEST(HostDrive, MirroredMotorsDriveTheSameWay) {
+  HostDriveSettings settings = plant_settings(plant_model());
+  settings.right_reversed = true;
+  Plant plant(plant_model(), settings);
+  plant.drive.start({0.5, 0.7, 0.3});
+  plant.step();
+  plant.steps(20);
+  const auto speeds = plant.drive.step(plant.counts(), plant.now);
+  EXPECT_GT(speeds->left, 0);
+  EXPECT_LT(speeds->right, 0);
+  plant.finish();
+  EXPECT_NEAR(plant.sim.pose(plant.robot).theta, 0.7, deg_to_rad(0.5));
+  EXPECT_NEAR(plant.drive.odometry().theta, 0.7, deg_to_rad(0.5));
+}
+
+TEST(HostDrive, LateCallsLoseNoWay) {
+  Plant plant;
+  plant.drive.start({1.0, 0.0, 0.3});
+  for (int i = 0; plant.drive.status().progress == DriveProgress::Driving && i < 1000; ++i) {
+    plant.step(i % 7 == 3 ? 3 : 1);
+  }
+  plant.steps(20);
+  EXPECT_EQ(plant.drive.status().progress, DriveProgress::Done);
+  EXPECT_NEAR(plant.sim.pose(plant.robot).x, kPlantRoom / 2 + 1.0, 0.02);
+}
+
+TEST(HostDrive, EarlyCallsChangeNothing) {
+  Plant plant;
+  plant.drive.start({1.0, 0.0, 0.3});
+  plant.steps(30);
+  const auto speeds = plant.drive.step(plant.counts(), plant.now);
+  ASSERT_TRUE(speeds);
+  const Pose pose = plant.drive.odometry();
+  for (int i = 1; i <= 4; ++i) {
+    EXPECT_EQ(*plant.drive.step({1, 2}, plant.now + std::chrono::milliseconds(i)), *speeds);
+    EXPECT_EQ(plant.drive.odometry(), pose);
+  }
+}
+
+TEST(HostDrive, AGapInWhichCountsCouldWrapIsAnErrorAndStops) {
+  Plant plant;
+  plant.drive.start({3.0, 0.0, 0.3});
+  plant.steps(100);
+  plant.now += std::chrono::milliseconds(2500);
+  const auto lost = plant.drive.step(plant.counts(), plant.now);
+  ASSERT_FALSE(lost);
+  EXPECT_EQ(lost.error().code, Errc::Timeout);
+  EXPECT_THAT(lost.error().what, HasSubstr("not read for 2510 ms"));
+  EXPECT_EQ(plant.drive.status().progress, DriveProgress::Failed);
+  const auto next = plant.drive.step({7, 7}, plant.now + HostDrive::kPeriod);
+  ASSERT_TRUE(next);
+  EXPECT_EQ(*next, (WheelSpeeds{0, 0}));
+  EXPECT_EQ(plant.drive.measured_twist(), Twist{}) << "the jump of the counts is no travel";
+}
+
+TEST(HostDrive, AWallStallsBothWheelsAndFailsTheGoal) {
+  Plant plant;
+  plant.sim.set_pose(plant.robot, {kPlantRoom - 0.3, 4.0, 0.0});
+  plant.drive.start({1.0, 0.0, 0.3});
+  bool stalled_while_driving = false;
+  int periods = 0;
+  for (; plant.drive.status().progress == DriveProgress::Driving && periods < 1000; ++periods) {
+    plant.step();
+    const DriveStatus status = plant.drive.status();
+    stalled_while_driving |=
+        status.progress == DriveProgress::Driving && status.stalled_left && status.stalled_right;
+  }
+  EXPECT_TRUE(stalled_while_driving);
+  const DriveStatus status = plant.drive.status();
+  EXPECT_EQ(status.progress, DriveProgress::Failed);
+  EXPECT_TRUE(status.stalled_left && status.stalled_right) << "until the next command";
+  EXPECT_EQ(*plant.drive.step(plant.counts(), plant.now), (WheelSpeeds{0, 0}));
+  plant.drive.start({-0.2, 0.0, 0.3});
+  EXPECT_FALSE(plant.drive.status().stalled_left);
+  plant.finish();
+  EXPECT_EQ(plant.drive.status().progress, DriveProgress::Done);
+}
+
+TEST(HostDrive, OneHeldWheelIsToldFromTheOther) {
+  HostDrive drive(plant_settings(plant_model()));
+  drive.set_speed({0.2, 0.0});
+  std::uint16_t left = 0;
+  Time now{0};
+  for (int i = 0; i < 60; ++i, now += HostDrive::kPeriod) {
+    const auto speeds = drive.step({left, 500}, now);
+    left = static_cast<std::uint16_t>(left + speeds->left);
+  }
+  EXPECT_FALSE(drive.status().stalled_left);
+  EXPECT_TRUE(drive.status().stalled_right);
+}
+
+TEST(HostDrive, SlowDrivingIsNoStall) {
+  Plant plant;
+  plant.drive.set_speed({0.002, 0.0});  // a tick in 80 ms
+  for (int i = 0; i < 500; ++i) {
+    plant.step();
+    ASSERT_FALSE(plant.drive.status().stalled_left);
+  }
+  EXPECT_NEAR(plant.drive.odometry().x, 0.01, 0.0005);
+}
+
+TEST(HostDrive, ReleasedMotorsAreTheProgramsAndOdometryGoesOn) {
+  Plant plant;
+  plant.drive.set_speed({0.2, 0.0});
+  plant.steps(50);
+  plant.drive.release();
+  EXPECT_FALSE(plant.drive.engaged());
+  plant.sim.set_motor_speed(plant.robot, 0, 1000);
+  plant.sim.set_motor_speed(plant.robot, 1, 1000);
+  const double before = plant.drive.odometry().x;
+  plant.steps(100);
+  EXPECT_NEAR(plant.drive.odometry().x - before, 0.155, 0.005);
+  plant.drive.set_speed({0.2, 0.0});
+  plant.step();
+  EXPECT_NEAR(plant.sim.twist(plant.robot).linear, 0.16, 0.02) << "the ramp starts from its speed";
+}
+
+TEST(HostDrive, RestartForgetsTheCountsButNotThePose) {
+  Plant plant;
+  plant.drive.start({0.5, 0.0, 0.3});
+  plant.steps(100);
+  const Pose pose = plant.drive.odometry();
+  plant.drive.restart();
+  EXPECT_EQ(*plant.drive.step({0, 0}, plant.now), (WheelSpeeds{0, 0}));
+  EXPECT_EQ(plant.drive.odometry(), pose);
+  plant.drive.set_odometry({1.0, 2.0, 0.5});
+  EXPECT_NEAR(plant.drive.odometry().theta, 0.5, 1e-12);
+}
+
+files::Hdt hdt_of(const std::string& text) {
+  std::vector<Warning> warnings;
+  return files::read_hdt(text, "hdt.txt", warnings);
+}
+
+TEST(HostDriveSettings, ComeFromTheHdt) {
+  const auto settings =
+      host_drive_settings(hdt_of("ENCODER 1 10000\nENCODER 2 9900\nDRIVE 95 40 0 1\n"), "hdt.txt");
+  EXPECT_DOUBLE_EQ(settings.wheel_base, 0.095);
+  EXPECT_DOUBLE_EQ(settings.max_linear, 0.4);
+  EXPECT_DOUBLE_EQ(settings.left_ticks_per_metre, 10000);
+  EXPECT_DOUBLE_EQ(settings.right_ticks_per_metre, 9900);
+  EXPECT_FALSE(settings.left_reversed);
+  EXPECT_TRUE(settings.right_reversed);
+}
+
+TEST(HostDriveSettings, WithoutADriveOrItsEncodersTheyAreAnError) {
+  const auto error = [](const std::string& text) {
+    try {
+      host_drive_settings(hdt_of(text), "hdt.txt");
+    } catch (const ConfigError& thrown) {
+      return std::string(thrown.what());
+    }
+    return std::string("none");
+  };
+  EXPECT_THAT(error("LCD 0\n"), HasSubstr("hdt.txt: no DRIVE line"));
+  EXPECT_THAT(error("ENCODER 1 100\nDRIVE 95 40 0 1\n"),
+              HasSubstr("hdt.txt:2:1: DRIVE without ENCODER 2"));
+  EXPECT_THAT(error("MOTOR \"m\" 1 9\nENCODER \"e\" 1 9 9 \"m\"\n"
+                    "DRIVE \"d\" ACKERMANN 9 9 9 \"e\" \"e\"\n"),
+              HasSubstr("hdt.txt:3:1: expected a DIFFERENTIAL drive"));
+}
+
+}  // namespace
+}  // namespace eyebridge::hal
