@@ -54,8 +54,9 @@ struct eb_io7 {
   uint8_t line[EB_LINE];
   uint8_t length;
   bool too_long;
-  bool after_cr; /* an LF that comes now belongs to the CR before it */
-  bool skipping; /* binary: noise, until the line is quiet */
+  bool after_cr;      /* an LF that comes now belongs to the CR before it */
+  bool after_request; /* binary: a CR that comes now ends what came just before */
+  bool skipping;      /* binary: noise, until the line is quiet */
   uint32_t quiet_us;
   uint8_t reply[EB_REPLY];
   uint16_t reply_at, reply_count;

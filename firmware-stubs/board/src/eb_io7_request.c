@@ -22,6 +22,7 @@ void eb_io7_reset(struct eb_io7* io7) {
   io7->length = 0;
   io7->too_long = false;
   io7->after_cr = false;
+  io7->after_request = false;
   io7->skipping = false;
   io7->quiet_us = 0;
   io7->reply_count = 0;
@@ -33,7 +34,9 @@ void eb_io7_quiet(struct eb_io7* io7, uint32_t elapsed_us) {
   }
   if (io7->quiet_us < EB_QUIET_US) return;
   io7->skipping = false;
-  if (io7->binary) io7->length = 0;
+  if (!io7->binary) return;
+  io7->length = 0;
+  io7->after_request = false;
 }
 
 static const struct eb_letter* letter_here(const struct eb_io7* io7, uint8_t byte) {
@@ -146,8 +149,11 @@ static enum eb_found push_binary(struct eb_io7* io7, uint8_t byte, struct eb_req
     eb_io7_put(io7, &echoed, 1);
   }
   if (io7->length == 0 && (byte == '\r' || byte == '\n')) {
-    return byte == '\r' ? EB_FOUND_EMPTY_LINE : EB_FOUND_NOTHING;
+    const bool belongs = io7->after_request; /* a host that ends its requests like lines */
+    io7->after_request = false;
+    return byte == '\r' && !belongs ? EB_FOUND_EMPTY_LINE : EB_FOUND_NOTHING;
   }
+  io7->after_request = false;
   io7->line[io7->length++] = byte;
   row = letter_here(io7, io7->line[0]);
   if (row != 0) {
@@ -160,6 +166,7 @@ static enum eb_found push_binary(struct eb_io7* io7, uint8_t byte, struct eb_req
       at += width;
     }
     io7->length = 0;
+    io7->after_request = true;
     if (all_fit(row, request)) return EB_FOUND_REQUEST;
   }
   /* What follows could be arguments: no byte of it may be taken for a letter. */
