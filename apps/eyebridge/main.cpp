@@ -18,6 +18,7 @@ int run(int argc, char** argv) {
       "Exit codes: 0 fine, 1 failed while running, 2 bad input (nothing was run).\n"
       "eyebridge COMMAND --help says more.");
   add_run(app, code);
+  add_firmware(app, code);
   add_world(app, code);
   add_config(app, code);
   add_doctor(app, code);

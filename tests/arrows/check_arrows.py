@@ -16,7 +16,8 @@ SKIPPED = {"build", "out", ".git", "__pycache__", ".cache"}
 
 CORE = ["core/base", "core/world", "core/robot", "core/files", "core/mapping"]
 BACKENDS = ["hal/sim", "hal/board"]
-EVERYTHING = [*CORE, "hal", *BACKENDS, "camera", "robios", "bridges", "firmware-stubs", "apps", "tests"]
+FIRMWARE = ["firmware-stubs/board", "firmware-stubs/ports", "firmware-stubs/pins"]
+EVERYTHING = [*CORE, "hal", *BACKENDS, "camera", "robios", "bridges", *FIRMWARE, "apps", "tests"]
 
 # Room -> what it may include besides itself. The longest room that holds a file is the file's.
 ALLOWED = {
@@ -32,11 +33,12 @@ ALLOWED = {
     "hal/sim": [*CORE, "hal", "camera"],
     "hal/board": [*CORE, "hal", "bridges"],
     "robios": [*CORE, "hal", "camera"],
-    "firmware-stubs": CORE,
     "firmware-stubs/board": ["bridges:opcodes.h"],
+    "firmware-stubs/ports": ["core/base", "firmware-stubs/board"],
+    "firmware-stubs/pins": [*CORE, "firmware-stubs/board"],
     "gui": [*CORE, "camera", "robios"],
     "python": [*CORE, "robios"],
-    "apps": [*CORE, "hal", "camera", "robios"],
+    "apps": [*CORE, "hal", "camera", "robios", *FIRMWARE],
     "examples": ["robios:eyebot.h", "robios:eyebot++.h"],
     "tests": EVERYTHING,
     "bench": EVERYTHING,
@@ -45,7 +47,7 @@ ALLOWED = {
 # eyebridge/<this>/… -> the room whose public header it is.
 PUBLIC = {room.split("/")[-1]: room for room in ALLOWED if room.startswith("core/")} | {
     name: name for name in ("hal", "camera", "bridges", "robios", "gui")
-}
+} | {name: f"firmware-stubs/{name}" for name in ("ports", "pins")}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<(eye[^>]+)>)')
 

@@ -7,6 +7,7 @@
 
 #include "bridges_entry.hpp"
 #include "entry.hpp"
+#include "firmware_entry.hpp"
 
 namespace eyebridge::fuzz {
 namespace {
@@ -35,7 +36,8 @@ constexpr Target kTargets[] = {{"world", world},
                                {"io7_help", io7_help},
                                {"can_frame", can_frame},
                                {"trace", trace},
-                               {"url", url}};
+                               {"url", url},
+                               {"firmware", firmware}};
 
 const auto kCorpus = std::filesystem::path(EYEBRIDGE_SOURCE_DIR) / "tests/fuzz/corpus";
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "eyebridge/base/clock.hpp"
+#include "eyebridge/ports/port.hpp"
+
+namespace eyebridge::ports {
+
+/// Where lines of a trace go, without line end.
+using TraceSink = std::function<void(std::string_view line)>;
+using Now = std::function<Time()>;
+
+/// `line`, telling `sink` what passes, in the form that the bridge's traces have: microseconds, '<'
+/// for what the board received or '>' for what it sent, hex digits.
+ByteLine traced(ByteLine line, TraceSink sink, Now now);
+/// The same for frames, as `candump -L` has them: (seconds) name id#data, R or T.
+FrameLine traced(FrameLine line, const std::string& name, TraceSink sink, Now now);
+
+}  // namespace eyebridge::ports
