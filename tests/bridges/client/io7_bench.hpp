@@ -1,32 +1,15 @@
 #pragma once
 
-#include <mutex>
 #include <utility>
 
 #include "../protocol/fake_board.hpp"
 #include "eyebridge/bridges/client/io7_client.hpp"
+#include "kept_log.hpp"
 #include "scripted_line.hpp"
 
 namespace eyebridge::bridges::testing {
 
 using namespace std::chrono_literals;
-
-/// Keeps what was logged, one line each.
-class KeptLog final : public LogSink {
- public:
-  void write(Severity, std::string_view message) override {
-    const std::lock_guard lock(mutex_);
-    text_ += std::string(message) + '\n';
-  }
-  [[nodiscard]] std::string text() const {
-    const std::lock_guard lock(mutex_);
-    return text_;
-  }
-
- private:
-  mutable std::mutex mutex_;
-  std::string text_;
-};
 
 /// A client on virtual time, in front of a board that answers within 1 ms, until told otherwise.
 struct Io7Bench {

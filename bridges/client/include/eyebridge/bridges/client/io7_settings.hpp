@@ -18,7 +18,9 @@ struct Io7Settings {
   ProbeTiming probe{};
   Time boot_patience = std::chrono::seconds(3);  ///< Opening a port resets some boards: they are
                                                  ///< deaf for a while.
-  Time idle = std::chrono::milliseconds(500);    ///< Then `v` is asked, so that a loss is noticed.
+  /// Then `v` is asked: so that a loss is noticed, and so that boards that stop their motors for
+  /// want of a host (after 300 ms) go on.
+  Time idle = std::chrono::milliseconds(100);
   Time first_backoff = std::chrono::milliseconds(200);  ///< Between attempts to open a lost line …
   Time longest_backoff = std::chrono::seconds(2);       ///< … doubling up to this.
   bool vw_letters = false;  ///< Allow the undocumented v-omega letters, where listed.
