@@ -237,7 +237,8 @@ void CanClient::take_message(const can::AnyMessage& message, Time now) {
   } else if (const auto* chunk_fd = std::get_if<can::LidarChunkFd>(&message)) {
     scan = lidar_->push(*chunk_fd);
   }
-  if (scan != nullptr) {
+  // One with gaps is none: a range is never invented.
+  if (scan != nullptr && scan->missing == 0) {
     scan_ = *scan;
     scan_at_ = now;
   }
