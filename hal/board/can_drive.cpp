@@ -11,6 +11,8 @@ namespace {
 
 namespace can = bridges::can;
 
+constexpr Time kStep = std::chrono::milliseconds(10);
+
 }  // namespace
 
 void CanDrive::set(Mode mode) {
@@ -18,19 +20,34 @@ void CanDrive::set(Mode mode) {
   mode_ = mode;
 }
 
+// The restart is noticed after the robot has told its new pose a few times.
+std::optional<Pose> CanDrive::pose_before_restart() const {
+  if (!recent_ || !older_) return recent_;
+  constexpr double kSlack = 0.02;  // metres
+  const double possible = 2 * to_seconds(kRestartTime) * shape_.max_linear + kSlack;
+  return norm(recent_->position() - older_->position()) <= possible ? recent_ : older_;
+}
+
 void CanDrive::restarted() {
-  pose_lost_ = last_pose_.has_value();
+  to_restore_ = pose_before_restart();
   const std::lock_guard lock(mutex_);
   if (mode_ == Mode::Goal) mode_ = Mode::Failed;
 }
 
 void CanDrive::step() {
   if (client_.phase() != bridges::RobotWatch::Phase::Ready) return;
-  if (pose_lost_) {
-    pose_lost_ = !set_odometry(*last_pose_);
-  } else if (const auto pose = odometry()) {
-    last_pose_ = *pose;
+  if (to_restore_) {
+    if (set_odometry(*to_restore_)) to_restore_.reset();
+    return;
   }
+  const auto pose = odometry();
+  if (!pose) return;
+  if (++steps_ * kStep >= kRestartTime) {
+    steps_ = 0;
+    older_ = middle_;
+    middle_ = recent_;
+  }
+  recent_ = *pose;
 }
 
 Result<void> CanDrive::set_speed(const Twist& twist) {

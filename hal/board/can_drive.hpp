@@ -16,6 +16,9 @@ class CanDrive final : public DriveController {
   CanDrive(bridges::CanClient& client, const BoardDriveShape& shape)
       : client_(client), shape_(shape) {}
 
+  /// How long a robot may have told a pose from 0 on before its restart is noticed.
+  static constexpr Time kRestartTime = std::chrono::milliseconds(150);
+
   Result<void> set_speed(const Twist& twist) override;
   Result<void> start(const DriveGoal& goal) override;
   Result<DriveStatus> status() override;
@@ -30,6 +33,7 @@ class CanDrive final : public DriveController {
  private:
   enum class Mode { Free, Goal, Failed };
   void set(Mode mode);
+  [[nodiscard]] std::optional<Pose> pose_before_restart() const;
 
   bridges::CanClient& client_;
   const BoardDriveShape shape_;
@@ -37,8 +41,11 @@ class CanDrive final : public DriveController {
   Mode mode_ = Mode::Free;
   std::uint32_t goal_generation_ = 0;  ///< Of the client, when the goal was set.
   // Only the board's thread:
-  std::optional<Pose> last_pose_;
-  bool pose_lost_ = false;
+  std::optional<Pose> recent_;  ///< As told last.
+  std::optional<Pose> middle_;  ///< Up to kRestartTime before that …
+  std::optional<Pose> older_;   ///< … and up to as long before again.
+  std::optional<Pose> to_restore_;
+  int steps_ = 0;
 };
 
 }  // namespace eyebridge::hal
