@@ -86,11 +86,7 @@ std::unique_ptr<Backend> io7_board(const BackendContext& context, const BoardTab
   auto client =
       std::make_unique<bridges::Io7Client>(std::move(open), *clock, context.log, settings);
   if (const auto found = client->connect(); !found) {
-    const bool line = found.error().code == Errc::Disconnected;
-    throw ConfigError(place(context),
-                      found.error().what + (line ? ""
-                                                 : "; expected an EyeBot I/O board: is it "
-                                                   "another device, or another bit rate?"));
+    throw ConfigError(place(context), found.error().what);
   }
   auto link = std::make_unique<Io7Link>(std::move(client), *clock, tables);
   auto backend = std::make_unique<BoardBackend>(std::move(clock), std::move(link), tables);

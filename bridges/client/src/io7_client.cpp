@@ -12,6 +12,9 @@ namespace {
 
 constexpr int kWrongAnswers = 2;  // A boot banner may spoil the first probe, not the second.
 
+constexpr const char* kNoSuchBoard =
+    "; expected an EyeBot I/O board: is it another device, or another bit rate?";
+
 std::string describe(const io7::ProbeReport& report) {
   char supply[48] = "";
   if (report.battery_cv) {
