@@ -49,7 +49,9 @@ Result<void> Io7Client::find_board(Time patience) {
     wrong += report.error().code == Errc::Timeout ? 0 : 1;
     const bool final = report.error().code == Errc::Disconnected || wrong == kWrongAnswers;
     if (final || clock_.now() >= end) {
-      return fail(report.error().code, std::string((*stream)->name()) + ": " + report.error().what);
+      const bool odd = report.error().code != Errc::Disconnected;
+      return fail(report.error().code, std::string((*stream)->name()) + ": " + report.error().what +
+                                           (odd ? kNoSuchBoard : ""));
     }
   }
   // Made ready before anybody else can reach it.
