@@ -61,6 +61,7 @@ void HostController::send(const WheelSpeeds& speeds, Time now) {
 Result<void> HostController::set_speed(const Twist& twist) {
   const std::lock_guard lock(mutex_);
   if (trouble_) return tl::unexpected(*trouble_);
+  goal_lost_ = false;
   drive_.set_speed(twist);
   return {};
 }
@@ -68,6 +69,7 @@ Result<void> HostController::set_speed(const Twist& twist) {
 Result<void> HostController::start(const DriveGoal& goal) {
   const std::lock_guard lock(mutex_);
   if (trouble_) return tl::unexpected(*trouble_);
+  goal_lost_ = false;
   drive_.start(goal);
   return {};
 }
@@ -75,7 +77,9 @@ Result<void> HostController::start(const DriveGoal& goal) {
 Result<DriveStatus> HostController::status() {
   const std::lock_guard lock(mutex_);
   if (trouble_) return tl::unexpected(*trouble_);
-  return drive_.status();
+  DriveStatus status = drive_.status();
+  if (goal_lost_) status.progress = DriveProgress::Failed;
+  return status;
 }
 
 Result<Twist> HostController::measured_twist() {
@@ -100,6 +104,7 @@ Result<void> HostController::set_odometry(const Pose& pose) {
 void HostController::release() {
   const std::lock_guard sending(sending_);
   const std::lock_guard lock(mutex_);
+  goal_lost_ = false;
   drive_.release();
   sent_.reset();
 }
@@ -107,6 +112,7 @@ void HostController::release() {
 void HostController::restarted() {
   const std::lock_guard sending(sending_);
   const std::lock_guard lock(mutex_);
+  goal_lost_ = goal_lost_ || drive_.status().progress == DriveProgress::Driving;
   drive_.restart();
   sent_.reset();
 }
