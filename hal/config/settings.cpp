@@ -13,6 +13,7 @@ constexpr auto kSettings = std::to_array<Setting>({
     {"hal", Kind::Text, "sim", "how the robot is reached: a backend's URL"},
     {"world", Kind::Path, "", "world to drive in: .wld .maz .sim .robi .p; unset: an empty room"},
     {"robot", Kind::Text, "S4", "type of the robot where the world places none"},
+    {"hdt", Kind::Path, "", "hardware description of a real board; unset: that of an S4"},
     {"camera", Kind::Text, "render", "where frames come from: a source's URL, or none"},
     {"faults", Kind::Text, "", "devices that fail: psd:1 lose @2s..4s; all delay 20ms"},
     {"fast", Kind::Boolean, "false", "virtual time: run as fast as the machine can"},

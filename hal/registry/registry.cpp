@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "board/open_board.hpp"
 #include "fault/fault_tap.hpp"
 #include "replay/open_replay.hpp"
 #include "replay/record_tap.hpp"
@@ -15,6 +16,10 @@ namespace {
 
 constexpr auto kBackends = std::to_array<BackendFactory>({
     {"sim", "a simulated robot in the world that --world names", open_sim},
+    {"serial", "a board on a serial port: serial:/dev/ttyACM0?profile=io7&baud=115200&hdt=FILE",
+     open_io7_board, true},
+    {"tcp", "a board behind a TCP port: tcp:HOST:PORT?profile=io7&hdt=FILE", open_io7_board, true},
+    {"can", "a robot on a CAN bus: can:can0?node=1&fd=0&hdt=FILE", open_can_board, true},
     {"replay", "what a robot answered in a recorded run: replay:FILE.ebrec", open_replay},
 });
 

@@ -43,6 +43,18 @@ class FdStream final : public ByteStream {
     return closed();
   }
 
+  // As read_some(), but that nothing is there costs no error text: asked before every request.
+  Result<std::size_t> read_now(std::span<std::uint8_t> buffer) override {
+    while (fd_.valid()) {
+      const ssize_t count = ::read(fd_.get(), buffer.data(), buffer.size());
+      if (count > 0) return static_cast<std::size_t>(count);
+      if (count == 0) return fail(Errc::Disconnected, name_ + ": closed by the other side");
+      if (errno == EAGAIN) return std::size_t{0};
+      if (errno != EINTR) return lost("reading");
+    }
+    return closed();
+  }
+
   Result<void> write_all(std::span<const std::uint8_t> bytes, Time deadline) override {
     const std::size_t total = bytes.size();
     while (fd_.valid()) {

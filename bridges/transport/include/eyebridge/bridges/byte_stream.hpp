@@ -24,6 +24,14 @@ class ByteStream {
   /// gone and all that it sent has been read.
   virtual Result<std::size_t> read_some(std::span<std::uint8_t> buffer, Time deadline) = 0;
 
+  /// Takes what has arrived already, without waiting: 0 bytes when nothing has. `buffer` is not
+  /// empty. Fails with Disconnected as read_some() does.
+  virtual Result<std::size_t> read_now(std::span<std::uint8_t> buffer) {
+    auto count = read_some(buffer, Time{0});
+    if (!count && count.error().code == Errc::Timeout) return std::size_t{0};
+    return count;
+  }
+
   /// Hands over all of `bytes`, waiting while the line is full. Fails with Timeout, where a part
   /// may have gone out, or Disconnected.
   virtual Result<void> write_all(std::span<const std::uint8_t> bytes, Time deadline) = 0;

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "eyebridge/base/clock.hpp"
+#include "eyebridge/bridges/client/run_probe.hpp"
+
+namespace eyebridge::bridges {
+
+/// How patient a client is with its board.
+struct Io7Settings {
+  /// The longest wait for a reply. Once replies are known to be faster the client waits ten times
+  /// what they take, but at least `reply_least`.
+  Time reply_timeout = std::chrono::milliseconds(50);
+  Time reply_least = std::chrono::milliseconds(10);
+  Time resync_timeout = std::chrono::milliseconds(200);  ///< For the `v` that ends a resync.
+  ProbeTiming probe{};
+  Time boot_patience = std::chrono::seconds(3);  ///< Opening a port resets some boards: they are
+                                                 ///< deaf for a while.
+  /// Then `v` is asked: so that a loss is noticed, and so that boards that stop their motors for
+  /// want of a host (after 300 ms) go on.
+  Time idle = std::chrono::milliseconds(100);
+  Time first_backoff = std::chrono::milliseconds(200);  ///< Between attempts to open a lost line …
+  Time longest_backoff = std::chrono::seconds(2);       ///< … doubling up to this.
+  bool vw_letters = false;  ///< Allow the undocumented v-omega letters, where listed.
+};
+
+/// What happened on a line to a board since the client was made.
+struct Io7Statistics {
+  std::uint64_t requests = 0;  ///< Exchanges that were asked for.
+  std::uint64_t answered = 0;  ///< Replies that came and were right.
+  std::uint64_t retries = 0;
+  std::uint64_t resyncs = 0;
+  std::uint64_t timeouts = 0;      ///< No reply in time.
+  std::uint64_t corrupt = 0;       ///< A reply that could not be right, or was followed by more.
+  std::uint64_t stray = 0;         ///< Bytes that belonged to no reply.
+  std::uint64_t losses = 0;        ///< The line was lost.
+  std::uint64_t connects = 0;      ///< A board was found and made ready.
+  Time latency_min = Time::max();  ///< From the first byte out to the last byte in.
+  Time latency_max{0};
+  Time latency_sum{0};  ///< Of `answered` replies.
+
+  [[nodiscard]] Time latency_mean() const {
+    return answered == 0 ? Time{0} : latency_sum / static_cast<Time::rep>(answered);
+  }
+};
+
+}  // namespace eyebridge::bridges

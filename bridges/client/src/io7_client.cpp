@@ -1,0 +1,146 @@
+#include "eyebridge/bridges/client/io7_client.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include "io7_session.hpp"
+
+namespace eyebridge::bridges {
+namespace {
+
+constexpr int kWrongAnswers = 2;  // A boot banner may spoil the first probe, not the second.
+
+constexpr const char* kNoSuchBoard =
+    "; expected an EyeBot I/O board: is it another device, or another bit rate?";
+
+std::string describe(const io7::ProbeReport& report) {
+  char supply[48] = "";
+  if (report.battery_cv) {
+    std::snprintf(supply, sizeof supply, ", supply %.2f V", *report.battery_cv / 100.0);
+  }
+  const io7::Profile& profile = report.profile;
+  return "IO7 board, version " + report.version + supply + ", " +
+         (profile.request_form == io7::RequestForm::Ascii ? "text" : "binary") + " requests, " +
+         (profile.reply_form == io7::ReplyForm::Text ? "text" : "raw") + " replies";
+}
+
+}  // namespace
+
+Io7Client::Io7Client(StreamOpener open, Clock& clock, LogSink& log, const Io7Settings& settings)
+    : open_(std::move(open)),
+      clock_(clock),
+      log_(log),
+      settings_(settings),
+      loss_{Errc::Disconnected, "IO7 board: not connected"},
+      backoff_(settings.first_backoff) {}
+
+Io7Client::~Io7Client() = default;
+
+Result<void> Io7Client::connect() { return find_board(settings_.boot_patience); }
+
+Result<void> Io7Client::find_board(Time patience) {
+  auto stream = open_();
+  if (!stream) return tl::unexpected(std::move(stream.error()));
+  const Time end = clock_.now() + patience;
+  auto report = run_probe(**stream, clock_, settings_.probe);
+  for (int wrong = 0; !report; report = run_probe(**stream, clock_, settings_.probe)) {
+    wrong += report.error().code == Errc::Timeout ? 0 : 1;
+    const bool final = report.error().code == Errc::Disconnected || wrong == kWrongAnswers;
+    if (final || clock_.now() >= end) {
+      const bool odd = report.error().code != Errc::Disconnected;
+      return fail(report.error().code, std::string((*stream)->name()) + ": " + report.error().what +
+                                           (odd ? kNoSuchBoard : ""));
+    }
+  }
+  // Made ready before anybody else can reach it.
+  Io7Statistics counts;
+  auto session = std::make_unique<Io7Session>(std::move(*stream), std::move(*report), clock_,
+                                              settings_, counts);
+  if (auto stopped = session->stop_motors(); !stopped) return stopped;
+  note_found(session->report(), session->stream().name());
+
+  const std::lock_guard lock(mutex_);
+  report_ = session->report();
+  session_ = std::make_unique<Io7Session>(session->release_stream(), *report_, clock_, settings_,
+                                          statistics_);
+  backoff_ = settings_.first_backoff;
+  ++statistics_.connects;
+  ++generation_;
+  return {};
+}
+
+void Io7Client::note_found(const io7::ProbeReport& report, std::string_view name) const {
+  const std::string where(name);
+  log_.write(Severity::Info, where + ": " + describe(report));
+  log_.write(Severity::Debug, where + ": its command list: " + report.list);
+  if (!report.byte_order_proven && report.profile.reply_form == io7::ReplyForm::Raw) {
+    log_.write(Severity::Warning,
+               where + ": the byte order is not proven; most significant first is assumed");
+  }
+  if (!report.request_form_proven) {
+    log_.write(Severity::Warning, where + ": the form of requests is not proven; text is assumed");
+  }
+}
+
+void Io7Client::lose(const Error& error) {
+  loss_ = error;
+  session_.reset();
+  ++statistics_.losses;
+  retry_at_ = clock_.now() + backoff_;
+  log_.write(Severity::Error, error.what + "; it is looked for again");
+}
+
+Result<io7::Reply> Io7Client::exchange(const io7::Request& request) {
+  const std::lock_guard lock(mutex_);
+  if (session_ == nullptr) return tl::unexpected(loss_);
+  auto reply = session_->exchange(request);
+  if (!reply && reply.error().code == Errc::Disconnected) lose(reply.error());
+  return reply;
+}
+
+bool Io7Client::look_after() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (session_ != nullptr) {
+      if (clock_.now() - session_->last_heard() < settings_.idle) return false;
+      const auto alive = session_->exchange(io7::request(IO7_VERSION));
+      if (!alive && alive.error().code == Errc::Disconnected) lose(alive.error());
+      return false;
+    }
+    if (generation_ == 0 || clock_.now() < retry_at_) return false;
+  }
+  if (const auto found = find_board(Time{0}); !found) {
+    const std::lock_guard lock(mutex_);
+    backoff_ = std::min(2 * backoff_, settings_.longest_backoff);
+    retry_at_ = clock_.now() + backoff_;
+    return false;
+  }
+  log_.write(Severity::Warning,
+             "the IO7 board was plugged in again or has rebooted: its encoders and pose are lost, "
+             "all motors stand");
+  return true;
+}
+
+std::uint32_t Io7Client::generation() const {
+  const std::lock_guard lock(mutex_);
+  return generation_;
+}
+
+bool Io7Client::has(char letter) const {
+  const std::lock_guard lock(mutex_);
+  return session_ != nullptr && session_->report().profile.letters.has(letter);
+}
+
+std::optional<io7::ProbeReport> Io7Client::report() const {
+  const std::lock_guard lock(mutex_);
+  return report_;
+}
+
+Io7Statistics Io7Client::statistics() const {
+  const std::lock_guard lock(mutex_);
+  return statistics_;
+}
+
+}  // namespace eyebridge::bridges

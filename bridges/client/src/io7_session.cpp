@@ -1,0 +1,183 @@
+#include "io7_session.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "opcodes.h"
+
+namespace eyebridge::bridges {
+namespace {
+
+using State = io7::ReplyParser::State;
+
+constexpr int kResyncAttempts = 3;
+// Completes the longest binary request, whose arguments a board may still be waiting for. All 0: as
+// an argument that is "stop", as a letter it is none.
+constexpr std::array<std::uint8_t, 6> kCompletion{};
+
+/// Whether a request may be sent twice when nobody knows if it arrived: not a relative movement.
+bool may_repeat(char letter) {
+  return letter != IO7_VW_STRAIGHT && letter != IO7_VW_TURN && letter != IO7_VW_CURVE;
+}
+
+bool is_lost(const Error& error) { return error.code == Errc::Disconnected; }
+
+}  // namespace
+
+Io7Session::Io7Session(std::unique_ptr<ByteStream> stream, io7::ProbeReport report, Clock& clock,
+                       const Io7Settings& settings, Io7Statistics& statistics)
+    : stream_(std::move(stream)),
+      report_(std::move(report)),
+      clock_(clock),
+      settings_(settings),
+      statistics_(statistics),
+      last_heard_(clock.now()) {
+  report_.profile.vw_letters = settings.vw_letters;
+}
+
+Time Io7Session::reply_patience() const {
+  if (smoothed_latency_ == Time{0}) return settings_.reply_timeout;
+  return std::clamp(10 * smoothed_latency_, settings_.reply_least, settings_.reply_timeout);
+}
+
+Time Io7Session::quiet_time() const { return std::min(reply_patience(), settings_.probe.quiet); }
+
+void Io7Session::note_latency(Time latency) {
+  ++statistics_.answered;
+  statistics_.latency_min = std::min(statistics_.latency_min, latency);
+  statistics_.latency_max = std::max(statistics_.latency_max, latency);
+  statistics_.latency_sum += latency;
+  const Time step = (latency - smoothed_latency_) / 8;
+  smoothed_latency_ = smoothed_latency_ == Time{0} ? latency : smoothed_latency_ + step;
+  smoothed_latency_ = std::max(smoothed_latency_, Time{1});
+}
+
+Result<io7::Reply> Io7Session::exchange(const io7::Request& request) {
+  const auto bytes = io7::encode(request, report_.profile);
+  if (!bytes) return tl::unexpected(bytes.error());
+  ++statistics_.requests;
+  if (auto silent = expect_silence(); !silent) return tl::unexpected(std::move(silent.error()));
+
+  auto reply = ask(request, *bytes, reply_patience());
+  for (int attempt = 1; !reply && !is_lost(reply.error()); ++attempt) {
+    if (auto found = resync(); !found) return tl::unexpected(std::move(found.error()));
+    if (attempt == 2 || !may_repeat(request.letter)) break;
+    ++statistics_.retries;
+    reply = ask(request, *bytes, reply_patience());
+  }
+  return reply;
+}
+
+// Replies have no frame: what comes before anything is asked is a late or second answer, and more
+// of it may follow.
+Result<void> Io7Session::expect_silence() {
+  const std::uint32_t before = parser_.stray();
+  while (true) {
+    const auto count = stream_->read_now(buffer_);
+    if (!count) return tl::unexpected(count.error());
+    for (std::size_t i = 0; i < *count; ++i) parser_.push(buffer_[i]);
+    if (*count < buffer_.size()) break;
+  }
+  const std::uint32_t stray = parser_.stray() - before;
+  if (stray == 0) return {};
+  statistics_.stray += stray;
+  return resync();
+}
+
+Result<io7::Reply> Io7Session::ask(const io7::Request& request, const io7::RequestBytes& bytes,
+                                   Time patience) {
+  const Time start = clock_.now();
+  parser_.start(request, report_.profile);
+  if (auto sent = stream_->write_all(bytes.view(), start + patience); !sent) {
+    return tl::unexpected(std::move(sent.error()));
+  }
+  if (parser_.state() == State::Complete) return parser_.reply();  // Nothing comes back.
+
+  const std::uint32_t before = parser_.stray();
+  while (parser_.state() == State::Waiting) {
+    const auto count = stream_->read_some(buffer_, start + patience);
+    if (!count && count.error().code != Errc::Timeout) return tl::unexpected(count.error());
+    if (!count && parser_.quiet() == State::Waiting) {
+      ++statistics_.timeouts;
+      return fail(Errc::Timeout,
+                  std::string(stream_->name()) + ": " + parser_.reply().error().what);
+    }
+    for (std::size_t i = 0; count && i < *count; ++i) parser_.push(buffer_[i]);
+  }
+  const std::uint32_t stray = parser_.stray() - before;
+  statistics_.stray += stray;
+  if (parser_.state() == State::Corrupt) {
+    ++statistics_.corrupt;
+    return fail(Errc::Corrupt, std::string(stream_->name()) + ": " + parser_.reply().error().what);
+  }
+  if (stray > 0) {
+    // Whose reply the first bytes were, nobody knows.
+    ++statistics_.corrupt;
+    return fail(Errc::Corrupt, std::string(stream_->name()) + ": IO7 '" + request.letter +
+                                   "': " + std::to_string(stray) + " bytes too many came");
+  }
+  last_heard_ = clock_.now();
+  note_latency(last_heard_ - start);
+  return parser_.reply();
+}
+
+Result<std::size_t> Io7Session::drain_until_quiet() {
+  std::size_t drained = 0;
+  const Time end = clock_.now() + settings_.probe.longest;
+  while (clock_.now() < end) {
+    const auto count = stream_->read_some(buffer_, clock_.now() + quiet_time());
+    if (!count && count.error().code == Errc::Timeout) break;
+    if (!count) return tl::unexpected(count.error());
+    drained += *count;
+  }
+  return drained;
+}
+
+Result<void> Io7Session::resync() {
+  ++statistics_.resyncs;
+  const bool ascii = report_.profile.request_form == io7::RequestForm::Ascii;
+  const auto wake_up = ascii ? io7::bytes_of(report_.profile.terminator)
+                             : std::span<const std::uint8_t>(kCompletion);
+  const auto version = io7::request(IO7_VERSION);
+  const auto bytes = io7::encode(version, report_.profile);
+  if (!bytes) return tl::unexpected(bytes.error());
+  std::string found = "nothing";
+  for (int attempt = 0; attempt < kResyncAttempts; ++attempt) {
+    const auto late = drain_until_quiet();
+    if (!late) return tl::unexpected(late.error());
+    statistics_.stray += *late;
+    const auto woken = stream_->write_all(wake_up, clock_.now() + settings_.resync_timeout);
+    if (!woken && is_lost(woken.error())) return woken;
+    if (auto prompt = drain_until_quiet(); !prompt) return tl::unexpected(prompt.error());
+    const auto reply = ask(version, *bytes, settings_.resync_timeout);
+    if (!reply && is_lost(reply.error())) return tl::unexpected(reply.error());
+    if (reply && std::equal(reply->version.begin(), reply->version.end(), report_.version.begin(),
+                            report_.version.end())) {
+      return {};
+    }
+    found = reply ? "the version " + std::string(reply->version.begin(), reply->version.end())
+                  : reply.error().what;
+  }
+  return fail(Errc::Disconnected,
+              std::string(stream_->name()) +
+                  ": the board does not answer any more; expected its version " + report_.version +
+                  ", found " + found);
+}
+
+Result<void> Io7Session::stop_motors() {
+  const io7::LetterSet& letters = report_.profile.letters;
+  for (int motor = IO7_MOTOR_FIRST; motor <= IO7_MOTOR_LAST; ++motor) {
+    const bool plain = letters.has(IO7_MOTOR);
+    if (!plain && !letters.has(IO7_MOTOR_SPEED)) break;
+    const auto done = exchange(plain ? io7::motor(motor, 0) : io7::motor_speed(motor, 0));
+    if (!done) return tl::unexpected(done.error());
+  }
+  if (report_.profile.vw_letters && letters.has(IO7_VW_SET_SPEED)) {
+    const auto done = exchange(io7::request(IO7_VW_SET_SPEED, 0, 0));
+    if (!done) return tl::unexpected(done.error());
+  }
+  return {};
+}
+
+}  // namespace eyebridge::bridges

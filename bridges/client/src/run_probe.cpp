@@ -1,0 +1,49 @@
+#include "eyebridge/bridges/client/run_probe.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace eyebridge::bridges {
+namespace {
+
+constexpr std::size_t kMostBytes = 8192;  // twice the longest command list
+
+/// Everything that comes until the line is quiet.
+Result<std::vector<std::uint8_t>> listen(ByteStream& stream, Clock& clock,
+                                         const ProbeTiming& timing) {
+  std::vector<std::uint8_t> heard;
+  const Time end = clock.now() + timing.longest;
+  Time deadline = clock.now() + timing.first_byte;
+  std::array<std::uint8_t, 256> buffer;
+  while (heard.size() < kMostBytes) {
+    const auto count = stream.read_some(buffer, std::min(deadline, end));
+    if (!count && count.error().code == Errc::Timeout) break;
+    if (!count) return tl::unexpected(count.error());
+    heard.insert(heard.end(), buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(*count));
+    deadline = clock.now() + timing.quiet;
+    if (clock.now() >= end) break;
+  }
+  return heard;
+}
+
+}  // namespace
+
+Result<io7::ProbeReport> run_probe(ByteStream& stream, Clock& clock, const ProbeTiming& timing) {
+  // What lies there from an earlier session is no answer to anything.
+  if (auto stale = listen(stream, clock, {timing.quiet, timing.quiet, timing.longest}); !stale) {
+    return tl::unexpected(std::move(stale.error()));
+  }
+  io7::Probe probe;
+  while (!probe.done()) {
+    if (auto sent = stream.write_all(probe.step().send, clock.now() + timing.longest); !sent) {
+      return tl::unexpected(std::move(sent.error()));
+    }
+    auto heard = listen(stream, clock, timing);
+    if (!heard) return tl::unexpected(std::move(heard.error()));
+    probe.answer(*heard);
+  }
+  return probe.report();
+}
+
+}  // namespace eyebridge::bridges

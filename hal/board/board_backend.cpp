@@ -1,0 +1,125 @@
+#include "board/board_backend.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <pthread.h>
+
+#include "board/make_controller.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Time kPeriod = 10ms;
+constexpr Time kTracePeriod = 100ms;
+
+template <class Device>
+Device* find(std::map<int, Device>& devices, int id) {
+  const auto found = devices.find(id);
+  return found == devices.end() ? nullptr : &found->second;
+}
+
+bool is_reversed(int id, const BoardDriveShape& shape) {
+  return (id == 1 && shape.left_reversed) || (id == 2 && shape.right_reversed);
+}
+
+}  // namespace
+
+BoardBackend::BoardBackend(std::unique_ptr<Clock> line_clock, std::unique_ptr<BoardLink> link,
+                           const BoardTables& tables)
+    : line_clock_(std::move(line_clock)),
+      link_(std::move(link)),
+      controller_(make_controller(*link_, *line_clock_, tables.drive)),
+      lidar_(*link_),
+      generation_(link_->generation()) {
+  if (controller_) drive_.emplace(*link_, *controller_);
+  for (const BoardPsdTable& psd : tables.psds) {
+    if (link_->has_psd(psd.id)) range_sensors_.try_emplace(psd.id, *link_, psd);
+  }
+  for (const BoardMotorTable& motor : tables.motors) {
+    if (!link_->has_motor(motor.id)) continue;
+    motors_.try_emplace(motor.id, *link_, motor, is_reversed(motor.id, tables.drive),
+                        controller_.get());
+  }
+  for (const int id : tables.encoders) {
+    if (link_->has_encoder(id)) {
+      encoders_.try_emplace(id, *link_, id, is_reversed(id, tables.drive));
+    }
+  }
+  for (const BoardServoTable& servo : tables.servos) {
+    if (link_->has_servo(servo.id)) servos_.try_emplace(servo.id, *link_, servo);
+  }
+}
+
+BoardBackend::~BoardBackend() {
+  ending_ = true;
+  if (thread_.joinable()) thread_.join();
+  stop();
+}
+
+void BoardBackend::start() {
+  thread_ = std::thread([this] { run(); });
+  // By this name robios knows that it is none of the program's own threads.
+  pthread_setname_np(thread_.native_handle(), "eb:board");
+}
+
+void BoardBackend::run() {
+  Time due = line_clock_->now();
+  while (!ending_) {
+    step();
+    // A step that took long is not made up for.
+    due = std::max(due + kPeriod, line_clock_->now());
+    line_clock_->wait_until(due);
+  }
+}
+
+void BoardBackend::step() {
+  link_->look_after();
+  if (link_->generation() != generation_) {
+    generation_ = link_->generation();
+    if (controller_) controller_->restarted();
+  }
+  if (controller_) controller_->step();
+  trace();
+}
+
+void BoardBackend::trace() {
+  const std::lock_guard lock(tracing_);
+  const Time now = clock_.now();
+  if (sink_ == nullptr || now < next_point_ || !drive_) return;
+  next_point_ = now + kTracePeriod;
+  const auto pose = drive_->odometry();
+  const auto twist = drive_->measured_twist();
+  if (!pose || !twist) return;
+  ranges_.clear();
+  for (auto& [id, sensor] : range_sensors_) {
+    const auto range = sensor.read();
+    if (!range) return;
+    ranges_.push_back(*range);
+  }
+  sink_->point({now, *pose, *twist, *pose, ranges_});
+}
+
+void BoardBackend::trace_to(TraceSink* sink) {
+  const std::lock_guard lock(tracing_);
+  sink_ = sink;
+}
+
+RangeSensor* BoardBackend::range_sensor(int id) { return find(range_sensors_, id); }
+Motor* BoardBackend::motor(int id) { return find(motors_, id); }
+Encoder* BoardBackend::encoder(int id) { return find(encoders_, id); }
+Servo* BoardBackend::servo(int id) { return find(servos_, id); }
+
+void BoardBackend::stop() noexcept {
+  // Before the motors: a controller that is at work would start them again.
+  try {
+    if (controller_) controller_->release();
+  } catch (const std::exception&) {
+    // A lock that fails; the motors are stopped all the same.
+  }
+  link_->stop();
+}
+
+}  // namespace eyebridge::hal

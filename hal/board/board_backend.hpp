@@ -1,0 +1,81 @@
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "board/board_drive.hpp"
+#include "board/board_lidar.hpp"
+#include "board/board_link.hpp"
+#include "board/board_motor.hpp"
+#include "board/board_range_sensor.hpp"
+#include "board/board_servo.hpp"
+#include "board/board_tables.hpp"
+#include "eyebridge/bridges/monotonic_clock.hpp"
+#include "eyebridge/hal/backend.hpp"
+
+namespace eyebridge::hal {
+
+/// One robot that is a real board. No world, no camera view, no compass, no switches: null.
+class BoardBackend final : public Backend {
+ public:
+  /// `line_clock` is the one that `link` lives in. Of `tables`, the devices that the board has.
+  BoardBackend(std::unique_ptr<Clock> line_clock, std::unique_ptr<BoardLink> link,
+               const BoardTables& tables);
+  /// Stops the motors.
+  ~BoardBackend() override;
+
+  /// Starts the thread "eb:board", which calls step() every 10 ms.
+  void start();
+  /// What has to be done every 10 ms: looking after the link, v-omega on the host, the trace.
+  void step();
+
+  Clock& clock() override { return clock_; }
+  [[nodiscard]] int robot_id() const override { return 1; }
+  Drive* drive() override { return drive_ ? &*drive_ : nullptr; }
+  RangeSensor* range_sensor(int id) override;
+  SwitchSensor* proximity(int) override { return nullptr; }
+  SwitchSensor* bumper(int) override { return nullptr; }
+  Lidar* lidar() override { return link_->has_lidar() ? &lidar_ : nullptr; }
+  Compass* compass() override { return nullptr; }
+  Motor* motor(int id) override;
+  Encoder* encoder(int id) override;
+  Servo* servo(int id) override;
+  WorldControl* world() override { return nullptr; }
+  camera::View* camera_view() override { return nullptr; }
+  /// A point every 100 ms: each costs readings that the program does not get. Points that cannot be
+  /// read are left out.
+  void trace_to(TraceSink* sink) override;
+  void stop() noexcept override;
+
+  [[nodiscard]] BoardLink& link() { return *link_; }
+
+ private:
+  void run();
+  void trace();
+
+  const std::unique_ptr<Clock> line_clock_;
+  const std::unique_ptr<BoardLink> link_;
+  bridges::MonotonicClock clock_;  ///< The program's: 0 when the board is ready.
+  std::unique_ptr<DriveController> controller_;
+  std::optional<BoardDrive> drive_;
+  BoardLidar lidar_;
+  std::map<int, BoardRangeSensor> range_sensors_;
+  std::map<int, BoardMotor> motors_;
+  std::map<int, BoardEncoder> encoders_;
+  std::map<int, BoardServo> servos_;
+
+  std::uint32_t generation_ = 0;  // only step()'s
+  Time next_point_{0};
+  std::vector<double> ranges_;
+  std::mutex tracing_;
+  TraceSink* sink_ = nullptr;
+  std::atomic<bool> ending_ = false;
+  std::thread thread_;
+};
+
+}  // namespace eyebridge::hal

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "board/board_tables.hpp"
+#include "board/drive_controller.hpp"
+#include "eyebridge/base/result.hpp"
+#include "eyebridge/hal/lidar.hpp"
+
+namespace eyebridge::hal {
+
+/// A scan as a board gives it.
+struct BoardScan {
+  LidarShape shape;
+  std::vector<double> ranges;  ///< Metres, left-most first; kBoardOutOfRange where nothing is seen.
+};
+
+/// A board, whatever line and protocol it is behind. Numbers are the board's: see board_units.hpp.
+///
+/// Every call fails with Timeout or Disconnected while the board cannot be reached, Unsupported
+/// where it has no such thing. Any thread.
+class BoardLink {
+ public:
+  virtual ~BoardLink() = default;
+
+  // What there is; settled when the link is opened.
+  [[nodiscard]] virtual bool has_motor(int id) const = 0;
+  [[nodiscard]] virtual bool has_encoder(int id) const = 0;
+  [[nodiscard]] virtual bool has_servo(int id) const = 0;
+  [[nodiscard]] virtual bool has_psd(int id) const = 0;
+  /// May become true later: when a first scan is announced.
+  [[nodiscard]] virtual bool has_lidar() const { return false; }
+
+  virtual Result<void> motor_duty(int id, int percent) = 0;
+  virtual Result<void> motor_speed(int id, int ticks_per_10ms) = 0;
+  virtual Result<void> motor_pid(int id, int p, int i, int d) = 0;
+  /// Ticks since the link was opened, also across a restart of the board; wraps as 32 bits do.
+  virtual Result<std::int32_t> encoder(int id) = 0;
+  virtual Result<void> servo(int id, int position) = 0;
+  /// 0 … 4095.
+  virtual Result<int> psd_raw(int id) = 0;
+  /// Metres by the board's own table. Unsupported when it has none.
+  virtual Result<double> psd_metres(int id) = 0;
+  virtual Result<void> scan(BoardScan& out);
+
+  /// What drives the wheels if the board can itself; null when the host has to. Lent: the link must
+  /// outlive it.
+  virtual std::unique_ptr<DriveController> make_drive(const BoardDriveShape& shape) = 0;
+
+  /// All motors stand, as far as the board can be reached. Never throws.
+  virtual void stop() noexcept = 0;
+  /// To be called every 10 ms by one thread: keeps the link alive and finds lost boards again.
+  virtual void look_after() = 0;
+  /// Grows whenever the board forgot what it was told, or stands where it was driving.
+  [[nodiscard]] virtual std::uint32_t generation() const = 0;
+};
+
+}  // namespace eyebridge::hal

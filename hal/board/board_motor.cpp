@@ -1,0 +1,53 @@
+#include "board/board_motor.hpp"
+
+#include "board/board_units.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+constexpr const char* kName = "motor";
+
+bool is_gain(int gain) { return gain >= 0 && gain <= 255; }
+
+}  // namespace
+
+Result<void> BoardMotor::set_duty(double duty) {
+  return require(duty >= -1.0 && duty <= 1.0, kName, duty, "a duty of -1 … 1").and_then([&] {
+    if (drive_ != nullptr) drive_->release();
+    return link_.motor_duty(id_, to_percent(table_, reversed_ ? -duty : duty));
+  });
+}
+
+Result<void> BoardMotor::set_speed(double ticks_per_second) {
+  return require(std::isfinite(ticks_per_second), kName, ticks_per_second, "a finite speed")
+      .and_then([&] {
+        if (drive_ != nullptr) drive_->release();
+        return link_.motor_speed(
+            id_, to_ticks_per_10ms(reversed_ ? -ticks_per_second : ticks_per_second));
+      });
+}
+
+Result<void> BoardMotor::set_pid(int p, int i, int d) {
+  for (const int gain : {p, i, d}) {
+    if (!is_gain(gain)) return require(false, kName, gain, "gains of 0 … 255");
+  }
+  return link_.motor_pid(id_, p, i, d);
+}
+
+Result<int> BoardEncoder::read() {
+  return link_.encoder(id_).map([this](std::int32_t ticks) {
+    const auto counted = static_cast<std::uint32_t>(ticks);
+    const std::lock_guard lock(mutex_);
+    return static_cast<int>(static_cast<std::int32_t>((reversed_ ? 0 - counted : counted) - zero_));
+  });
+}
+
+Result<void> BoardEncoder::reset() {
+  return link_.encoder(id_).map([this](std::int32_t ticks) {
+    const auto counted = static_cast<std::uint32_t>(ticks);
+    const std::lock_guard lock(mutex_);
+    zero_ = reversed_ ? 0 - counted : counted;
+  });
+}
+
+}  // namespace eyebridge::hal

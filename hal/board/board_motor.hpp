@@ -1,0 +1,42 @@
+#pragma once
+
+#include <mutex>
+
+#include "board/board_device.hpp"
+#include "eyebridge/hal/motor.hpp"
+
+namespace eyebridge::hal {
+
+/// One motor of a board.
+class BoardMotor final : public Motor, private BoardDevice {
+ public:
+  /// `drive` may be null; it is told when the motor is used without it.
+  BoardMotor(BoardLink& link, BoardMotorTable table, bool reversed, DriveController* drive)
+      : BoardDevice(link, table.id), table_(std::move(table)), reversed_(reversed), drive_(drive) {}
+
+  Result<void> set_duty(double duty) override;
+  Result<void> set_speed(double ticks_per_second) override;
+  Result<void> set_pid(int p, int i, int d) override;
+
+ private:
+  const BoardMotorTable table_;
+  const bool reversed_;
+  DriveController* const drive_;
+};
+
+/// Its encoder. Resets are the host's: no board has a request for it.
+class BoardEncoder final : public Encoder, private BoardDevice {
+ public:
+  BoardEncoder(BoardLink& link, int id, bool reversed)
+      : BoardDevice(link, id), reversed_(reversed) {}
+
+  Result<int> read() override;
+  Result<void> reset() override;
+
+ private:
+  const bool reversed_;
+  std::mutex mutex_;
+  std::uint32_t zero_ = 0;
+};
+
+}  // namespace eyebridge::hal

@@ -1,0 +1,120 @@
+#include "board/host_controller.hpp"
+
+#include <utility>
+
+namespace eyebridge::hal {
+namespace {
+
+using namespace std::chrono_literals;
+
+// What did not change is repeated: boards have watchdogs, and nothing says that it has arrived.
+constexpr Time kRepeat = 50ms;
+
+HostDriveSettings settings_of(const BoardDriveShape& shape) {
+  HostDriveSettings settings;
+  settings.left_reversed = shape.left_reversed;
+  settings.right_reversed = shape.right_reversed;
+  settings.left_ticks_per_metre = shape.left_ticks_per_metre;
+  settings.right_ticks_per_metre = shape.right_ticks_per_metre;
+  settings.wheel_base = shape.wheel_base;
+  settings.max_linear = shape.max_linear;
+  settings.max_angular = shape.max_angular;
+  return settings;
+}
+
+}  // namespace
+
+HostController::HostController(BoardLink& link, Clock& clock, const BoardDriveShape& shape)
+    : link_(link), clock_(clock), drive_(settings_of(shape)) {}
+
+Result<WheelCounts> HostController::read_counts() {
+  const auto left = link_.encoder(1);
+  if (!left) return tl::unexpected(left.error());
+  const auto right = link_.encoder(2);
+  if (!right) return tl::unexpected(right.error());
+  return WheelCounts{static_cast<std::uint16_t>(*left), static_cast<std::uint16_t>(*right)};
+}
+
+void HostController::step() {
+  const auto counts = read_counts();
+  const Time now = clock_.now();
+  const std::lock_guard sending(sending_);
+  WheelSpeeds speeds;
+  {
+    const std::lock_guard lock(mutex_);
+    trouble_ = counts ? std::nullopt : std::optional(counts.error());
+    if (!counts) return;
+    speeds = drive_.step(*counts, now).value_or(WheelSpeeds{});
+    if (!drive_.engaged()) return;
+  }
+  send(speeds, now);
+}
+
+void HostController::send(const WheelSpeeds& speeds, Time now) {
+  if (sent_ == speeds && now - sent_at_ < kRepeat) return;
+  sent_.reset();
+  if (!link_.motor_speed(1, speeds.left) || !link_.motor_speed(2, speeds.right)) return;
+  sent_ = speeds;
+  sent_at_ = now;
+}
+
+Result<void> HostController::set_speed(const Twist& twist) {
+  const std::lock_guard lock(mutex_);
+  if (trouble_) return tl::unexpected(*trouble_);
+  goal_lost_ = false;
+  drive_.set_speed(twist);
+  return {};
+}
+
+Result<void> HostController::start(const DriveGoal& goal) {
+  const std::lock_guard lock(mutex_);
+  if (trouble_) return tl::unexpected(*trouble_);
+  goal_lost_ = false;
+  drive_.start(goal);
+  return {};
+}
+
+Result<DriveStatus> HostController::status() {
+  const std::lock_guard lock(mutex_);
+  if (trouble_) return tl::unexpected(*trouble_);
+  DriveStatus status = drive_.status();
+  if (goal_lost_) status.progress = DriveProgress::Failed;
+  return status;
+}
+
+Result<Twist> HostController::measured_twist() {
+  const std::lock_guard lock(mutex_);
+  if (trouble_) return tl::unexpected(*trouble_);
+  return drive_.measured_twist();
+}
+
+Result<Pose> HostController::odometry() {
+  const std::lock_guard lock(mutex_);
+  if (trouble_) return tl::unexpected(*trouble_);
+  return drive_.odometry();
+}
+
+Result<void> HostController::set_odometry(const Pose& pose) {
+  const std::lock_guard lock(mutex_);
+  if (trouble_) return tl::unexpected(*trouble_);
+  drive_.set_odometry(pose);
+  return {};
+}
+
+void HostController::release() {
+  const std::lock_guard sending(sending_);
+  const std::lock_guard lock(mutex_);
+  goal_lost_ = false;
+  drive_.release();
+  sent_.reset();
+}
+
+void HostController::restarted() {
+  const std::lock_guard sending(sending_);
+  const std::lock_guard lock(mutex_);
+  goal_lost_ = goal_lost_ || drive_.status().progress == DriveProgress::Driving;
+  drive_.restart();
+  sent_.reset();
+}
+
+}  // namespace eyebridge::hal

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <mutex>
+#include <optional>
+
+#include "board/board_link.hpp"
+#include "board/board_tables.hpp"
+#include "board/drive_controller.hpp"
+#include "board/host_drive.hpp"
+#include "eyebridge/base/clock.hpp"
+
+namespace eyebridge::hal {
+
+/// v-omega for a board that has none of its own: HostDrive over the speeds and encoders of motors 1
+/// (left) and 2 (right), a hundred times a second.
+class HostController final : public DriveController {
+ public:
+  /// `link` and `clock`, the one of its line, must outlive this.
+  HostController(BoardLink& link, Clock& clock, const BoardDriveShape& shape);
+
+  Result<void> set_speed(const Twist& twist) override;
+  Result<void> start(const DriveGoal& goal) override;
+  Result<DriveStatus> status() override;
+  Result<Twist> measured_twist() override;
+  Result<Pose> odometry() override;
+  Result<void> set_odometry(const Pose& pose) override;
+  void release() override;
+  void restarted() override;
+  void step() override;
+
+ private:
+  Result<WheelCounts> read_counts();
+  void send(const WheelSpeeds& speeds, Time now);  // under sending_
+
+  BoardLink& link_;
+  Clock& clock_;
+  std::mutex sending_;  // taken before mutex_: after release() no speed is sent
+  std::mutex mutex_;    // of all below
+  HostDrive drive_;
+  std::optional<Error> trouble_;  ///< Why the encoders could not be read last time.
+  bool goal_lost_ = false;  ///< A restart of the board ended it.
+  std::optional<WheelSpeeds> sent_;
+  Time sent_at_{0};
+};
+
+}  // namespace eyebridge::hal

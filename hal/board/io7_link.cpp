@@ -1,0 +1,151 @@
+#include "board/io7_link.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "board/io7_drive.hpp"
+#include "opcodes.h"
+
+namespace eyebridge::hal {
+namespace {
+
+namespace io7 = bridges::io7;
+using namespace std::chrono_literals;
+
+// At 127 ticks in 10 ms a 16-bit counter needs 2.5 s for half its range.
+constexpr Time kCountPeriod = 250ms;
+constexpr Time kTrustedGap = 1s;  // beyond, nothing can be said of how far a wheel turned
+constexpr double kFastest = 3.0;  // metres per second
+constexpr int kSlack = 64;        // ticks
+constexpr std::string_view kVwLetters = "xXqQyYCZ";
+
+}  // namespace
+
+Io7Link::Io7Link(std::unique_ptr<bridges::Io7Client> client, Clock& clock,
+                 const BoardTables& tables)
+    : client_(std::move(client)),
+      clock_(clock),
+      tables_(tables),
+      letters_(client_->report()->profile.letters) {
+  const io7::Profile profile = client_->report()->profile;
+  vw_letters_ = profile.vw_letters &&
+                std::ranges::all_of(kVwLetters, [&](char letter) { return letters_.has(letter); });
+  fastest_ =
+      kFastest * std::max(tables.drive.left_ticks_per_metre, tables.drive.right_ticks_per_metre);
+  for (int id = IO7_ENCODER_FIRST; id <= IO7_ENCODER_LAST; ++id) {
+    if (has_encoder(id)) (void)encoder(id);  // Counts from here; a failure counts from later.
+  }
+  tell_parameters();
+}
+
+bool Io7Link::has_motor(int id) const {
+  return id >= IO7_MOTOR_FIRST && id <= IO7_MOTOR_LAST && letters_.has(IO7_MOTOR);
+}
+bool Io7Link::has_encoder(int id) const {
+  return id >= IO7_ENCODER_FIRST && id <= IO7_ENCODER_LAST && letters_.has(IO7_ENCODER);
+}
+bool Io7Link::has_servo(int id) const {
+  return id >= IO7_SERVO_FIRST && id <= IO7_SERVO_LAST && letters_.has(IO7_SERVO);
+}
+bool Io7Link::has_psd(int id) const {
+  return id >= IO7_PSD_FIRST && id <= IO7_PSD_LAST && letters_.has(IO7_PSD);
+}
+
+Result<int> Io7Link::ask(const io7::Request& request) {
+  return client_->exchange(request).map([](const io7::Reply& reply) { return reply.values[0]; });
+}
+
+Result<void> Io7Link::tell(const io7::Request& request) {
+  return client_->exchange(request).map([](const io7::Reply&) {});
+}
+
+Result<void> Io7Link::motor_duty(int id, int percent) { return tell(io7::motor(id, percent)); }
+Result<void> Io7Link::motor_speed(int id, int ticks_per_10ms) {
+  return tell(io7::motor_speed(id, ticks_per_10ms));
+}
+Result<void> Io7Link::motor_pid(int id, int p, int i, int d) {
+  {
+    const std::lock_guard lock(parameters_);
+    if (has_motor(id)) gains_[static_cast<std::size_t>(id) - 1] = Gains{p, i, d};
+  }
+  return tell(io7::pid(id, p, i, d));
+}
+Result<void> Io7Link::servo(int id, int position) { return tell(io7::servo(id, position)); }
+Result<int> Io7Link::psd_raw(int id) { return ask(io7::psd(id)); }
+Result<double> Io7Link::psd_metres(int) {
+  return fail(Errc::Unsupported, "an IO7 board gives raw readings only; expected a PSD table");
+}
+
+Result<std::int32_t> Io7Link::encoder(int id) {
+  if (!has_encoder(id)) return fail(Errc::Unsupported, "no encoder " + std::to_string(id));
+  const std::lock_guard lock(counting_);
+  const auto count = plausible_count(id, clock_.now());
+  if (!count) return tl::unexpected(count.error());
+  const std::size_t index = static_cast<std::size_t>(id) - 1;
+  counted_[index] = clock_.now();
+  return counters_[index].feed16(*count, client_->generation());
+}
+
+// Raw replies have no checksum: a flipped bit would be a jump of the robot. What no wheel can have
+// done is asked again, and believed when the board insists.
+Result<std::uint16_t> Io7Link::plausible_count(int id, Time now) {
+  const std::size_t index = static_cast<std::size_t>(id) - 1;
+  const Time gap = now - counted_[index];
+  const int most =
+      gap > kTrustedGap ? 0x10000 : static_cast<int>(fastest_ * to_seconds(gap)) + kSlack;
+  std::optional<int> before;
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    const auto count = ask(io7::encoder(id));
+    if (!count) return tl::unexpected(count.error());
+    const auto bits = static_cast<std::uint16_t>(*count);
+    const bool near = std::abs(counters_[index].step_to(bits, client_->generation())) <= most;
+    const bool insists = before && std::abs(static_cast<std::int16_t>(static_cast<std::uint16_t>(
+                                       bits - static_cast<std::uint16_t>(*before)))) <= kSlack;
+    if (near || insists) return bits;
+    before = *count;
+  }
+  return fail(Errc::Corrupt, "encoder " + std::to_string(id) + ": three counts that do not fit");
+}
+
+std::unique_ptr<DriveController> Io7Link::make_drive(const BoardDriveShape& shape) {
+  if (!vw_letters_) return nullptr;
+  return std::make_unique<Io7Drive>(*client_, shape);
+}
+
+void Io7Link::stop() noexcept {
+  try {
+    if (vw_letters_) (void)tell(io7::request(IO7_VW_SET_SPEED, 0, 0));
+    for (int id = IO7_MOTOR_FIRST; id <= IO7_MOTOR_LAST; ++id) {
+      if (has_motor(id)) (void)motor_duty(id, 0);
+    }
+  } catch (const std::exception&) {
+    // Out of memory for an error's text: the board's own watchdog has to do.
+  }
+}
+
+void Io7Link::tell_parameters() {
+  told_generation_ = client_->generation();
+  for (const BoardServoTable& servo : tables_.servos) {
+    if (servo.lower_10us < 0 || !has_servo(servo.id) || !letters_.has(IO7_SERVO_LIMITS)) continue;
+    if (!tell(io7::servo_limits(servo.id, servo.lower_10us, servo.upper_10us))) return;
+  }
+  const std::lock_guard lock(parameters_);
+  for (std::size_t i = 0; i < gains_.size(); ++i) {
+    if (!gains_[i]) continue;
+    if (!tell(io7::pid(static_cast<int>(i) + 1, gains_[i]->p, gains_[i]->i, gains_[i]->d))) return;
+  }
+}
+
+void Io7Link::look_after() {
+  client_->look_after();
+  if (client_->generation() != told_generation_) tell_parameters();
+  if (clock_.now() < next_count_) return;
+  next_count_ = clock_.now() + kCountPeriod;
+  for (const int id : tables_.encoders) {
+    if (!has_encoder(id)) continue;
+    if (const auto count = encoder(id); !count && count.error().code == Errc::Disconnected) return;
+  }
+}
+
+}  // namespace eyebridge::hal

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "board/board_link.hpp"
+#include "board/tick_counter.hpp"
+#include "eyebridge/base/clock.hpp"
+#include "eyebridge/bridges/client/io7_client.hpp"
+
+namespace eyebridge::hal {
+
+/// A board that speaks IO7, over any line of bytes.
+class Io7Link final : public BoardLink {
+ public:
+  /// `client` is connected; `clock`, the one of its lines, must outlive this. Reads every encoder
+  /// of `tables` once, and tells the servos' limits.
+  Io7Link(std::unique_ptr<bridges::Io7Client> client, Clock& clock, const BoardTables& tables);
+
+  [[nodiscard]] bool has_motor(int id) const override;
+  [[nodiscard]] bool has_encoder(int id) const override;
+  [[nodiscard]] bool has_servo(int id) const override;
+  [[nodiscard]] bool has_psd(int id) const override;
+
+  Result<void> motor_duty(int id, int percent) override;
+  Result<void> motor_speed(int id, int ticks_per_10ms) override;
+  Result<void> motor_pid(int id, int p, int i, int d) override;
+  Result<std::int32_t> encoder(int id) override;
+  Result<void> servo(int id, int position) override;
+  Result<int> psd_raw(int id) override;
+  Result<double> psd_metres(int id) override;
+  /// By the v-omega letters, when the profile allows them and the board lists all of them.
+  std::unique_ptr<DriveController> make_drive(const BoardDriveShape& shape) override;
+  void stop() noexcept override;
+  void look_after() override;
+  [[nodiscard]] std::uint32_t generation() const override { return client_->generation(); }
+
+  /// The bridge below, for statistics.
+  [[nodiscard]] bridges::Io7Client& client() { return *client_; }
+
+ private:
+  static constexpr std::size_t kEncoders = IO7_ENCODER_LAST;
+  struct Gains {
+    int p = 0, i = 0, d = 0;
+  };
+
+  Result<int> ask(const bridges::io7::Request& request);
+  Result<void> tell(const bridges::io7::Request& request);
+  Result<std::uint16_t> plausible_count(int id, Time now);  // under counting_
+  void tell_parameters();
+
+  const std::unique_ptr<bridges::Io7Client> client_;
+  Clock& clock_;
+  const BoardTables tables_;
+  const bridges::io7::LetterSet letters_;
+  bool vw_letters_ = false;
+  double fastest_ = 0;  ///< Ticks per second that no wheel exceeds.
+
+  std::mutex counting_;
+  std::array<TickCounter, kEncoders> counters_;
+  std::array<Time, kEncoders> counted_{};
+  std::mutex parameters_;
+  std::array<std::optional<Gains>, IO7_MOTOR_LAST> gains_;
+  // Only the thread that looks after the link:
+  std::uint32_t told_generation_ = 0;
+  Time next_count_{0};
+};
+
+}  // namespace eyebridge::hal

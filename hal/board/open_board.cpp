@@ -1,0 +1,164 @@
+#include "board/open_board.hpp"
+
+#include <charconv>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "board/board_backend.hpp"
+#include "board/can_link.hpp"
+#include "board/io7_link.hpp"
+#include "eyebridge/base/text.hpp"
+#include "eyebridge/bridges/monotonic_clock.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+using namespace std::chrono_literals;
+
+// A robot tells its version every 5 s, everything else within 100 ms; it is listened to for 400 ms.
+constexpr Time kCanPatience = 3s;
+
+/// Takes the option `key` out of `url`; `otherwise` when it is not there.
+std::string take(BackendUrl& url, std::string_view key, const std::string& otherwise) {
+  const auto found = url.options.find(key);
+  if (found == url.options.end()) return otherwise;
+  std::string value = std::move(found->second);
+  url.options.erase(found);
+  return value;
+}
+
+int take_node(BackendUrl& url, const SourceLocation& where) {
+  const std::string text = take(url, "node", "1");
+  int node = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), node);
+  if (error != std::errc{} || end != text.data() + text.size() || node < EYECAN_NODE_FIRST ||
+      node > EYECAN_NODE_LAST) {
+    throw ConfigError(where,
+                      fmt::format("found {} for 'node', expected the number of a robot, {} … {}",
+                                  in_quotes(text), EYECAN_NODE_FIRST, EYECAN_NODE_LAST));
+  }
+  return node;
+}
+
+bool take_vw_letters(BackendUrl& url, const SourceLocation& where) {
+  const std::string text = take(url, "profile", "io7");
+  if (text != "io7" && text != "io7vw") {
+    throw ConfigError(where,
+                      fmt::format("found {} for 'profile', expected io7, or io7vw for boards "
+                                  "that drive by v-omega letters",
+                                  in_quotes(text)));
+  }
+  return text == "io7vw";
+}
+
+BoardTables take_tables(BackendUrl& url, const BackendContext& context) {
+  const Config& config = context.config;
+  std::string path = take(url, "hdt", "");
+  if (path.empty() && config.is_set("hdt")) path = config.path("hdt").string();
+  if (path.empty()) {
+    context.log.write(Severity::Info,
+                      "no --hdt: the board counts as an S4 with Sharp GP2Y0A21 sensors");
+    return default_board_tables();
+  }
+  std::vector<Warning> warnings;
+  BoardTables tables = read_board_tables(path, warnings);
+  for (const Warning& warning : warnings) context.log.write(Severity::Warning, warning.str());
+  return tables;
+}
+
+/// The value, or what stood in the way as a mistake in the URL.
+template <class T>
+T opened(Result<T> result, const SourceLocation& where) {
+  if (!result) throw ConfigError(where, result.error().what);
+  return std::move(*result);
+}
+
+const SourceLocation& place(const BackendContext& context) {
+  return context.config.value("hal").where;
+}
+
+std::unique_ptr<Backend> io7_board(const BackendContext& context, const BoardTables& tables,
+                                   bool vw_letters, bridges::StreamOpener open,
+                                   std::unique_ptr<Clock> clock) {
+  bridges::Io7Settings settings;
+  settings.vw_letters = vw_letters;
+  auto client =
+      std::make_unique<bridges::Io7Client>(std::move(open), *clock, context.log, settings);
+  if (const auto found = client->connect(); !found) {
+    throw ConfigError(place(context), found.error().what);
+  }
+  auto link = std::make_unique<Io7Link>(std::move(client), *clock, tables);
+  auto backend = std::make_unique<BoardBackend>(std::move(clock), std::move(link), tables);
+  backend->start();
+  return backend;
+}
+
+std::unique_ptr<Backend> can_board(const BackendContext& context, BoardTables tables, int node,
+                                   std::unique_ptr<bridges::CanBus> bus,
+                                   std::unique_ptr<Clock> clock) {
+  auto client = std::make_unique<bridges::CanClient>(std::move(bus), node, *clock, context.log);
+  client->start();
+  if (const auto ready = client->wait_ready(kCanPatience); !ready) {
+    throw ConfigError(place(context), ready.error().what +
+                                          "; expected that it is switched on, and the same bit "
+                                          "rate and terminations at all nodes");
+  }
+  auto link = std::make_unique<CanLink>(std::move(client));
+  auto backend = std::make_unique<BoardBackend>(std::move(clock), std::move(link), tables);
+  backend->start();
+  return backend;
+}
+
+/// On CAN the robot itself turns readings into ranges, unless an HDT file says how.
+BoardTables can_tables(BackendUrl& url, const BackendContext& context) {
+  const bool said = url.options.contains("hdt") || context.config.is_set("hdt");
+  BoardTables tables = take_tables(url, context);
+  if (said) return tables;
+  for (BoardPsdTable& psd : tables.psds) psd.metres.clear();
+  return tables;
+}
+
+}  // namespace
+
+std::unique_ptr<Backend> open_io7_board(
+    const BackendUrl& url, const BackendContext& context,
+    std::function<Result<std::unique_ptr<bridges::ByteStream>>()> open,
+    std::unique_ptr<Clock> clock) {
+  BackendUrl rest = url;
+  const bool vw_letters = take_vw_letters(rest, place(context));
+  const BoardTables tables = take_tables(rest, context);
+  return io7_board(context, tables, vw_letters, std::move(open), std::move(clock));
+}
+
+std::unique_ptr<Backend> open_io7_board(const BackendUrl& url, const BackendContext& context) {
+  BackendUrl line = url;
+  const SourceLocation& where = place(context);
+  const bool vw_letters = take_vw_letters(line, where);
+  const BoardTables tables = take_tables(line, context);
+  auto clock = std::make_unique<bridges::MonotonicClock>();
+  Clock& time = *clock;
+  // What is wrong with the URL is thrown by the first call.
+  auto open = [line, where, &time] { return bridges::open_stream(line, where, time); };
+  return io7_board(context, tables, vw_letters, std::move(open), std::move(clock));
+}
+
+std::unique_ptr<Backend> open_can_board(const BackendUrl& url, const BackendContext& context,
+                                        std::unique_ptr<bridges::CanBus> bus,
+                                        std::unique_ptr<Clock> clock) {
+  BackendUrl rest = url;
+  const int node = take_node(rest, place(context));
+  return can_board(context, can_tables(rest, context), node, std::move(bus), std::move(clock));
+}
+
+std::unique_ptr<Backend> open_can_board(const BackendUrl& url, const BackendContext& context) {
+  BackendUrl line = url;
+  const SourceLocation& where = place(context);
+  const int node = take_node(line, where);
+  const BoardTables tables = can_tables(line, context);
+  auto clock = std::make_unique<bridges::MonotonicClock>();
+  auto bus = opened(bridges::open_bus(line, where, *clock), where);
+  return can_board(context, tables, node, std::move(bus), std::move(clock));
+}
+
+}  // namespace eyebridge::hal

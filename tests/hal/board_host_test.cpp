@@ -1,0 +1,95 @@
+// v-omega on the host, over a board that has only motors and encoders.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "board_peer.hpp"
+#include "eyebridge/base/units.hpp"
+
+namespace eyebridge::hal::testing {
+namespace {
+
+class BoardHost : public ::testing::Test, protected BoardPeer {
+ protected:
+  void SetUp() override {
+    backend = make_backend(default_board_tables());
+    ASSERT_NE(backend, nullptr);
+    ASSERT_NE(backend->drive(), nullptr);
+    turn(100ms);
+  }
+  /// `span` passes, and the wheels turn as they were told last.
+  void turn(Time span) {
+    for (const Time end = clock.now() + span; clock.now() < end;) {
+      const Time start = clock.now();
+      backend->step();
+      clock.wait_until(start + 10ms);
+      for (const int id : {1, 2}) encoder[id] += motor[id];
+    }
+  }
+  DriveStatus finish() {
+    for (int i = 0; i < 1000; ++i) {
+      turn(10ms);
+      const auto status = backend->drive()->status();
+      if (!status || status->progress != DriveProgress::Driving) break;
+    }
+    turn(200ms);
+    return backend->drive()->status().value();
+  }
+
+  std::unique_ptr<BoardBackend> backend;
+};
+
+TEST_F(BoardHost, DrivesAsFarAsItIsTold) {
+  ASSERT_TRUE(backend->drive()->start({0.3, 0.0, 0.3}));
+  EXPECT_EQ(finish().progress, DriveProgress::Done);
+  EXPECT_NEAR(backend->drive()->odometry().value().x, 0.3, 2e-3);
+  EXPECT_NEAR(backend->encoder(1)->read().value(), 0.3 * 6484, 15);
+  EXPECT_EQ(motor[1], 0);
+  EXPECT_EQ(motor[2], 0);
+}
+
+TEST_F(BoardHost, TurnsAsFarAsItIsTold) {
+  ASSERT_TRUE(backend->drive()->start({0.0, kPi / 2, 1.0}));
+  EXPECT_EQ(finish().progress, DriveProgress::Done);
+  EXPECT_NEAR(backend->drive()->odometry().value().theta, kPi / 2, 0.02);
+}
+
+TEST_F(BoardHost, AMotorThatIsUsedAloneIsNotDrivenAnyMore) {
+  ASSERT_TRUE(backend->drive()->set_speed({0.3, 0.0}));
+  turn(500ms);
+  EXPECT_GT(motor[1], 0);
+  ASSERT_TRUE(backend->motor(1)->set_duty(0.0));
+  ASSERT_TRUE(backend->motor(2)->set_duty(0.0));
+  told.clear();
+  turn(200ms);
+  EXPECT_EQ(told.find('M'), std::string::npos) << told;
+}
+
+TEST_F(BoardHost, StopEndsTheDriveToo) {
+  ASSERT_TRUE(backend->drive()->set_speed({0.3, 0.0}));
+  turn(500ms);
+  backend->stop();
+  turn(200ms);
+  EXPECT_EQ(motor[1], 0);
+  EXPECT_EQ(motor[2], 0);
+}
+
+TEST_F(BoardHost, ABoardThatWasUnpluggedStandsWhenItIsBackAndItsGoalHasFailed) {
+  ASSERT_TRUE(backend->drive()->start({2.0, 0.0, 0.3}));
+  turn(500ms);
+  line->gone = true;
+  turn(100ms);
+  EXPECT_EQ(backend->drive()->status().error().code, Errc::Disconnected);
+  EXPECT_EQ(backend->drive()->set_speed({0.1, 0.0}).error().code, Errc::Disconnected);
+  motor = {};
+  encoder = {};
+  plug_in();
+  turn(3s);
+  EXPECT_EQ(backend->drive()->status().value().progress, DriveProgress::Failed);
+  EXPECT_EQ(motor[1], 0);
+  ASSERT_TRUE(backend->drive()->set_speed({0.1, 0.0}));
+  turn(500ms);
+  EXPECT_GT(motor[1], 0);
+}
+
+}  // namespace
+}  // namespace eyebridge::hal::testing
