@@ -57,6 +57,33 @@ class Arrows(Tree):
     def test_camera_does_not_know_the_hal(self):
         self.expect_include("camera/src/a.cpp", "eyebridge/hal/config.hpp", allowed=False)
 
+    def test_the_firmware_sees_of_the_bridges_only_the_opcodes(self):
+        self.write("bridges/protocol/opcodes.h")
+        self.expect_include("firmware-stubs/board/src/a.c", "opcodes.h", allowed=True)
+
+    def test_the_firmware_has_no_codec_of_the_bridges(self):
+        self.write("bridges/protocol/io7/src/text.hpp")
+        self.expect_include("firmware-stubs/board/src/a.c", "text.hpp", allowed=False)
+
+    def test_the_firmware_does_not_know_its_ports(self):
+        self.expect_include("firmware-stubs/board/src/a.c", "eyebridge/ports/port.hpp", allowed=False)
+
+    def test_ports_know_the_board(self):
+        self.write("firmware-stubs/board/include/eb_board.h")
+        self.expect_include("firmware-stubs/ports/src/a.cpp", "eb_board.h", allowed=True)
+
+    def test_ports_do_not_use_the_bridges(self):
+        self.expect_include("firmware-stubs/ports/src/a.cpp", "eyebridge/bridges/tcp.hpp", allowed=False)
+
+    def test_ports_know_no_world(self):
+        self.expect_include("firmware-stubs/ports/src/a.cpp", "eyebridge/robot/simulation.hpp", allowed=False)
+
+    def test_pins_know_the_world(self):
+        self.expect_include("firmware-stubs/pins/src/a.cpp", "eyebridge/robot/simulation.hpp", allowed=True)
+
+    def test_the_bridges_know_no_firmware(self):
+        self.expect_include("bridges/transport/src/a.cpp", "eyebridge/ports/port.hpp", allowed=False)
+
     def test_nobody_includes_the_gui(self):
         self.expect_include("robios/src/a.cpp", "eyebridge/gui/window.hpp", allowed=False)
 

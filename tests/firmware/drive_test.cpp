@@ -49,7 +49,8 @@ void PrintTo(const Case& move, std::ostream* out) { *out << move.name; }
 class Moves : public testing::TestWithParam<std::tuple<Case, double>> {};
 
 TEST_P(Moves, EndWhereTheyShould) {
-  const auto& [goal, lag] = GetParam();
+  const Case& goal = std::get<0>(GetParam());
+  const double lag = std::get<1>(GetParam());
   Drive drive(config_with([&](eb_config& c) { c.drive.motor_lag = static_cast<float>(lag); }),
               Plant{.lag = lag});
   ASSERT_TRUE(drive.move(goal.distance, goal.angle, goal.speed));

@@ -11,8 +11,6 @@
 namespace eyebridge::firmware {
 namespace {
 
-using std::string_literals::operator""s;
-
 struct Form {
   const char* name;
   bool binary, verbose, lsb_first;
@@ -112,8 +110,9 @@ TEST_P(Io7Letters, ReadingsComeFromThePins) {
     EXPECT_EQ(host.ask(request('e', {i + 1})), reply({(65536 - i) % 65536}));
   }
   EXPECT_EQ(host.ask(request('V')), reply({740}));
-  EXPECT_EQ(host.ask(request('v')),
-            "1.04" + (GetParam().verbose ? "\r\n"s + GetParam().prompt : ""s));
+  EXPECT_EQ(
+      host.ask(request('v')),
+      "1.04" + (GetParam().verbose ? std::string("\r\n") + GetParam().prompt : std::string()));
 }
 
 TEST_P(Io7Letters, PortsReadTheirLevelsAndPullUps) {
@@ -201,7 +200,7 @@ TEST_P(Io7Letters, OutputModeSwitchesBetweenTextAndBytes) {
   host.ask(request('O', {0}));
   EXPECT_EQ(host.ask(request('V')), two(740));
   host.ask(request('O', {1}));
-  EXPECT_EQ(host.ask(request('V')), "740\r\n"s + GetParam().prompt);
+  EXPECT_EQ(host.ask(request('V')), std::string("740\r\n") + GetParam().prompt);
 }
 
 TEST_P(Io7Letters, TheDemoDrives) {

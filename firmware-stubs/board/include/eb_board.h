@@ -61,6 +61,7 @@ void eb_board_can_lost(struct eb_board* board);
 bool eb_board_lidar(struct eb_board* board, const struct eb_scan* scan);
 
 /* For the parts of the board. */
+#define EB_DEMO_DUTY 3000
 void eb_board_run(struct eb_board* board, const struct eb_request* request);
 void eb_board_stop_motors(struct eb_board* board);
 void eb_board_servo(struct eb_board* board, int index, uint8_t position);

@@ -13,7 +13,7 @@ extern "C" {
 
 #define EB_MEASURED_PERIODS 5
 
-/* Where the last command stands: the numbers are EYECAN_MOVE_... */
+/* Distance or angle of a move. */
 struct eb_goal_part {
   bool open;  /* not there yet */
   float left; /* what remains, signed: metres or radians */
@@ -31,8 +31,8 @@ struct eb_drive {
   float turn_per_tick;             /* 2^-32 of a turn */
   float decay;                     /* what is left of a difference in speed after a period */
 
-  bool active; /* v-omega control has the motors */
-  uint8_t move_state;
+  bool active;                         /* v-omega control has the motors */
+  uint8_t move_state;                  /* EYECAN_MOVE_... */
   float linear, angular;               /* commanded in the last period */
   float target_linear, target_angular; /* of speed mode */
   float linear_top, angular_top;       /* of the running move */

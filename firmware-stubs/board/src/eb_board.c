@@ -8,7 +8,6 @@
 #define PERIOD_US 10000U
 #define DEMO_STRAIGHT_US 1500000U
 #define DEMO_TURN_US 2500000U
-#define DEMO_DUTY 3000
 
 static const struct eb_config default_config = {
     {false, false, false, false, false, "", "\r\n", "1.04", 0},
@@ -105,8 +104,8 @@ static void demo(struct eb_board* board, uint32_t elapsed_us) {
     return;
   }
   if (turning || board->demo_us < DEMO_STRAIGHT_US) return;
-  eb_motors_set_duty(&board->motors, 0, -DEMO_DUTY);
-  eb_motors_set_duty(&board->motors, 1, DEMO_DUTY);
+  eb_motors_set_duty(&board->motors, 0, -EB_DEMO_DUTY);
+  eb_motors_set_duty(&board->motors, 1, EB_DEMO_DUTY);
   eb_motors_apply(&board->motors, &board->pins);
 }
 

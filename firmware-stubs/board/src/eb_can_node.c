@@ -215,9 +215,8 @@ static void command(struct eb_board* board, int function, const int32_t* v) {
 }
 
 /* Another node answers to our number. */
-static void meet_twin(struct eb_board* board, uint16_t id) {
+static void meet_twin(struct eb_board *board) {
   struct eb_node* node = &board->node;
-  (void)id;
   node->twin_us = 0;
   node->faults |= EB_FAULT_DUPLICATE_NODE;
   if (node->state == EYECAN_STATE_OPERATIONAL) leave_operation(board, EYECAN_STATE_STANDBY);
@@ -246,7 +245,7 @@ void eb_board_can_receive(struct eb_board* board, const struct eb_can_frame* fra
     return;
   }
   if (to == node->id && from_robot(function)) {
-    meet_twin(board, frame->id);
+    meet_twin(board);
     return;
   }
   if (to != node->id && to != EYECAN_NODE_ALL) return;

@@ -2,7 +2,6 @@
 #include "eb_math.h"
 #include "opcodes.h"
 
-#define DEMO_DUTY 3000
 #define DEGREE 0.017453292519943295F
 
 static void one(struct eb_board* board, int32_t value, int width) {
@@ -27,8 +26,8 @@ static void start_demo(struct eb_board* board) {
   board->owner = EB_OWNER_DEMO;
   board->demo_us = 0;
   ++board->demos;
-  eb_motors_set_duty(&board->motors, 0, DEMO_DUTY);
-  eb_motors_set_duty(&board->motors, 1, DEMO_DUTY);
+  eb_motors_set_duty(&board->motors, 0, EB_DEMO_DUTY);
+  eb_motors_set_duty(&board->motors, 1, EB_DEMO_DUTY);
   eb_motors_apply(&board->motors, &board->pins);
   eb_io7_say(&board->io7, "demo");
 }

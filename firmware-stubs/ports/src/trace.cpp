@@ -1,7 +1,6 @@
 #include "eyebridge/ports/trace.hpp"
 
 #include <chrono>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -34,7 +33,7 @@ std::string frame_line(Time time, const std::string& name, const eb_can_frame& f
 
 }  // namespace
 
-ByteLine traced(ByteLine line, TraceSink sink, Now now) {
+ByteLine traced(const ByteLine& line, const TraceSink& sink, const Now& now) {
   ByteLine out;
   out.receive = [line, sink, now](std::span<const std::uint8_t> bytes) {
     sink(fmt::format("{} < {}", microseconds(now()), hex_of(bytes)));
@@ -52,7 +51,8 @@ ByteLine traced(ByteLine line, TraceSink sink, Now now) {
   return out;
 }
 
-FrameLine traced(FrameLine line, const std::string& name, TraceSink sink, Now now) {
+FrameLine traced(const FrameLine& line, const std::string& name, const TraceSink& sink,
+                 const Now& now) {
   FrameLine out;
   out.receive = [=](const eb_can_frame& frame) {
     sink(frame_line(now(), name, frame, 'R'));

@@ -15,8 +15,9 @@ using Now = std::function<Time()>;
 
 /// `line`, telling `sink` what passes, in the form that the bridge's traces have: microseconds, '<'
 /// for what the board received or '>' for what it sent, hex digits.
-ByteLine traced(ByteLine line, TraceSink sink, Now now);
+ByteLine traced(const ByteLine& line, const TraceSink& sink, const Now& now);
 /// The same for frames, as `candump -L` has them: (seconds) name id#data, R or T.
-FrameLine traced(FrameLine line, const std::string& name, TraceSink sink, Now now);
+FrameLine traced(const FrameLine& line, const std::string& name, const TraceSink& sink,
+                 const Now& now);
 
 }  // namespace eyebridge::ports
