@@ -94,8 +94,8 @@ std::unique_ptr<Backend> io7_board(const BackendContext& context, const BoardTab
   return backend;
 }
 
-std::unique_ptr<Backend> can_board(const BackendContext& context, BoardTables tables, int node,
-                                   std::unique_ptr<bridges::CanBus> bus,
+std::unique_ptr<Backend> can_board(const BackendContext& context, const BoardTables& tables,
+                                   int node, std::unique_ptr<bridges::CanBus> bus,
                                    std::unique_ptr<Clock> clock) {
   auto client = std::make_unique<bridges::CanClient>(std::move(bus), node, *clock, context.log);
   client->start();

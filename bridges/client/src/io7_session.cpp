@@ -147,7 +147,7 @@ Result<void> Io7Session::resync() {
     const auto late = drain_until_quiet();
     if (!late) return tl::unexpected(late.error());
     statistics_.stray += *late;
-    const auto woken = stream_->write_all(wake_up, clock_.now() + settings_.resync_timeout);
+    auto woken = stream_->write_all(wake_up, clock_.now() + settings_.resync_timeout);
     if (!woken && is_lost(woken.error())) return woken;
     if (auto prompt = drain_until_quiet(); !prompt) return tl::unexpected(prompt.error());
     const auto reply = ask(version, *bytes, settings_.resync_timeout);

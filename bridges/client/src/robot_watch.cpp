@@ -14,6 +14,9 @@ constexpr int kTooMany = 34;
 constexpr unsigned kRecentSteps = 0x3FF;
 constexpr int kTooOftenBack = 3;  // of the recent steps; one is a restart
 
+constexpr const char* kTwice =
+    "two robots have this number; expected one, and a start of the program after that";
+
 const char* name_of(std::uint8_t state) {
   switch (state) {
     case EYECAN_STATE_BOOT:
@@ -86,9 +89,7 @@ void RobotWatch::uptime(std::uint32_t ds, Time now) {
   }
   if (phase_ == Phase::Twice || phase_ == Phase::Unheard) return;
   if (crowded || std::popcount(steps_back_) >= kTooOftenBack) {
-    return enter(Phase::Twice, Errc::Corrupt,
-                 "two robots have this number; expected one, and a start of the program after "
-                 "that");
+    return enter(Phase::Twice, Errc::Corrupt, kTwice);
   }
   if (back && phase_ == Phase::Ready) {
     enable_from_ = now;
@@ -97,6 +98,11 @@ void RobotWatch::uptime(std::uint32_t ds, Time now) {
 }
 
 void RobotWatch::fault(std::uint16_t code) {
+#ifdef EYECAN_FAULT_DUPLICATE_NODE
+  if (code == EYECAN_FAULT_DUPLICATE_NODE && phase_ != Phase::Twice) {
+    return enter(Phase::Twice, Errc::Corrupt, kTwice);
+  }
+#endif
   if (code != EYECAN_FAULT_ESTOP || phase_ == Phase::Twice || phase_ == Phase::EmergencyStopped) {
     return;
   }
