@@ -1,18 +1,13 @@
 // From an HDT file to what the devices need.
-#include "board/board_tables.hpp"
-#include "eyebridge/base/config_error.hpp"
-
-#if __has_include("eyebridge/files/hdt.hpp")
 #include <fstream>
 #include <sstream>
 
+#include "board/board_tables.hpp"
+#include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/files/hdt.hpp"
-#endif
 
 namespace eyebridge::hal {
-
-#if __has_include("eyebridge/files/hdt.hpp")
 
 namespace {
 
@@ -69,13 +64,5 @@ BoardTables read_board_tables(const std::string& path, std::vector<Warning>& war
   }
   return tables;
 }
-
-#else
-
-BoardTables read_board_tables(const std::string& path, std::vector<Warning>&) {
-  throw ConfigError({path}, "this build has no reader of HDT files");
-}
-
-#endif
 
 }  // namespace eyebridge::hal

@@ -98,11 +98,9 @@ void RobotWatch::uptime(std::uint32_t ds, Time now) {
 }
 
 void RobotWatch::fault(std::uint16_t code) {
-#ifdef EYECAN_FAULT_DUPLICATE_NODE
   if (code == EYECAN_FAULT_DUPLICATE_NODE && phase_ != Phase::Twice) {
     return enter(Phase::Twice, Errc::Corrupt, kTwice);
   }
-#endif
   if (code != EYECAN_FAULT_ESTOP || phase_ == Phase::Twice || phase_ == Phase::EmergencyStopped) {
     return;
   }

@@ -165,13 +165,11 @@ TEST_F(CanLoss, TwoRobotsThatWereSwitchedOnTogetherAreFoundOutToo) {
   clock.live = {};
 }
 
-#ifdef EYECAN_FAULT_DUPLICATE_NODE
 TEST_F(CanLoss, ARobotThatHearsItsTwinIsBelieved) {
   robot.send(0x08, {0x50, 0x81, 0x10, 0, 0, 0, 0, 0});
   live(10ms);
   EXPECT_EQ(client->phase(), Phase::Twice);
 }
-#endif
 
 TEST_F(CanLoss, FaultsAreReportedInWords) {
   robot.send(0x08, {0x20, 0x31, 5, 0, 0, 0, 0, 0});
