@@ -38,7 +38,7 @@ class HostController final : public DriveController {
   std::mutex mutex_;    // of all below
   HostDrive drive_;
   std::optional<Error> trouble_;  ///< Why the encoders could not be read last time.
-  bool goal_lost_ = false;  ///< A restart of the board ended it.
+  bool goal_lost_ = false;        ///< A restart of the board ended it.
   std::optional<WheelSpeeds> sent_;
   Time sent_at_{0};
 };

@@ -215,7 +215,7 @@ static void command(struct eb_board* board, int function, const int32_t* v) {
 }
 
 /* Another node answers to our number. */
-static void meet_twin(struct eb_board *board) {
+static void meet_twin(struct eb_board* board) {
   struct eb_node* node = &board->node;
   node->twin_us = 0;
   node->faults |= EB_FAULT_DUPLICATE_NODE;
