@@ -138,6 +138,11 @@ class FirmwareRun {
       pump();
     }
     std::printf("stopped after %.1f s\n", to_seconds(now()));
+    for (std::size_t i = 0; i < ports_.size(); ++i) {
+      const Pose pose = world_.simulation().pose(static_cast<robot::RobotIndex>(i));
+      std::printf("robot %zu at %.1f mm %.1f mm %.2f degrees\n", i + 1, m_to_mm(pose.x),
+                  m_to_mm(pose.y), rad_to_deg(pose.theta));
+    }
   }
 
  private:

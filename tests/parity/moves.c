@@ -1,0 +1,68 @@
+/* One short motion, chosen by the first argument. What it believes at the end goes to stdout. */
+#include "eyebot.h"
+
+static void finish(void) {
+  int x, y, phi;
+  OSWait(300); /* the last ramp */
+  VWGetPosition(&x, &y, &phi);
+  printf("believes %d %d %d\n", x, y, phi);
+}
+
+static void keep(int v, int w, int ms) {
+  VWSetSpeed(v, w);
+  OSWait(ms);
+  VWSetSpeed(0, 0);
+}
+
+int main(int argc, char** argv) {
+  const int which = argc > 1 ? atoi(argv[1]) : 0;
+  int i;
+
+  switch (which) {
+    case 0:
+      VWStraight(400, 200);
+      break;
+    case 1:
+      VWStraight(-300, 150);
+      break;
+    case 2:
+      VWTurn(90, 90);
+      break;
+    case 3:
+      VWTurn(-180, 120);
+      break;
+    case 4:
+      VWCurve(300, 90, 150);
+      break;
+    case 5:
+      VWCurve(-250, 60, 150);
+      break;
+    case 6:
+      VWDrive(300, 120, 200);
+      break;
+    case 7: /* a square */
+      for (i = 0; i < 4; i++) {
+        VWStraight(200, 200);
+        VWWait();
+        VWTurn(90, 120);
+        VWWait();
+      }
+      break;
+    case 8: /* one movement replaces another */
+      VWStraight(800, 200);
+      OSWait(800);
+      VWTurn(45, 90);
+      break;
+    case 9: /* up to a wall */
+      VWSetSpeed(200, 0);
+      while (PSDGet(PSD_FRONT) > 400) OSWait(20);
+      VWSetSpeed(0, 0);
+      break;
+    default:
+      keep(150, 45, 1500);
+      break;
+  }
+  if (VWWait() != 0) printf("missed\n");
+  finish();
+  return 0;
+}
