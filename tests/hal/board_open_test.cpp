@@ -55,15 +55,15 @@ class BoardThread {
   /// A new line to the board.
   std::unique_ptr<ByteStream> plug_in(Clock& clock) {
     unplug();
-    auto [near, far] = bridges::make_memory_streams(clock);
-    thread_ = std::jthread([this, &clock, far = std::move(far)](const std::stop_token& stop) {
+    auto [near, far] = bridges::make_memory_streams(clock, time_);
+    thread_ = std::jthread([this, far = std::move(far)](const std::stop_token& stop) {
       std::array<std::uint8_t, 256> buffer;
       while (!stop.stop_requested()) {
-        const auto count = far->read_some(buffer, clock.now() + 20ms);
+        const auto count = far->read_some(buffer, time_.now() + 20ms);
         if (!count && count.error().code == Errc::Timeout) continue;
         if (!count) return;
         const auto answer = board_.answer(std::span(buffer).first(*count));
-        if (!far->write_all(answer, clock.now() + 1s)) return;
+        if (!far->write_all(answer, time_.now() + 1s)) return;
       }
     });
     return std::move(near);
@@ -71,6 +71,7 @@ class BoardThread {
   void unplug() { thread_ = {}; }
 
  private:
+  bridges::MonotonicClock time_;  // its own: the host may close its side and be gone first
   FakeBoard board_;
   std::jthread thread_;
 };

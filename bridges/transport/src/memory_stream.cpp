@@ -115,10 +115,15 @@ class MemoryStream final : public ByteStream {
 
 std::pair<std::unique_ptr<ByteStream>, std::unique_ptr<ByteStream>> make_memory_streams(
     Clock& clock, std::size_t capacity) {
+  return make_memory_streams(clock, clock, capacity);
+}
+
+std::pair<std::unique_ptr<ByteStream>, std::unique_ptr<ByteStream>> make_memory_streams(
+    Clock& first, Clock& second, std::size_t capacity) {
   auto one = std::make_shared<Pipe>(capacity);
   auto other = std::make_shared<Pipe>(capacity);
-  return {std::make_unique<MemoryStream>(one, other, clock),
-          std::make_unique<MemoryStream>(other, one, clock)};
+  return {std::make_unique<MemoryStream>(one, other, first),
+          std::make_unique<MemoryStream>(other, one, second)};
 }
 
 }  // namespace eyebridge::bridges

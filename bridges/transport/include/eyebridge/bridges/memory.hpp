@@ -15,6 +15,10 @@ namespace eyebridge::bridges {
 /// `clock` must outlive both.
 std::pair<std::unique_ptr<ByteStream>, std::unique_ptr<ByteStream>> make_memory_streams(
     Clock& clock, std::size_t capacity = 65536);
+/// The same for two sides that live in times of their own: each end's deadlines are in the time of
+/// its clock, which must outlive that end alone.
+std::pair<std::unique_ptr<ByteStream>, std::unique_ptr<ByteStream>> make_memory_streams(
+    Clock& first, Clock& second, std::size_t capacity = 65536);
 
 /// A CAN bus in memory with any number of nodes. Not modelled: bit rate, arbitration, missing
 /// acknowledgements. A sender waits until every other node has room, so nothing is dropped.
