@@ -13,9 +13,11 @@
 #include <poll.h>
 
 #include "command.hpp"
+#include "eyebridge/base/units.hpp"
 #include "eyebridge/files/load.hpp"
 #include "eyebridge/pins/board_world.hpp"
 #include "eyebridge/pins/psd_table.hpp"
+#include "eyebridge/ports/can_hub.hpp"
 #include "eyebridge/ports/lines.hpp"
 #include "eyebridge/ports/trace.hpp"
 
@@ -119,6 +121,7 @@ class FirmwareRun {
                                     world_.robots(), wanted.size()));
     }
     if (!options_.trace.empty()) open_trace();
+    serve_buses(wanted);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       eb_board& board =
           world_.add_board(static_cast<robot::RobotIndex>(i), board_config(options_, wanted[i]));
@@ -154,6 +157,14 @@ class FirmwareRun {
     std::setvbuf(trace_.get(), nullptr, _IOLBF, BUFSIZ);
   }
 
+  /// A bus on a socket is served by the first process that names it.
+  void serve_buses(const std::vector<Wanted>& wanted) {
+    for (const Wanted& board : wanted) {
+      if (board.kind != Wanted::Kind::Can || !ports::is_can_path(board.name)) continue;
+      if (auto hub = ports::open_can_hub(board.name, {"--can"})) hubs_.push_back(std::move(hub));
+    }
+  }
+
   std::unique_ptr<ports::Port> open_port(eb_board& board, const Wanted& wanted) {
     const auto sink = [file = trace_.get()](std::string_view line) {
       std::fprintf(file, "%.*s\n", static_cast<int>(line.size()), line.data());
@@ -171,7 +182,9 @@ class FirmwareRun {
   }
 
   void pump() {
+    for (const auto& hub : hubs_) hub->pump();
     for (const auto& port : ports_) port->pump();
+    for (const auto& hub : hubs_) hub->pump();
   }
 
   void wait(Time due) {
@@ -180,6 +193,7 @@ class FirmwareRun {
       const short events = port->wants_room() ? POLLIN | POLLOUT : POLLIN;
       polled_.push_back({port->descriptor(), events, 0});
     }
+    for (const auto& hub : hubs_) polled_.push_back({hub->descriptor(), POLLIN, 0});
     const Time left = std::max(due - now(), Time{});
     const timespec timeout{0, static_cast<long>(std::min<Time::rep>(left.count(), 20'000'000))};
     ::ppoll(polled_.data(), polled_.size(), &timeout, nullptr);
@@ -189,6 +203,7 @@ class FirmwareRun {
   pins::BoardWorld world_;
   Time start_;
   TraceFile trace_{nullptr, &std::fclose};
+  std::vector<std::unique_ptr<ports::Port>> hubs_;
   std::vector<std::unique_ptr<ports::Port>> ports_;
   std::vector<pollfd> polled_;
 };
@@ -230,7 +245,9 @@ void add_firmware(CLI::App& root, int& code) {
       ->allow_extra_args(false);
   command->add_option("--tcp", o->tcps, "A board on this TCP port, or ADDRESS:PORT")
       ->allow_extra_args(false);
-  command->add_option("--can", o->interfaces, "CAN interface of the --node that follow")
+  command
+      ->add_option("--can", o->interfaces,
+                   "CAN interface of the --node that follow, or a path: a bus on a socket")
       ->allow_extra_args(false);
   command->add_option("--node", o->nodes, "A board with this number on the CAN bus, 1 to 14")
       ->check(CLI::Range(1, 14))

@@ -50,10 +50,9 @@ TEST_P(ProbeMeetsFirmware, AndFindsItsDialectWithoutMovingIt) {
   EXPECT_EQ(profile.letters.has('x'), dialect.vw);
   EXPECT_TRUE(profile.letters.has('E')) << "listed, but never to be sent";
   EXPECT_EQ(profile.prompt.view(), dialect.prompt);
-  if (profile.reply_form == io7::ReplyForm::Raw) {
-    EXPECT_EQ(profile.byte_order,
-              dialect.lsb_first ? io7::ByteOrder::LsbFirst : io7::ByteOrder::MsbFirst);
-  }
+  EXPECT_EQ(profile.reply_form, io7::ReplyForm::Raw) << "the safer form";
+  EXPECT_EQ(profile.byte_order,
+            dialect.lsb_first ? io7::ByteOrder::LsbFirst : io7::ByteOrder::MsbFirst);
   EXPECT_EQ(host.board.demos, 0U);
   for (const std::int16_t duty : host.board.pins.duty) EXPECT_EQ(duty, 0);
 }

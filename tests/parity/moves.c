@@ -16,7 +16,6 @@ static void keep(int v, int w, int ms) {
 
 int main(int argc, char** argv) {
   const int which = argc > 1 ? atoi(argv[1]) : 0;
-  int i;
 
   switch (which) {
     case 0:
@@ -40,20 +39,12 @@ int main(int argc, char** argv) {
     case 6:
       VWDrive(300, 120, 200);
       break;
-    case 7: /* a square */
-      for (i = 0; i < 4; i++) {
-        VWStraight(200, 200);
-        VWWait();
-        VWTurn(90, 120);
-        VWWait();
-      }
-      break;
-    case 8: /* one movement replaces another */
+    case 7: /* one movement replaces another */
       VWStraight(800, 200);
       OSWait(800);
       VWTurn(45, 90);
       break;
-    case 9: /* up to a wall */
+    case 8: /* up to a wall */
       VWSetSpeed(200, 0);
       while (PSDGet(PSD_FRONT) > 400) OSWait(20);
       VWSetSpeed(0, 0);

@@ -1,118 +1,118 @@
-// One binary in the simulation and on firmware that speaks the protocols, in other processes: the
-// robot must end at the same place.
-
-#include <csignal>
+// One binary in the simulation and on firmware that speaks the protocols, in other processes and in
+// real time: the robot must end at the same place.
 #include <cstdio>
-#include <cstring>
-#include <filesystem>
-#include <map>
+#include <cstdlib>
+#include <future>
 
-#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "eyebridge/base/units.hpp"
-#include "firmware_process.hpp"
-#include "run_program.hpp"
+#include "simulated_robot.hpp"
 
-namespace eyebridge {
+namespace eyebridge::testing {
 namespace {
 
-using testing::FirmwareProcess;
 using ::testing::HasSubstr;
-using testing::ProgramRun;
-using testing::ScratchFolder;
+using ::testing::Not;
 
-constexpr int kMoves = 11;
-
-/// The robot's own table, as a lecturer would keep it beside the robot.
-std::string hdt_file(const ScratchFolder& folder) {
-  const ProgramRun r = testing::run_program(
-      {{EYEBRIDGE_BIN "/eyebridge", "firmware", "--world", EYEBRIDGE_WORLD, "--hdt"}, {}, ""});
-  EXPECT_EQ(r.exit_code, 0) << r.err;
-  return folder.write("robot.hdt", r.out);
-}
-
-ProgramRun run_move(int move, std::map<std::string, std::string> settings) {
-  return testing::run_program({{EYEBRIDGE_PROGRAM, std::to_string(move)}, settings, ""});
-}
-
-/// Where the robot really is at the end of the simulated run, and how long its way was.
-struct Course {
-  Pose end;
-  double length = 0.0;
-};
-Course simulated(int move) {
-  const ScratchFolder folder;
-  const ProgramRun r = run_move(move, {{"EYEBRIDGE_WORLD", EYEBRIDGE_WORLD},
-                                       {"EYEBRIDGE_FAST", "1"},
-                                       {"EYEBRIDGE_OUT", folder.path()}});
-  EXPECT_EQ(r.exit_code, 0) << r.err;
-  Course course;
-  const std::string trace = testing::file_text(folder.path() + "/trace.csv");
-  double t = 0;
-  Pose pose;
-  for (std::size_t row = trace.find('\n'); row != std::string::npos;
-       row = trace.find('\n', row + 1)) {
-    if (std::sscanf(trace.c_str() + row + 1, "%lf,%lf,%lf,%lf", &t, &pose.x, &pose.y,
-                    &pose.theta) != 4)
-      break;
-    if (course.end != Pose{}) course.length += norm(pose.position() - course.end.position());
-    course.end = pose;
-  }
-  return course;
-}
-
+/// A kind of board behind a kind of line.
 struct Board {
-  const char* name;
-  std::vector<std::string> options;  ///< Of the firmware; "PTY" stands for a name.
-  const char* url_options;
+  std::string name;
+  std::vector<std::string> options;  ///< Of the firmware; FOLDER and NODE are filled in.
+  std::string url_options;           ///< Of --hal; HDT is filled in.
 };
 void PrintTo(const Board& board, std::ostream* out) { *out << board.name; }
 
-class Parity : public ::testing::TestWithParam<Board> {
- protected:
-  std::vector<std::string> options() const {
-    std::vector<std::string> out = GetParam().options;
-    for (std::string& word : out) {
-      if (word == "PTY") word = folder_.path() + "/eyebot.tty";
-    }
-    return out;
-  }
-  ScratchFolder folder_;
-  std::string hdt_ = hdt_file(folder_);
-};
+std::string filled_in(std::string text, const std::string& what, const std::string& with) {
+  const std::size_t at = text.find(what);
+  return at == std::string::npos ? text : text.replace(at, what.size(), with);
+}
 
-TEST_P(Parity, TheRobotEndsWhereTheSimulatedOneDoes) {
-  for (int move = 0; move < kMoves; ++move) {
-    const Course expected = simulated(move);
-    FirmwareProcess firmware(options());
-    const ProgramRun r = run_move(
-        move, {{"EYEBRIDGE_HAL", firmware.hal() + "?hdt=" + hdt_ + GetParam().url_options}});
-    EXPECT_EQ(r.exit_code, 0) << r.err;
-    EXPECT_THAT(r.out, ::testing::Not(HasSubstr("missed"))) << "move " << move;
-    EXPECT_EQ(r.err, "") << "move " << move;
-    const Pose end = firmware.stop();
-    const double off = norm(end.position() - expected.end.position());
-    const double turned = rad_to_deg(std::abs(wrap_angle(end.theta - expected.end.theta)));
-    std::printf("| %s | %d | %.0f | %.1f | %.2f |\n", GetParam().name, move,
-                m_to_mm(expected.length), m_to_mm(off), turned);
-    // A turn on the spot has no path; two millimetres are what its wheels' ends round to.
-    EXPECT_LE(off, std::max(0.02 * expected.length, 0.002)) << "move " << move;
-    EXPECT_LE(turned, 2.0) << "move " << move;
+/// The program on a board of its own. Where its robot ends, and what the program said.
+struct BoardRun {
+  Pose end;
+  ProgramRun program;
+};
+BoardRun run_on(const Board& board, const Task& task, int node) {
+  const ScratchFolder folder;
+  std::vector<std::string> options = board.options;
+  for (std::string& word : options) {
+    word = filled_in(filled_in(word, "FOLDER", folder.path()), "NODE", std::to_string(node));
+  }
+  FirmwareProcess firmware(task, options);
+  const std::string url =
+      firmware.hal() + filled_in(board.url_options, "HDT", hdt_file(task, folder));
+  RunningProgram program({task.program, {{"EYEBRIDGE_HAL", url}}, folder.path()});
+  ProgramRun run;
+  run.exit_code = program.wait();
+  run.out = program.said();
+  return {firmware.stop(), run};
+}
+
+/// A row of the table that docs/parity.md keeps; into a file for whoever collects them.
+void report(const Board& board, const Task& task, double length, double off, double turned) {
+  char row[200];
+  std::snprintf(row, sizeof row, "| %s | %s | %.0f | %.1f | %.2f | %.2f |\n", board.name.c_str(),
+                task.name.c_str(), m_to_mm(length), m_to_mm(off),
+                length > 0.01 ? 100 * off / length : 0.0, turned);
+  std::fputs(row, stdout);
+  const char* const table = std::getenv("EYEBRIDGE_TEST_PARITY_TABLE");
+  if (table == nullptr) return;
+  if (std::FILE* const file = std::fopen(table, "a")) {
+    std::fputs(row, file);
+    std::fclose(file);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Boards, Parity,
-    ::testing::Values(Board{"PtyHostVw", {"--no-vw", "--pty", "PTY"}, ""},
-                      Board{"PtyBoardVw", {"--pty", "PTY"}, "&profile=io7vw"},
-                      Board{"PtyBinary", {"--binary", "--lsb", "--pty", "PTY"}, ""},
-                      Board{
-                          "PtyText", {"--verbose", "--prompt", "--pty", "PTY"}, "&profile=io7vw"}),
-    [](const auto& row) { return std::string(row.param.name); });
+class Parity : public ::testing::TestWithParam<Board> {};
+
+TEST_P(Parity, TheRobotEndsWhereTheSimulatedOneDoes) {
+  const Board& board = GetParam();
+  const std::vector<Task> all = tasks();
+  std::vector<std::future<BoardRun>> runs;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    // Each waits for real time nearly always, so that they do not disturb each other.
+    runs.push_back(std::async(std::launch::async, run_on, board, all[i], static_cast<int>(i) + 1));
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    SCOPED_TRACE(all[i].name);
+    const Course expected = simulated(all[i]);
+    const BoardRun run = runs[i].get();
+    EXPECT_EQ(run.program.exit_code, 0) << run.program.out;
+    EXPECT_THAT(run.program.out, Not(HasSubstr("eyebridge:"))) << "a missed command, or a warning";
+    EXPECT_THAT(run.program.out, Not(HasSubstr("missed")));
+    const double off = norm(run.end.position() - expected.end.position());
+    const double turned = rad_to_deg(std::abs(wrap_angle(run.end.theta - expected.end.theta)));
+    report(board, all[i], expected.length, off, turned);
+    // A turn on the spot has no path; two millimetres are what its wheels' ends round to.
+    EXPECT_LE(off, std::max(0.02 * expected.length, 0.002));
+    EXPECT_LE(turned, 2.0);
+  }
+}
+
+std::vector<Board> boards() {
+  std::vector<Board> all{
+      {"Io7PtyHostVw", {"--no-vw", "--pty", "FOLDER/eyebot.tty"}, "?hdt=HDT"},
+      {"Io7PtyBoardVw",
+       {"--verbose", "--prompt", "--pty", "FOLDER/eyebot.tty"},
+       "?hdt=HDT&profile=io7vw"},
+      {"Io7PtyBinary", {"--no-vw", "--binary", "--lsb", "--pty", "FOLDER/eyebot.tty"}, "?hdt=HDT"},
+      {"Io7Tcp", {"--no-vw", "--tcp", "0"}, "?hdt=HDT"},
+      {"CanSocket", {"--can", "FOLDER/eyebot.bus", "--node", "NODE"}, ""},
+  };
+  // On the lab's kernel: robots of their own, with all numbers, on one bus.
+  if (const char* const can = std::getenv("EYEBRIDGE_TEST_CAN")) {
+    const std::string name(can);
+    all.push_back({"Can_" + name.substr(0, name.find(',')),
+                   {"--can", name.substr(0, name.find(',')), "--node", "NODE"},
+                   ""});
+  }
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Boards, Parity, ::testing::ValuesIn(boards()),
+                         [](const auto& row) { return row.param.name; });
 
 }  // namespace
-}  // namespace eyebridge
+}  // namespace eyebridge::testing

@@ -41,8 +41,6 @@ Time Io7Session::reply_patience() const {
   return std::clamp(10 * smoothed_latency_, settings_.reply_least, settings_.reply_timeout);
 }
 
-Time Io7Session::quiet_time() const { return std::min(reply_patience(), settings_.probe.quiet); }
-
 void Io7Session::note_latency(Time latency) {
   ++statistics_.answered;
   statistics_.latency_min = std::min(statistics_.latency_min, latency);
@@ -126,7 +124,7 @@ Result<std::size_t> Io7Session::drain_until_quiet() {
   std::size_t drained = 0;
   const Time end = clock_.now() + settings_.probe.longest;
   while (clock_.now() < end) {
-    const auto count = stream_->read_some(buffer_, clock_.now() + quiet_time());
+    const auto count = stream_->read_some(buffer_, clock_.now() + settings_.probe.quiet);
     if (!count && count.error().code == Errc::Timeout) break;
     if (!count) return tl::unexpected(count.error());
     drained += *count;

@@ -37,11 +37,11 @@ class Io7Session {
                          Time patience);
   Result<void> resync();
   Result<void> expect_silence();
-  /// Bytes that came until the line was quiet.
+  /// Bytes that came until the line was quiet, for so long that a board gives up a request that it
+  /// has in part.
   Result<std::size_t> drain_until_quiet();
   void note_latency(Time latency);
   [[nodiscard]] Time reply_patience() const;
-  [[nodiscard]] Time quiet_time() const;
 
   std::unique_ptr<ByteStream> stream_;
   io7::ProbeReport report_;

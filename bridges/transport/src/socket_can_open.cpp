@@ -10,6 +10,7 @@
 #include <sys/ioctl.h>
 #include <sys/socket.h>
 
+#include "can_path.hpp"
 #include "eyebridge/bridges/socket_can.hpp"
 #include "wait.hpp"
 
@@ -72,6 +73,7 @@ bool set_options(int fd, const SocketCanSettings& settings) {
 
 Result<CanSocket> open_socket(const SocketCanSettings& settings) {
   const std::string& name = settings.interface;
+  if (is_can_path(name)) return connect_can_path(settings);
   ifreq request{};
   if (name.empty() || name.size() >= sizeof request.ifr_name) {
     return fail(Errc::OutOfRange,

@@ -13,6 +13,8 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "can_path.hpp"
+#include "eyebridge/ports/can_hub.hpp"
 #include "eyebridge/ports/lines.hpp"
 
 namespace eyebridge::ports {
@@ -20,13 +22,8 @@ namespace {
 
 constexpr int kPumpsBetweenTries = 20;
 
-/// An open socket, or errno.
-struct Opened {
-  UniqueFd socket;
-  int code = 0;
-};
-
 Opened open_interface(const std::string& interface, bool fd) {
+  if (is_can_path(interface)) return connect_can_path(interface);
   UniqueFd socket(::socket(PF_CAN, SOCK_RAW | SOCK_NONBLOCK | SOCK_CLOEXEC, CAN_RAW));
   if (!socket.valid()) return {{}, errno};
   const can_err_mask_t errors = CAN_ERR_BUSOFF;
@@ -158,9 +155,10 @@ class CanPort : public Port {
 
 std::unique_ptr<Port> open_can(FrameLine line, const std::string& interface, bool fd, int node,
                                const SourceLocation& where) {
-  if (interface.empty() || interface.size() >= IFNAMSIZ) {
-    throw ConfigError(where,
-                      "found '" + interface + "', expected an interface of 1 to 15 characters");
+  if (!is_can_path(interface) && (interface.empty() || interface.size() >= IFNAMSIZ)) {
+    throw ConfigError(where, "found '" + interface +
+                                 "', expected an interface of 1 to 15 characters, or the path of a "
+                                 "bus's socket, with a '/'");
   }
   Opened opened = open_interface(interface, fd);
   if (!opened.socket.valid()) throw ConfigError(where, explain(interface, opened.code));

@@ -183,15 +183,19 @@ void Probe::answer_version(std::string_view body) {
   profile.prompt_after_raw =
       raw && !profile.prompt.view().empty() && body.ends_with(profile.prompt.view());
   if (state_ == State::VersionAgain) {
-    report_.request_form_proven = raw;  // `O 0` was understood as it was written.
+    // `O 0` was understood as it was written.
+    report_.request_form_proven = report_.request_form_proven || raw;
     return ask_voltage();
   }
-  if (!raw && send(verbose(false))) {
-    state_ = State::Quieten;
-    expect_ = "anything; text replies are being switched off";
-    return;
-  }
-  ask_voltage();
+  if (raw || !quieten()) ask_voltage();
+}
+
+// A board that takes bytes has not understood it as a line: it is told again once that is known.
+bool Probe::quieten() {
+  if (!send(verbose(false))) return false;
+  state_ = State::Quieten;
+  expect_ = "anything; text replies are being switched off";
+  return true;
 }
 
 void Probe::ask_voltage() {
@@ -259,7 +263,7 @@ void Probe::answer_form(std::string_view body) {
   if (state_ == State::BinaryForm) {
     if (good) {
       report_.request_form_proven = true;
-      state_ = State::Done;
+      if (profile.reply_form == ReplyForm::Raw || !quieten()) state_ = State::Done;
     } else if (ascii_zero_) {
       // The board still waits for the end of a line: give it one.
       profile.request_form = RequestForm::Ascii;

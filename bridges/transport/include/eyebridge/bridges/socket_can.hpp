@@ -11,7 +11,9 @@ namespace eyebridge::bridges {
 
 /// How a SocketCAN interface is opened.
 struct SocketCanSettings {
-  std::string interface;         ///< "can0", "vcan0"; at most 15 characters.
+  std::string interface;         ///< "can0", "vcan0"; at most 15 characters. With a '/' in it, as
+                                 ///< "./eyebot.bus": the name of a Unix socket (SOCK_SEQPACKET)
+                                 ///< whose server passes frames on, for kernels without CAN.
   bool fd = false;               ///< Also CAN FD frames; the interface's MTU must be 72.
   int receive_buffer = 1 << 20;  ///< Bytes asked of the kernel; the default of Linux holds some
                                  ///< 300 frames only.

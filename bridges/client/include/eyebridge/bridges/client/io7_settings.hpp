@@ -13,7 +13,7 @@ struct Io7Settings {
   /// The longest wait for a reply. Once replies are known to be faster the client waits ten times
   /// what they take, but at least `reply_least`.
   Time reply_timeout = std::chrono::milliseconds(50);
-  Time reply_least = std::chrono::milliseconds(10);
+  Time reply_least = std::chrono::milliseconds(20);
   Time resync_timeout = std::chrono::milliseconds(200);  ///< For the `v` that ends a resync.
   ProbeTiming probe{};
   Time boot_patience = std::chrono::seconds(3);  ///< Opening a port resets some boards: they are

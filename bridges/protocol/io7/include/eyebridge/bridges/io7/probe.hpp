@@ -76,6 +76,7 @@ class Probe {
   void answer_voltage(std::string_view body);
   void answer_form(std::string_view body);
   void ask_list();
+  bool quieten();  ///< False when the board does not list the letter.
   void ask_voltage();
   void ask_form();
   void retry_or_fail(std::string_view body, std::string_view expected);
