@@ -33,11 +33,15 @@ endfunction()
 # eyebridge_test(core_base SOURCES … LIBRARIES … [LABEL slow]): one GoogleTest program; every test in
 # it becomes a ctest named core_base.Suite.Test@preset, so that `./test core` picks a group by its
 # prefix. LABEL is unit unless given: unit tests together stay under two minutes. Those with LABEL
-# threads are all that the thread sanitizer runs; the fuzz preset runs only fuzzers.
+# threads are all that the thread sanitizer runs; the fuzz preset runs only fuzzers. Tests with a
+# high COST are started first.
 function(eyebridge_test name)
-  cmake_parse_arguments(arg "" "LABEL" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "" "LABEL;COST" "SOURCES;LIBRARIES" ${ARGN})
   if(NOT arg_LABEL)
     set(arg_LABEL unit)
+  endif()
+  if(NOT arg_COST)
+    set(arg_COST 0)
   endif()
   add_executable(test_${name} ${arg_SOURCES})
   target_link_libraries(test_${name} PRIVATE ${arg_LIBRARIES} GTest::gmock GTest::gtest_main
@@ -51,7 +55,8 @@ function(eyebridge_test name)
   endif()
   cmake_path(GET CMAKE_BINARY_DIR FILENAME preset)
   gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_SUFFIX @${preset} NO_PRETTY_VALUES
-                       DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${arg_LABEL} TIMEOUT 300)
+                       DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${arg_LABEL} TIMEOUT 300
+                       COST ${arg_COST})
   if(arg_LABEL STREQUAL threads)
     add_dependencies(threaded_tests test_${name})
   endif()

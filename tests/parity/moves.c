@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
       VWTurn(45, 90);
       break;
     case 8: /* up to a wall */
-      VWSetSpeed(200, 0);
+      VWSetSpeed(100, 0); /* slow enough for a board that tells its ranges every 50 ms */
       while (PSDGet(PSD_FRONT) > 400) OSWait(20);
       VWSetSpeed(0, 0);
       break;

@@ -18,7 +18,7 @@ extern char** environ;
 namespace eyebridge::testing {
 namespace {
 
-constexpr int kPatience_ms = 60'000;
+constexpr int kPatience_ms = 120'000;
 
 /// This process's environment and `more`, as "NAME=VALUE".
 std::vector<std::string> environment_with(const std::map<std::string, std::string>& more) {
@@ -89,7 +89,7 @@ int RunningProgram::wait() {
   }
   if (::poll(&ready, 1, 0) == 0) {  // not closed: it is still running
     signal(SIGKILL);
-    said_ += "\n(killed: said nothing for a minute and did not end)\n";
+    said_ += "\n(killed: said nothing for two minutes and did not end)\n";
   }
   int status = 0;
   ::waitpid(std::exchange(pid_, -1), &status, 0);

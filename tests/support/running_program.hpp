@@ -20,11 +20,11 @@ class RunningProgram {
   RunningProgram& operator=(const RunningProgram&) = delete;
 
   /// Standard output and standard error up to and with `text`; all that came when it did not come
-  /// within a minute.
+  /// within two minutes of silence.
   const std::string& wait_for(const std::string& text);
   /// Sends `signal`, returns at once.
   void signal(int signal) const;
-  /// Waits for its end, a minute at most, then kills it. What was said until then is in said().
+  /// Waits for its end; kills it when it says nothing for two minutes. What was said until then is in said().
   /// Returns the exit code, or 128 + the signal that ended it.
   int wait();
   /// signal() and wait().

@@ -9,6 +9,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRounding = 1.0 + 1e-9;
+// Ends of a goal that the heading may lack. More than that was not the drive's doing: somebody
+// turned the robot by hand.
+constexpr double kMostOwed = 10.0;
 
 /// Narrows [low, high] to the factors f for which f * amount is one step of speed from `speed`.
 void narrow(double amount, double speed, double speed_step, double& low, double& high) {
@@ -44,7 +47,16 @@ void DriveController::set_speed(const Twist& target, const Twist& present) {
   twist_ = present;
   distance_.set(0.0);
   angle_.set(0.0);
+  keeps_heading_ = false;
   state_ = DriveState::Idle;
+}
+
+double DriveController::settle_heading(double angle) {
+  const bool kept = keeps_heading_ && state_ != DriveState::Driving &&
+                    std::abs(heading_owed_) <= kMostOwed * limits_.angle_end;
+  heading_owed_ = (kept ? heading_owed_ : 0.0) + angle;
+  keeps_heading_ = true;
+  return angle == 0.0 ? 0.0 : heading_owed_;
 }
 
 void DriveController::start(const DriveGoal& goal, const Twist& present) {
@@ -57,7 +69,7 @@ void DriveController::start(const DriveGoal& goal, const Twist& present) {
   linear_top_ = on_the_spot ? limits_.linear : std::min(speed, limits_.linear);
   angular_top_ = on_the_spot ? std::min(speed, limits_.angular) : limits_.angular;
   distance_.set(goal.distance);
-  angle_.set(goal.angle);
+  angle_.set(settle_heading(goal.angle));
   target_ = {};
   twist_ = present;
   state_ = DriveState::Driving;
@@ -68,6 +80,7 @@ void DriveController::stop() {
   twist_ = {};
   distance_.set(0.0);
   angle_.set(0.0);
+  keeps_heading_ = false;
   state_ = DriveState::Idle;
 }
 
@@ -118,6 +131,7 @@ Twist DriveController::towards_goal(double distance, double angle) const {
 }
 
 void DriveController::advance(const PathStep& measured) {
+  heading_owed_ -= measured.angle;
   if (state_ != DriveState::Driving) return;
   distance_.advance(measured.distance, twist_.linear, limits_.linear_step, limits_.distance_end);
   angle_.advance(measured.angle, twist_.angular, limits_.angular_step, limits_.angle_end);

@@ -12,7 +12,9 @@ namespace eyebridge::robot {
 ///
 /// Progress is what the wheels report, so errors of the drive make it miss, as on a real robot.
 /// A part of a goal that is zero (the turn of a straight, the way of a turn) is only slowed down
-/// from what the robot had, not corrected. Each step: next(), then advance() or hold().
+/// from what the robot had, not corrected. But what the heading lacks when a goal is reached (a
+/// tick's worth, or what a straight was off) is added to the next turn, so that it does not add up
+/// over many. Each step: next(), then advance() or hold().
 class DriveController {
  public:
   explicit DriveController(const DriveLimits& limits) : limits_(limits) {}
@@ -55,6 +57,8 @@ class DriveController {
     void advance(double travelled, double speed, double speed_step, double end);
   };
 
+  /// The angle of a goal of `angle` with what those before it owe.
+  double settle_heading(double angle);
   [[nodiscard]] Twist towards_goal(double distance, double angle) const;
 
   DriveLimits limits_;
@@ -62,6 +66,8 @@ class DriveController {
   Twist target_;  ///< Of speed mode.
   Part distance_;
   Part angle_;
+  bool keeps_heading_ = false;  ///< Goals follow each other, nothing else drove in between.
+  double heading_owed_ = 0.0;   ///< Radians that the goals so far wanted and the wheels lack.
   double linear_top_ = 0.0;   ///< Of the running goal.
   double angular_top_ = 0.0;  ///< Of the running goal.
   DriveState state_ = DriveState::Idle;

@@ -37,6 +37,8 @@ struct eb_drive {
   float target_linear, target_angular; /* of speed mode */
   float linear_top, angular_top;       /* of the running move */
   struct eb_goal_part distance, angle;
+  bool keeps_heading; /* moves follow each other, nothing else drove in between */
+  float heading_owed; /* what the moves so far wanted and the wheels lack, radians */
   uint32_t held_us;
   float starved[2]; /* ticks that a wheel should have made since it last moved */
   bool stalled[2];  /* left, right */

@@ -15,6 +15,9 @@
 #define FOLLOW 0.2F
 #define CREEP_DISTANCE 1.0e-4F
 #define CREEP_ANGLE 1.0e-3F
+/* Ends of a move that the heading may lack. More than that was not the drive's doing: somebody
+ * turned the robot by hand. */
+#define MOST_OWED 10.0F
 
 void eb_drive_init(struct eb_drive* drive, const struct eb_drive_config* config) {
   const float tick = 1.0F / config->ticks_per_metre;
@@ -74,6 +77,7 @@ void eb_drive_speed(struct eb_drive* drive, float linear, float angular) {
   drive->target_angular = angular;
   set_part(&drive->distance, 0.0F);
   set_part(&drive->angle, 0.0F);
+  drive->keeps_heading = false;
   drive->move_state = EYECAN_MOVE_SPEED;
 }
 
@@ -82,7 +86,18 @@ static void stand(struct eb_drive* drive, uint8_t state) {
   drive->target_linear = drive->target_angular = 0.0F;
   set_part(&drive->distance, 0.0F);
   set_part(&drive->angle, 0.0F);
+  drive->keeps_heading = false;
   drive->move_state = state;
+}
+
+/* The angle of a move with what those before it owe: a tick's worth after a turn, or what a
+ * straight was off, which would add up over many. */
+static float settle_heading(struct eb_drive* drive, float angle) {
+  const bool kept = drive->keeps_heading && drive->move_state != EYECAN_MOVE_RUNNING &&
+                    eb_abs(drive->heading_owed) <= MOST_OWED * drive->angle_end;
+  drive->heading_owed = (kept ? drive->heading_owed : 0.0F) + angle;
+  drive->keeps_heading = true;
+  return angle == 0.0F ? 0.0F : drive->heading_owed;
 }
 
 void eb_drive_move(struct eb_drive* drive, float distance, float angle, float speed) {
@@ -100,7 +115,7 @@ void eb_drive_move(struct eb_drive* drive, float distance, float angle, float sp
     drive->angular_top = eb_limit(speed, 0.0F, drive->angular_top);
   }
   set_part(&drive->distance, distance);
-  set_part(&drive->angle, angle);
+  set_part(&drive->angle, settle_heading(drive, angle));
   drive->target_linear = drive->target_angular = 0.0F;
   drive->move_state = EYECAN_MOVE_RUNNING;
 }
@@ -283,6 +298,7 @@ void eb_drive_period(struct eb_drive* drive, struct eb_motors* motors) {
   drive->moved[1][drive->moved_at] = (int16_t)right;
   drive->moved_at = (uint8_t)((drive->moved_at + 1) % EB_MEASURED_PERIODS);
   dead_reckon(drive, left, right);
+  drive->heading_owed -= (float)(right - left) * per_tick / drive->config.wheel_base;
   follow_wheel(drive, 0, &motors->motor[0]);
   follow_wheel(drive, 1, &motors->motor[1]);
   if (!drive->active) return;
