@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 
 #include "eyebot++.h"
 #include "maze_map.hpp"
@@ -21,6 +22,7 @@ namespace {
 constexpr int kPsdOf[4] = {PSD_FRONT, PSD_LEFT, PSD_BACK, PSD_RIGHT};  // by turns to the left
 constexpr int kSpeed = 400;                                            // mm/s
 constexpr int kTurnSpeed = 240;                                        // deg/s
+constexpr double kDegrees = 57.29577951308232;                         // in a radian
 constexpr int kMostCells = 4096;  // four times the largest contest maze
 
 class Explorer {
@@ -76,31 +78,49 @@ class Explorer {
 
   void turn_to(int direction) {
     const int turns = (direction - heading_ + 4) % 4;
-    if (turns == 0) return;
-    VWTurn(turns == 3 ? -90 : 90 * turns, kTurnSpeed);
-    VWWait();
+    skew_ -= turns == 3 ? -90 : 90 * turns;  // seen from the new direction
     heading_ = direction;
+    aim(0.0);
   }
 
-  /// Turns towards the middle between the walls beside the robot, where both are near.
-  void centre_between_walls() {
-    const int left = range(1);
-    const int right = range(3);
-    if (left >= cell_ || right >= cell_ || std::abs(left - right) < 6) return;
-    const int turn = static_cast<int>(std::lround(std::atan2((left - right) / 2.0, cell_) * 57.3));
+  /// Turns to `angle` degrees to the left of the direction, as well as whole degrees can.
+  void aim(double angle) {
+    const int turn = static_cast<int>(std::lround(angle - skew_));
+    if (turn == 0) return;
     VWTurn(turn, kTurnSpeed);
     VWWait();
+    skew_ += turn;
+  }
+
+  /// Millimetres to the left of the cell's middle, where there is a wall to tell.
+  std::optional<double> offset() const {
+    const int left = range(1);
+    const int right = range(3);
+    if (left < cell_ && right < cell_) return (right - left) / 2.0;
+    if (left < cell_) return cell_ / 2.0 - left;
+    if (right < cell_) return right - cell_ / 2.0;
+    return std::nullopt;
+  }
+
+  /// Drives so many cells, towards their middle. Where walls are beside both ends of the way they
+  /// tell how far the robot was turned off it, which odometry alone cannot.
+  bool straight(int cells) {
+    const int way = cells * cell_;
+    const auto before = offset();
+    if (before && std::abs(*before) >= 3) aim(std::atan2(-*before, way) * kDegrees);
+    VWStraight(way, kSpeed);
+    if (VWWait() != 0) return false;
+    const auto after = offset();
+    if (before && after) skew_ = std::atan2(*after - *before, way) * kDegrees;
+    return true;
   }
 
   bool drive(const std::vector<int>& way) {
     for (std::size_t i = 0; i < way.size();) {
       std::size_t end = i;
       while (end < way.size() && way[end] == way[i]) ++end;
-      const int cells = static_cast<int>(end - i);
       turn_to(way[i]);
-      centre_between_walls();
-      VWStraight(cells * cell_, kSpeed);
-      if (VWWait() != 0) return false;
+      if (!straight(static_cast<int>(end - i))) return false;
       for (; i < end; ++i) at_ = neighbour(at_, way[i]);
     }
     return true;
@@ -178,6 +198,7 @@ class Explorer {
   int cell_ = 0;
   Cell at_;
   int heading_ = kNorth;
+  double skew_ = 0.0;  // degrees that the robot looks to the left of heading_
   MazeMap map_;
 };
 
