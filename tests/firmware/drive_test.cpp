@@ -145,5 +145,25 @@ TEST(BoardMath, SineAndRootAreAsInLibm) {
   EXPECT_EQ(eb_round(3e9F), 2'000'000'000);
 }
 
+TEST(Drive, WhatTurnsLackDoesNotAddUp) {
+  Drive drive;
+  for (int i = 0; i < 40; ++i) {
+    ASSERT_TRUE(drive.move(0.0F, 1.5707963F, 4.0F));
+    ASSERT_TRUE(drive.move(0.05F, 0.0F, 0.4F));
+  }
+  EXPECT_NEAR(drive.angle(), 40 * 1.5707963, 0.009);
+}
+
+TEST(Drive, ARobotTurnedByHandIsNotTurnedBack) {
+  Drive drive;
+  ASSERT_TRUE(drive.move(0.0F, 1.0F, 4.0F));
+  drive.plant.travel[0] -= 200;  // the wheels follow the hand
+  drive.plant.travel[1] += 200;
+  drive.run(5);
+  const double before = drive.angle();
+  ASSERT_TRUE(drive.move(0.0F, 1.0F, 4.0F));
+  EXPECT_NEAR(drive.angle() - before, 1.0, 0.006);
+}
+
 }  // namespace
 }  // namespace eyebridge::firmware

@@ -244,5 +244,33 @@ TEST(HostDriveSettings, WithoutADriveOrItsEncodersTheyAreAnError) {
               HasSubstr("hdt.txt:3:1: expected a DIFFERENTIAL drive"));
 }
 
+TEST(HostDrive, WhatTurnsLackDoesNotAddUp) {
+  Plant plant;
+  for (int i = 0; i < 40; ++i) {
+    plant.drive.start({0.0, kPi / 2, 4.0});
+    plant.finish();
+    plant.drive.start({0.05, 0.0, 0.4});
+    plant.finish();
+  }
+  EXPECT_NEAR(wrap_angle(plant.sim.pose(plant.robot).theta), 0.0, deg_to_rad(0.5));
+}
+
+TEST(HostDrive, ARobotTurnedByHandIsNotTurnedBack) {
+  Plant plant;
+  plant.drive.start({0.0, kPi / 2, 4.0});
+  plant.finish();
+  plant.drive.release();
+  plant.sim.set_motor_speed(plant.robot, 0, -500.0);  // the wheels follow the hand
+  plant.sim.set_motor_speed(plant.robot, 1, 500.0);
+  plant.steps(100);
+  plant.sim.set_motor_speed(plant.robot, 0, 0.0);
+  plant.sim.set_motor_speed(plant.robot, 1, 0.0);
+  plant.steps(10);
+  const double before = plant.sim.pose(plant.robot).theta;
+  plant.drive.start({0.0, kPi / 2, 4.0});
+  plant.finish();
+  EXPECT_NEAR(wrap_angle(plant.sim.pose(plant.robot).theta - before), kPi / 2, deg_to_rad(0.5));
+}
+
 }  // namespace
 }  // namespace eyebridge::hal
