@@ -9,6 +9,9 @@ using namespace std::chrono_literals;
 
 // What did not change is repeated: boards have watchdogs, and nothing says that it has arrived.
 constexpr Time kRepeat = 50ms;
+// A reply that is lost costs some 100 ms, and the line goes on: what was read before is the truth
+// for so long. The same as on CAN, where it is four periods of a status.
+constexpr Time kPatience = 300ms;
 
 HostDriveSettings settings_of(const BoardDriveShape& shape) {
   HostDriveSettings settings;
@@ -25,7 +28,7 @@ HostDriveSettings settings_of(const BoardDriveShape& shape) {
 }  // namespace
 
 HostController::HostController(BoardLink& link, Clock& clock, const BoardDriveShape& shape)
-    : link_(link), clock_(clock), drive_(settings_of(shape)) {}
+    : link_(link), clock_(clock), drive_(settings_of(shape)), heard_(clock.now()) {}
 
 Result<WheelCounts> HostController::read_counts() {
   const auto left = link_.encoder(1);
@@ -42,12 +45,21 @@ void HostController::step() {
   WheelSpeeds speeds;
   {
     const std::lock_guard lock(mutex_);
-    trouble_ = counts ? std::nullopt : std::optional(counts.error());
+    note(counts, now);
     if (!counts) return;
     speeds = drive_.step(*counts, now).value_or(WheelSpeeds{});
     if (!drive_.engaged()) return;
   }
   send(speeds, now);
+}
+
+void HostController::note(const Result<WheelCounts>& counts, Time now) {
+  if (counts) {
+    trouble_.reset();
+    heard_ = now;
+  } else if (counts.error().code == Errc::Disconnected || now - heard_ > kPatience) {
+    trouble_ = counts.error();
+  }
 }
 
 void HostController::send(const WheelSpeeds& speeds, Time now) {

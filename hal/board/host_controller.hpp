@@ -30,14 +30,16 @@ class HostController final : public DriveController {
 
  private:
   Result<WheelCounts> read_counts();
-  void send(const WheelSpeeds& speeds, Time now);  // under sending_
+  void note(const Result<WheelCounts>& counts, Time now);  // under mutex_
+  void send(const WheelSpeeds& speeds, Time now);          // under sending_
 
   BoardLink& link_;
   Clock& clock_;
   std::mutex sending_;  // taken before mutex_: after release() no speed is sent
   std::mutex mutex_;    // of all below
   HostDrive drive_;
-  std::optional<Error> trouble_;  ///< Why the encoders could not be read last time.
+  Time heard_;                    ///< When the encoders were read last.
+  std::optional<Error> trouble_;  ///< Why they cannot be read any more.
   bool goal_lost_ = false;        ///< A restart of the board ended it.
   std::optional<WheelSpeeds> sent_;
   Time sent_at_{0};

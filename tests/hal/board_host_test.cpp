@@ -73,6 +73,29 @@ TEST_F(BoardHost, StopEndsTheDriveToo) {
   EXPECT_EQ(motor[2], 0);
 }
 
+TEST_F(BoardHost, ALostReplyOrTwoAreTheLinesTroubleNotTheDrives) {
+  ASSERT_TRUE(backend->drive()->start({0.5, 0.0, 0.3}));
+  turn(500ms);
+  mute = 2;  // the repetition is lost, too
+  backend->step();
+  EXPECT_EQ(mute, 0);
+  EXPECT_EQ(backend->drive()->status().value().progress, DriveProgress::Driving);
+  ASSERT_TRUE(backend->drive()->start({0.2, 0.0, 0.3}));
+  EXPECT_EQ(finish().progress, DriveProgress::Done);
+}
+
+TEST_F(BoardHost, EncodersThatAreNotToldAnyMoreAreAnErrorNotAnOldReading) {
+  ASSERT_TRUE(backend->drive()->start({2.0, 0.0, 0.3}));
+  turn(500ms);
+  mute = 1000;
+  turn(500ms);
+  EXPECT_EQ(backend->drive()->odometry().error().code, Errc::Timeout);
+  EXPECT_EQ(backend->drive()->status().error().code, Errc::Timeout);
+  mute = 0;
+  turn(100ms);
+  EXPECT_TRUE(backend->drive()->odometry());
+}
+
 TEST_F(BoardHost, ABoardThatWasUnpluggedStandsWhenItIsBackAndItsGoalHasFailed) {
   ASSERT_TRUE(backend->drive()->start({2.0, 0.0, 0.3}));
   turn(500ms);

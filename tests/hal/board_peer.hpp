@@ -63,7 +63,7 @@ struct BoardPeer {
     }
     told += sent;
     if (sent[0] == 'm' || sent[0] == 'M') motor[number[0]] = number[1];
-    if (sent[0] != 'e') return;
+    if (sent[0] != 'e' || (mute > 0 && mute-- > 0)) return;
     const auto count = static_cast<unsigned>(encoder[number[0]]);
     const unsigned bits = count ^ std::exchange(flip, 0U);
     const std::array bytes = {static_cast<char>(bits >> 8U & 0xFFU),
@@ -95,6 +95,7 @@ struct BoardPeer {
   std::shared_ptr<ScriptedLine> line;
   std::map<int, int> motor;    ///< Last number of `m` or `M`, by motor.
   std::map<int, int> encoder;  ///< Counts, by encoder; 16 bits of them are told.
+  int mute = 0;                ///< So many next counts are not told.
   unsigned flip = 0;           ///< Bits that are inverted in the next count.
   std::string told;            ///< Everything with letters that FakeBoard has not.
 };

@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
       VWSetSpeed(0, 0);
       break;
     default:
-      keep(150, 45, 1500);
+      keep(150, 45, 4000);
       break;
   }
   if (VWWait() != 0) printf("missed\n");
