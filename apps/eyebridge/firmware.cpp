@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <ctime>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "eyebridge/ports/can_hub.hpp"
 #include "eyebridge/ports/lines.hpp"
 #include "eyebridge/ports/trace.hpp"
+#include "path_file.hpp"
 
 namespace eyebridge::apps {
 namespace {
@@ -31,7 +33,7 @@ struct FirmwareOptions {
   std::vector<std::string> ptys, tcps;
   std::vector<std::string> interfaces;
   std::vector<int> nodes;
-  std::string trace;
+  std::string trace, path;
   bool hdt = false, fd = false;
   bool verbose = false, raw = false, msb = false, lsb = false, binary = false;
   bool vw = true, prompt = false;
@@ -121,6 +123,7 @@ class FirmwareRun {
                                     world_.robots(), wanted.size()));
     }
     if (!options_.trace.empty()) open_trace();
+    if (!options_.path.empty()) path_.emplace(options_.path);
     serve_buses(wanted);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       eb_board& board =
@@ -136,6 +139,7 @@ class FirmwareRun {
   void run() {
     while (stop_asked == 0) {
       const Time due = world_.advance(now());
+      if (path_) path_->note(now(), world_.simulation(), ports_.size());
       pump();
       wait(due);
       pump();
@@ -203,6 +207,7 @@ class FirmwareRun {
   pins::BoardWorld world_;
   Time start_;
   TraceFile trace_{nullptr, &std::fclose};
+  std::optional<PathFile> path_;
   std::vector<std::unique_ptr<ports::Port>> hubs_;
   std::vector<std::unique_ptr<ports::Port>> ports_;
   std::vector<pollfd> polled_;
@@ -264,6 +269,7 @@ void add_firmware(CLI::App& root, int& code) {
       ->add_option("--silence", o->silence_ms, "Milliseconds of silence that stop the motors [300]")
       ->check(CLI::Range(10, 60'000));
   command->add_option("--trace", o->trace, "Writes down all bytes and frames");
+  command->add_option("--path", o->path, "Writes down where the robots really are (CSV)");
   command->add_flag("--hdt", o->hdt, "Prints the robot's HDT file and ends");
   command->footer("The first board drives the world's first robot, the next one the second.");
   command->callback([command, o, &code] { code = run_firmware(*command, *o); });

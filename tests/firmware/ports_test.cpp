@@ -9,6 +9,7 @@
 #include <linux/can.h>
 #include <netinet/in.h>
 #include <poll.h>
+#include <pty.h>
 #include <sys/socket.h>
 #include <termios.h>
 #include <unistd.h>
@@ -100,6 +101,19 @@ TEST_F(Pty, AHostThatClosesStopsTheMotorsAndTheNextOneFindsTheName) {
 TEST_F(Pty, ItsNameGoesAwayWithIt) {
   { const auto port = ports::open_pty(ports::byte_line(board.board), link, {"--pty"}); }
   EXPECT_FALSE(std::filesystem::exists(std::filesystem::symlink_status(link)));
+}
+
+TEST_F(Pty, ALinkOfAKilledBoardIsReplacedWhileItsHostHoldsOn) {
+  int master = -1;
+  int slave = -1;
+  char device[128] = {};
+  ASSERT_EQ(::openpty(&master, &slave, device, nullptr, nullptr), 0);
+  const UniqueFd host(slave);
+  std::filesystem::create_symlink(device, link);
+  EXPECT_THROW(ports::open_pty(ports::byte_line(board.board), link, {"--pty"}), ConfigError);
+  ::close(master);
+  const auto port = ports::open_pty(ports::byte_line(board.board), link, {"--pty"});
+  EXPECT_NE(std::filesystem::read_symlink(link), device);
 }
 
 TEST_F(Pty, AFileThatIsThereIsLeftAlone) {

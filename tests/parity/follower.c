@@ -10,18 +10,23 @@
 int main() {
   int corners = 0;
   int last = PSDGet(PSD_RIGHT);
+  int near = 0; /* how often in a row there was a wall ahead: one reading may be wrong */
 
+  setvbuf(stdout, NULL, _IOLBF, 0);
+  printf("following\n");
   for (;;) {
     int right = PSDGet(PSD_RIGHT);
     int front = PSDGet(PSD_FRONT);
     int turn;
 
-    if (front < CORNER_MM) {
+    near = front < CORNER_MM ? near + 1 : 0;
+    if (near == 2) {
       if (++corners == 3) break;
       VWTurn(90, 90);
       VWWait();
       right = PSDGet(PSD_RIGHT);
       last = right;
+      near = 0;
     }
     turn = (KEEP_MM - right) / 4 + 2 * (last - right);
     if (turn > 40) turn = 40;

@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
       OSWait(800);
       VWTurn(45, 90);
       break;
-    case 8: /* up to a wall */
+    case 8:               /* up to a wall */
       VWSetSpeed(100, 0); /* slow enough for a board that tells its ranges every 50 ms */
       while (PSDGet(PSD_FRONT) > 400) OSWait(20);
       VWSetSpeed(0, 0);

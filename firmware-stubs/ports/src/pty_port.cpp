@@ -76,10 +76,16 @@ class PtyPort : public Port {
   bool connected_ = false;
 };
 
+/// Whether a killed process left `link`: it points nowhere, or to a terminal without its master,
+/// which exists for as long as its host has it open.
+bool is_dead(const std::string& link) {
+  const UniqueFd fd(::open(link.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC));
+  return !fd.valid() && (errno == ENOENT || errno == EIO);
+}
+
 void make_link(const std::string& device, const std::string& link, const SourceLocation& where) {
   std::error_code error;
   const bool is_link = fs::is_symlink(fs::symlink_status(link, error));
-  if (is_link && !fs::exists(link, error)) fs::remove(link, error);
   if (::symlink(device.c_str(), link.c_str()) == 0) return;
   const int code = errno;
   if (code == EEXIST) {
@@ -94,6 +100,9 @@ void make_link(const std::string& device, const std::string& link, const SourceL
 std::unique_ptr<Port> open_pty(ByteLine line, const std::string& link,
                                const SourceLocation& where) {
   if (link.empty()) refuse(where, "found no name, expected one such as ./eyebot.tty");
+  // Before there is a terminal of ours: it may get the number of a dead one.
+  std::error_code error;
+  if (fs::is_symlink(fs::symlink_status(link, error)) && is_dead(link)) fs::remove(link, error);
   int master = -1;
   int slave = -1;
   if (::openpty(&master, &slave, nullptr, nullptr, nullptr) != 0) {

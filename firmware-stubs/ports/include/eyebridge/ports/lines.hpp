@@ -12,7 +12,8 @@ namespace eyebridge::ports {
 /// A pseudo-terminal, in raw mode before anybody opens it, with a symbolic link `link` to it. When
 /// the host closes it the board's link is lost, and the next host finds the same name. The link
 /// goes away with the port. Throws ConfigError at `where` when `link` exists already (one that
-/// points nowhere, as a killed process leaves it, is replaced) or cannot be made.
+/// points nowhere, or to a terminal that only its host has open, as a killed process leaves it, is
+/// replaced) or cannot be made.
 std::unique_ptr<Port> open_pty(ByteLine line, const std::string& link, const SourceLocation& where);
 
 /// A TCP server for one host at a time; others are told so and sent away. `address` is a port, on

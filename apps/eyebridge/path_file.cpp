@@ -1,0 +1,25 @@
+#include "path_file.hpp"
+
+#include <chrono>
+
+#include "eyebridge/base/config_error.hpp"
+
+namespace eyebridge::apps {
+
+PathFile::PathFile(const std::string& path) : file_(std::fopen(path.c_str(), "we"), &std::fclose) {
+  if (file_ == nullptr) throw ConfigError({"--path"}, "cannot write " + path);
+  std::setvbuf(file_.get(), nullptr, _IOLBF, BUFSIZ);  // complete even when the process is killed
+  std::fputs("t,robot,x,y,theta\n", file_.get());
+}
+
+void PathFile::note(Time now, const robot::Simulation& simulation, std::size_t robots) {
+  if (now < due_) return;
+  due_ = now + std::chrono::milliseconds(10);
+  for (std::size_t i = 0; i < robots; ++i) {
+    const Pose pose = simulation.pose(static_cast<robot::RobotIndex>(i));
+    std::fprintf(file_.get(), "%.4f,%zu,%.5f,%.5f,%.5f\n", to_seconds(now), i + 1, pose.x, pose.y,
+                 pose.theta);
+  }
+}
+
+}  // namespace eyebridge::apps

@@ -1,0 +1,169 @@
+// What happens to a robot that drives when its program, its board or its line goes away: processes
+// of their own, killed and unplugged.
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <linux/can.h>
+#include <linux/can/error.h>
+
+#include "loop.hpp"
+#include "relay.hpp"
+
+namespace eyebridge::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+// The bound is 300 ms; a row of the path is 10 ms old, and one more passes before it is read.
+constexpr double kStopped = 0.3 + 0.02;
+
+class Robust : public ::testing::TestWithParam<Line> {
+ protected:
+  void expect_stop_within_300_ms_of(double moment) const {
+    const auto since = loop.standing_since();
+    ASSERT_TRUE(since) << "it still moves";
+    EXPECT_LE(*since, moment + kStopped);
+    RecordProperty("stop_ms", static_cast<int>(1000 * (*since - moment)));
+  }
+  Loop loop{GetParam()};
+};
+
+TEST_P(Robust, AProgramThatIsKilledLeavesAStandingRobot) {
+  loop.start_program();
+  const double killed = loop.time();
+  EXPECT_EQ(loop.program().finish(SIGKILL), 128 + SIGKILL);
+  expect_stop_within_300_ms_of(killed);
+}
+
+TEST_P(Robust, CtrlCStopsTheRobotAndEndsTheProgram) {
+  loop.start_program();
+  const double interrupted = loop.time();
+  EXPECT_EQ(loop.program().finish(SIGINT), 128 + SIGINT);
+  expect_stop_within_300_ms_of(interrupted);
+}
+
+TEST_P(Robust, ABoardThatIsKilledIsAnErrorAndIsFoundAgainStanding) {
+  loop.start_program();
+  loop.firmware().finish(SIGKILL);
+  EXPECT_THAT(loop.program().wait_for("lost: "), HasSubstr("lost: "));
+  loop.start_firmware();
+  EXPECT_THAT(loop.program().wait_for("back\n"), HasSubstr("back\n"));
+  EXPECT_TRUE(loop.standing_since()) << "nobody has commanded anything";
+  EXPECT_TRUE(loop.moves()) << "the program's next command";
+  loop.program().finish(SIGTERM);
+}
+
+TEST_P(Robust, ABoardThatHangsIsAnErrorAndGoesOnStanding) {
+  loop.start_program();
+  loop.firmware().signal(SIGSTOP);
+  EXPECT_THAT(loop.program().wait_for("lost: "), HasSubstr("lost: "));
+  loop.firmware().signal(SIGCONT);
+  EXPECT_THAT(loop.program().wait_for("back\n"), HasSubstr("back\n"));
+  EXPECT_TRUE(loop.standing_since()) << "nobody has commanded anything";
+  EXPECT_TRUE(loop.moves()) << "the program's next command";
+  loop.program().finish(SIGTERM);
+}
+
+std::vector<Line> lines() {
+  std::vector<Line> all{{"PtyHostVw", {"--no-vw", "--pty", "FOLDER/eyebot.tty"}},
+                        {"PtyBinary", {"--no-vw", "--binary", "--pty", "FOLDER/eyebot.tty"}},
+                        {"Tcp", {"--no-vw", "--tcp", "47115"}},
+                        {"CanSocket", {"--can", "FOLDER/eyebot.bus", "--node", "3"}}};
+  if (const char* const can = std::getenv("EYEBRIDGE_TEST_CAN")) {
+    const std::string name(can);
+    all.push_back({"Vcan", {"--can", name.substr(0, name.find(',')), "--node", "3"}});
+  }
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Lines, Robust, ::testing::ValuesIn(lines()),
+                         [](const auto& row) { return row.param.name; });
+
+/// A CAN interface, in the lab's kernel.
+class RobustCan : public ::testing::Test {
+ protected:
+  static std::string interface() {
+    const std::string names = std::getenv("EYEBRIDGE_TEST_CAN");
+    return names.substr(0, names.find(','));
+  }
+  static void set_link(const char* state) {
+    const std::string command = "ip link set " + interface() + " " + state;
+    ASSERT_EQ(std::system(command.c_str()), 0) << command;
+  }
+  Loop loop{{"vcan", {"--can", interface(), "--node", "3"}}};
+};
+
+TEST_F(RobustCan, AnInterfaceThatGoesDownIsAnErrorAndTheRobotStops) {
+  loop.start_program();
+  const double down = loop.time();
+  set_link("down");
+  EXPECT_THAT(loop.program().wait_for("lost: "), HasSubstr(interface()));
+  const auto since = loop.standing_since();
+  ASSERT_TRUE(since);
+  EXPECT_LE(*since, down + kStopped);
+  set_link("up");
+  EXPECT_THAT(loop.program().wait_for("back\n"), HasSubstr("back\n"));
+  EXPECT_TRUE(loop.moves());
+  loop.program().finish(SIGTERM);
+}
+
+/// What a controller's driver reports; vcan lets everybody send it.
+void report(const std::string& interface, unsigned error_class) {
+  const std::string text = "import socket,struct\ns=socket.socket(29,3,1)\ns.bind(('" + interface +
+                           "',))\ns.send(struct.pack('=IB3x8s'," +
+                           std::to_string(CAN_ERR_FLAG | error_class) + ",8,b''))";
+  ASSERT_EQ(run_program({{"/usr/bin/python3", "-c", text}, {}, ""}).exit_code, 0);
+}
+
+TEST_F(RobustCan, AControllerThatIsBusOffIsNamedAndTheRobotStops) {
+  loop.start_program();
+  const double off = loop.time();
+  report(interface(), CAN_ERR_BUSOFF);
+  EXPECT_THAT(loop.program().wait_for("lost: "), HasSubstr("bus off"));
+  const auto since = loop.standing_since();
+  ASSERT_TRUE(since);
+  EXPECT_LE(*since, off + kStopped);
+  report(interface(), CAN_ERR_RESTARTED);
+  EXPECT_THAT(loop.program().wait_for("back\n"), HasSubstr("back\n"));
+  EXPECT_TRUE(loop.moves());
+  loop.program().finish(SIGTERM);
+}
+
+TEST(RobustLine, TheWallFollowerEndsItsCourseOverALineThatLosesAndFlipsOneByteInAHundred) {
+  const ScratchFolder folder;
+  const std::string eyebridge = EYEBRIDGE_BIN "/eyebridge";
+  const std::string world = EYEBRIDGE_SOURCE_DIR "/worlds/corridor.wld";
+  const std::string hdt = folder.write(
+      "robot.hdt", run_program({{eyebridge, "firmware", "--world", world, "--hdt"}, {}, ""}).out);
+  RunningProgram firmware(
+      {{eyebridge, "firmware", "--world", world, "--no-vw", "--tcp", "0"}, {}, ""});
+  const std::string said = firmware.wait_for("PROGRAM\n");
+  const std::size_t begin = said.find("tcp:") + 4;
+  bridges::FaultPlan plan;
+  plan.seed = 7;
+  plan.incoming.drop = plan.incoming.flip = plan.outgoing.drop = plan.outgoing.flip = 0.01;
+  Relay relay(said.substr(begin, said.find(' ', begin) - begin), plan);
+  RunningProgram program({{EYEBRIDGE_BIN "/parity_follower"},
+                          {{"EYEBRIDGE_HAL", relay.hal() + "?hdt=" + hdt}},
+                          folder.path()});
+  program.wait_for("following\n");
+  relay.damage();
+  EXPECT_EQ(program.wait(), 0) << program.said();
+  EXPECT_THAT(program.said(), HasSubstr("three corners after "));
+  EXPECT_GT(relay.counts().dropped, 50U);
+  EXPECT_GT(relay.counts().flipped, 50U);
+  firmware.finish(SIGTERM);
+  double x = 0;
+  double y = 0;
+  const std::size_t place = firmware.said().find("robot 1 at ");
+  ASSERT_NE(place, std::string::npos);
+  ASSERT_EQ(std::sscanf(firmware.said().c_str() + place, "robot 1 at %lf mm %lf mm", &x, &y), 2);
+  EXPECT_NEAR(x, 300, 150) << "before the third corner";
+  EXPECT_NEAR(y, 2100, 150);
+}
+
+}  // namespace
+}  // namespace eyebridge::testing
