@@ -1,5 +1,7 @@
-// A command to a robot on a CAN bus until its answer can be read through the client, against send()
-// and recv() of frames of the same size on such a bus. Target: 1.5 times the raw echo.
+// Through the client of a robot on a CAN bus, against send() and recv() of frames of the same size
+// on such a bus: what PSDGet() does, which is to read what the robot told last (target: 1.5 times
+// the raw echo); and, for those who close a loop over the bus, a command until its answer can be
+// read.
 //
 // On a SOCK_SEQPACKET pair everywhere; on the interface that EYEBRIDGE_TEST_CAN names, too: in the
 // lab, tests/lab/run -- build/release/bin/bench_latency_can.
@@ -122,7 +124,21 @@ Latencies raw_echo(const std::string& interface) {
   return raw;
 }
 
-void command_and_status(benchmark::State& state, const std::string& interface) {
+void read_range(CanClient& client) {
+  need(client.latest<can::PsdAStatus>().has_value(), "the last range");
+}
+
+void command_and_answer(CanClient& client) {
+  static std::uint16_t value = 0;
+  value = static_cast<std::uint16_t>(value % 255 + 1);
+  need(client.say(can::DigitalCommand{0xFFFF, value}).has_value(), "say");
+  for (auto seen = client.latest<can::DigitalStatus>(); !seen || seen->in != value;
+       seen = client.latest<can::DigitalStatus>()) {
+    std::this_thread::yield();
+  }
+}
+
+void measure(benchmark::State& state, const std::string& interface, void (*exchange)(CanClient&)) {
   Latencies raw = raw_echo(interface);
   Ends ends = ends_on(interface);
   const int far = ends.far.get();
@@ -152,17 +168,7 @@ void command_and_status(benchmark::State& state, const std::string& interface) {
     need(ready.has_value(), ready ? "" : ready.error().what);
     measuring = true;
     Latencies ours;
-    std::uint16_t value = 0;
-    for (auto _ : state) {
-      value = static_cast<std::uint16_t>(value % 255 + 1);
-      ours.time([&] {
-        need(client.say(can::DigitalCommand{0xFFFF, value}).has_value(), "say");
-        for (auto seen = client.latest<can::DigitalStatus>(); !seen || seen->in != value;
-             seen = client.latest<can::DigitalStatus>()) {
-          std::this_thread::yield();
-        }
-      });
-    }
+    for (auto _ : state) ours.time([&] { exchange(client); });
     report(state, ours, raw);
     alive = false;
     heart.join();  // before the other side is gone
@@ -176,10 +182,15 @@ const bool registered = [] {
     buses.push_back(names.substr(0, names.find(',')));
   }
   for (const std::string& bus : buses) {
-    benchmark::RegisterBenchmark(
-        ("command_and_status/" + (bus.empty() ? "socketpair" : bus)).c_str(),
-        [bus](benchmark::State& state) { command_and_status(state, bus); })
-        ->UseRealTime();
+    const std::string name = bus.empty() ? "socketpair" : bus;
+    const auto add = [&](const std::string& what, void (*exchange)(CanClient&)) {
+      benchmark::RegisterBenchmark((what + "/" + name).c_str(), [bus, exchange](
+                                                                    benchmark::State& state) {
+        measure(state, bus, exchange);
+      })->UseRealTime();
+    };
+    add("read_range", read_range);
+    add("command_and_answer", command_and_answer);
   }
   return true;
 }();

@@ -10,8 +10,8 @@ using namespace std::chrono_literals;
 // What did not change is repeated: boards have watchdogs, and nothing says that it has arrived.
 constexpr Time kRepeat = 50ms;
 // A reply that is lost costs some 100 ms, and the line goes on: what was read before is the truth
-// for so long. The same as on CAN, where it is four periods of a status.
-constexpr Time kPatience = 300ms;
+// for so long.
+constexpr Time kPatience = 500ms;
 
 HostDriveSettings settings_of(const BoardDriveShape& shape) {
   HostDriveSettings settings;
@@ -62,6 +62,13 @@ void HostController::note(const Result<WheelCounts>& counts, Time now) {
   }
 }
 
+// Asked at each call, too: whoever reads the encoders may be waiting for a board that is silent.
+Result<void> HostController::check() const {
+  if (trouble_) return tl::unexpected(*trouble_);
+  if (clock_.now() - heard_ <= kPatience) return {};
+  return fail(Errc::Timeout, "drive: the board has not told its encoders for half a second");
+}
+
 void HostController::send(const WheelSpeeds& speeds, Time now) {
   if (sent_ == speeds && now - sent_at_ < kRepeat) return;
   sent_.reset();
@@ -72,7 +79,7 @@ void HostController::send(const WheelSpeeds& speeds, Time now) {
 
 Result<void> HostController::set_speed(const Twist& twist) {
   const std::lock_guard lock(mutex_);
-  if (trouble_) return tl::unexpected(*trouble_);
+  if (auto good = check(); !good) return tl::unexpected(std::move(good.error()));
   goal_lost_ = false;
   drive_.set_speed(twist);
   return {};
@@ -80,7 +87,7 @@ Result<void> HostController::set_speed(const Twist& twist) {
 
 Result<void> HostController::start(const DriveGoal& goal) {
   const std::lock_guard lock(mutex_);
-  if (trouble_) return tl::unexpected(*trouble_);
+  if (auto good = check(); !good) return tl::unexpected(std::move(good.error()));
   goal_lost_ = false;
   drive_.start(goal);
   return {};
@@ -88,7 +95,7 @@ Result<void> HostController::start(const DriveGoal& goal) {
 
 Result<DriveStatus> HostController::status() {
   const std::lock_guard lock(mutex_);
-  if (trouble_) return tl::unexpected(*trouble_);
+  if (auto good = check(); !good) return tl::unexpected(std::move(good.error()));
   DriveStatus status = drive_.status();
   if (goal_lost_) status.progress = DriveProgress::Failed;
   return status;
@@ -96,19 +103,19 @@ Result<DriveStatus> HostController::status() {
 
 Result<Twist> HostController::measured_twist() {
   const std::lock_guard lock(mutex_);
-  if (trouble_) return tl::unexpected(*trouble_);
+  if (auto good = check(); !good) return tl::unexpected(std::move(good.error()));
   return drive_.measured_twist();
 }
 
 Result<Pose> HostController::odometry() {
   const std::lock_guard lock(mutex_);
-  if (trouble_) return tl::unexpected(*trouble_);
+  if (auto good = check(); !good) return tl::unexpected(std::move(good.error()));
   return drive_.odometry();
 }
 
 Result<void> HostController::set_odometry(const Pose& pose) {
   const std::lock_guard lock(mutex_);
-  if (trouble_) return tl::unexpected(*trouble_);
+  if (auto good = check(); !good) return tl::unexpected(std::move(good.error()));
   drive_.set_odometry(pose);
   return {};
 }

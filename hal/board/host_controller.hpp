@@ -30,6 +30,7 @@ class HostController final : public DriveController {
 
  private:
   Result<WheelCounts> read_counts();
+  [[nodiscard]] Result<void> check() const;                // under mutex_
   void note(const Result<WheelCounts>& counts, Time now);  // under mutex_
   void send(const WheelSpeeds& speeds, Time now);          // under sending_
 

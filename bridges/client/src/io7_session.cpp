@@ -11,7 +11,10 @@ namespace {
 
 using State = io7::ReplyParser::State;
 
-constexpr int kResyncAttempts = 3;
+// A line that answers, but wrongly, is noisy: on one that spoils a byte in fifty every seventh
+// attempt fails. A silent one is given up sooner.
+constexpr int kResyncAttempts = 8;
+constexpr int kSilentAttempts = 3;
 // Completes the longest binary request, whose arguments a board may still be waiting for. All 0: as
 // an argument that is "stop", as a letter it is none.
 constexpr std::array<std::uint8_t, 6> kCompletion{};
@@ -141,7 +144,8 @@ Result<void> Io7Session::resync() {
   const auto bytes = io7::encode(version, report_.profile);
   if (!bytes) return tl::unexpected(bytes.error());
   std::string found = "nothing";
-  for (int attempt = 0; attempt < kResyncAttempts; ++attempt) {
+  int silent = 0;
+  for (int attempt = 0; attempt < kResyncAttempts && silent < kSilentAttempts; ++attempt) {
     const auto late = drain_until_quiet();
     if (!late) return tl::unexpected(late.error());
     statistics_.stray += *late;
@@ -154,6 +158,7 @@ Result<void> Io7Session::resync() {
                             report_.version.end())) {
       return {};
     }
+    if (!reply && reply.error().code == Errc::Timeout) ++silent;
     found = reply ? "the version " + std::string(reply->version.begin(), reply->version.end())
                   : reply.error().what;
   }
