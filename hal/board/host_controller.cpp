@@ -9,6 +9,9 @@ using namespace std::chrono_literals;
 
 // What did not change is repeated: boards have watchdogs, and nothing says that it has arrived.
 constexpr Time kRepeat = 50ms;
+// A board samples its counters and obeys its motors every 10 ms: counts are half a period old, and
+// a speed holds until the period after the one in which it came.
+constexpr double kDeadTime = 0.015;  // seconds
 
 HostDriveSettings settings_of(const BoardDriveShape& shape) {
   HostDriveSettings settings;
@@ -19,6 +22,7 @@ HostDriveSettings settings_of(const BoardDriveShape& shape) {
   settings.wheel_base = shape.wheel_base;
   settings.max_linear = shape.max_linear;
   settings.max_angular = shape.max_angular;
+  settings.motor_lag = kDeadTime;
   return settings;
 }
 
