@@ -33,7 +33,7 @@ endfunction()
 # eyebridge_test(core_base SOURCES … LIBRARIES … [LABEL slow]): one GoogleTest program; every test in
 # it becomes a ctest named core_base.Suite.Test@preset, so that `./test core` picks a group by its
 # prefix. LABEL is unit unless given: unit tests together stay under two minutes. Those with LABEL
-# threads are all that the thread sanitizer runs; the fuzz preset runs only fuzzers.
+# threads or realtime are all that the thread sanitizer runs; the fuzz preset runs only fuzzers.
 function(eyebridge_test name)
   cmake_parse_arguments(arg "" "LABEL" "SOURCES;LIBRARIES" ${ARGN})
   if(NOT arg_LABEL)
@@ -46,13 +46,13 @@ function(eyebridge_test name)
   target_compile_definitions(test_${name} PRIVATE
                              EYEBRIDGE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                              EYEBRIDGE_SHARED_DIR="${CMAKE_SOURCE_DIR}/../shared")
-  if(EYEBRIDGE_FUZZ OR (EYEBRIDGE_SANITIZE MATCHES "thread" AND NOT arg_LABEL STREQUAL threads))
+  if(EYEBRIDGE_FUZZ OR (EYEBRIDGE_SANITIZE MATCHES "thread" AND NOT arg_LABEL MATCHES "^(threads|realtime)$"))
     return()
   endif()
   cmake_path(GET CMAKE_BINARY_DIR FILENAME preset)
   gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_SUFFIX @${preset} NO_PRETTY_VALUES
                        DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${arg_LABEL} TIMEOUT 300)
-  if(arg_LABEL STREQUAL threads)
+  if(arg_LABEL MATCHES "^(threads|realtime)$")
     add_dependencies(threaded_tests test_${name})
   endif()
 endfunction()

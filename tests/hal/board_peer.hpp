@@ -10,6 +10,7 @@
 #include "../bridges/protocol/fake_board.hpp"
 #include "board/board_backend.hpp"
 #include "board/io7_link.hpp"
+#include "borrowed_clock.hpp"
 
 namespace eyebridge::hal::testing {
 
@@ -18,19 +19,6 @@ using bridges::testing::FakeClock;
 using bridges::testing::KeptLog;
 using bridges::testing::ScriptedLine;
 using bridges::testing::ScriptedStream;
-
-/// The clock of a bench, handed to whoever wants to own one.
-class BorrowedClock final : public Clock {
- public:
-  explicit BorrowedClock(Clock& clock) : clock_(clock) {}
-  [[nodiscard]] Time now() const override { return clock_.now(); }
-  void wait_until(Time deadline) override { clock_.wait_until(deadline); }
-  void spend(Time cost) override { clock_.spend(cost); }
-  [[nodiscard]] bool is_virtual() const override { return clock_.is_virtual(); }
-
- private:
-  Clock& clock_;
-};
 
 /// A whole IO7 board on virtual time: what FakeBoard answers, and encoders, motors and servos that
 /// remember what they were told. Answers take 1 ms.
