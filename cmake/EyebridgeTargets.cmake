@@ -34,8 +34,10 @@ endfunction()
 # it becomes a ctest named core_base.Suite.Test@preset, so that `./test core` picks a group by its
 # prefix. LABEL is unit unless given: unit tests together stay under two minutes. Those with LABEL
 # threads or realtime are all that the thread sanitizer runs; the fuzz preset runs only fuzzers.
+# SHARDS n, for tests that mostly wait: a single ctest, named after the program, runs them in n
+# processes at once.
 function(eyebridge_test name)
-  cmake_parse_arguments(arg "" "LABEL" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "" "LABEL;SHARDS" "SOURCES;LIBRARIES" ${ARGN})
   if(NOT arg_LABEL)
     set(arg_LABEL unit)
   endif()
@@ -50,8 +52,15 @@ function(eyebridge_test name)
     return()
   endif()
   cmake_path(GET CMAKE_BINARY_DIR FILENAME preset)
-  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_SUFFIX @${preset} NO_PRETTY_VALUES
-                       DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${arg_LABEL} TIMEOUT 300)
+  if(arg_SHARDS)
+    add_test(NAME ${name}@${preset}
+             COMMAND "${CMAKE_SOURCE_DIR}/cmake/run-shards.sh" $<TARGET_FILE:test_${name}> ${arg_SHARDS})
+    # Alone on a computer of two cores: others would only make them late.
+    set_tests_properties(${name}@${preset} PROPERTIES LABELS ${arg_LABEL} TIMEOUT 300 PROCESSORS 2)
+  else()
+    gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_SUFFIX @${preset} NO_PRETTY_VALUES
+                         DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${arg_LABEL} TIMEOUT 300)
+  endif()
   if(arg_LABEL MATCHES "^(threads|realtime)$")
     add_dependencies(threaded_tests test_${name})
   endif()
