@@ -23,8 +23,8 @@ class BackendContract : public testing::TestWithParam<RigCase> {
   [[nodiscard]] const RigTraits& traits() const;
 
   /// The front sensor's reading.
-  static double front(const Rig& rig) { return rig.backend->range_sensor(1)->read().value(); }
-  static Pose odometry(const Rig& rig) { return rig.backend->drive()->odometry().value(); }
+  static double front(const Rig& rig) { return must(rig.backend->range_sensor(1)->read()); }
+  static Pose odometry(const Rig& rig) { return must(rig.backend->drive()->odometry()); }
   /// Expects the robot at `pose`, where anybody knows.
   void expect_truly_at(const Rig& rig, const Pose& pose) const;
 

@@ -20,7 +20,7 @@ TEST_P(BackendContract, StandsStillUntilItIsTold) {
   rig.wait(1.0);
   EXPECT_NEAR(front(rig), 0.5, traits().range);
   expect_truly_at(rig, facing(0.5));
-  EXPECT_EQ(rig.backend->drive()->status().value().progress, DriveProgress::Done);
+  EXPECT_EQ(must(rig.backend->drive()->status()).progress, DriveProgress::Done);
 }
 
 TEST_P(BackendContract, DrivesStraightAsFarAsItIsTold) {
@@ -90,7 +90,7 @@ TEST_P(BackendContract, SaysHowFarItHasToGo) {
   ASSERT_TRUE(rig.backend->drive()->start({1.0, 0.0, kSlowly}));
   rig.wait(3.0);
   const double before = odometry(rig).x;
-  const DriveStatus status = rig.backend->drive()->status().value();
+  const DriveStatus status = must(rig.backend->drive()->status());
   rig.wait(traits().age);
   const double after = odometry(rig).x;
   EXPECT_EQ(status.progress, DriveProgress::Driving);
@@ -106,7 +106,7 @@ TEST_P(BackendContract, AGoalWithoutLengthIsDoneAtOnceAndStopsTheRobot) {
   ASSERT_TRUE(rig.backend->drive()->set_speed({kSpeed, 0.0}));
   rig.wait(0.5);
   ASSERT_TRUE(rig.backend->drive()->start({0.0, 0.0, kSpeed}));
-  EXPECT_EQ(rig.backend->drive()->status().value().progress, DriveProgress::Done);
+  EXPECT_EQ(must(rig.backend->drive()->status()).progress, DriveProgress::Done);
   rig.wait(1.0);
   const double stopped = front(rig);
   EXPECT_LT(stopped, 1.45);
@@ -143,25 +143,25 @@ TEST_P(BackendContract, ShowsTheStallWhileItPushes) {
   const Rig rig = make(0.2);
   ASSERT_TRUE(rig.backend->drive()->set_speed({kSpeed, 0.0}));
   rig.wait(1.5);
-  const DriveStatus status = rig.backend->drive()->status().value();
+  const DriveStatus status = must(rig.backend->drive()->status());
   EXPECT_EQ(status.progress, DriveProgress::Done);  // there is no goal that could fail
   EXPECT_EQ(status.stalled_left, traits().stalls);
   EXPECT_EQ(status.stalled_right, traits().stalls);
   ASSERT_TRUE(rig.backend->drive()->set_speed({-kSlowly, 0.0}));
   rig.wait(0.5);
-  EXPECT_FALSE(rig.backend->drive()->status().value().stalled_left);
+  EXPECT_FALSE(must(rig.backend->drive()->status()).stalled_left);
 }
 
 TEST_P(BackendContract, KeepsASpeedUntilTheNextCommand) {
   const Rig rig = make(1.5);
   ASSERT_TRUE(rig.backend->drive()->set_speed({0.2, 0.5}));
   rig.wait(1.0);
-  const Twist twist = rig.backend->drive()->measured_twist().value();
+  const Twist twist = must(rig.backend->drive()->measured_twist());
   EXPECT_NEAR(twist.linear, 0.2, traits().linear);
   EXPECT_NEAR(twist.angular, 0.5, traits().angular);
   ASSERT_TRUE(rig.backend->drive()->set_speed({0.0, 0.0}));
   rig.wait(1.0);
-  EXPECT_EQ(rig.backend->drive()->measured_twist().value(), Twist{});
+  EXPECT_EQ(must(rig.backend->drive()->measured_twist()), Twist{});
   const Pose pose = odometry(rig);
   rig.wait(0.5);
   EXPECT_NEAR(odometry(rig).x, pose.x, 1e-9);
@@ -172,7 +172,7 @@ TEST_P(BackendContract, DrivesNoFasterThanItCan) {
   const Rig rig = make(1.8);
   ASSERT_TRUE(rig.backend->drive()->set_speed({10.0, 0.0}));
   rig.wait(1.2);
-  EXPECT_NEAR(rig.backend->drive()->measured_twist().value().linear, rig_model().drive.max_linear,
+  EXPECT_NEAR(must(rig.backend->drive()->measured_twist()).linear, rig_model().drive.max_linear,
               traits().linear);
 }
 

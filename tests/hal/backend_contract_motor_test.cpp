@@ -51,20 +51,20 @@ TEST_P(BackendContract, EncodersCountTheDistance) {
   rig.wait_for_drive();
   rig.wait(traits().age);
   const double tolerance = ticks_of(traits().way) + 1;
-  EXPECT_NEAR(rig.backend->encoder(1)->read().value(), ticks_of(0.5), tolerance);
-  EXPECT_NEAR(rig.backend->encoder(2)->read().value(), ticks_of(0.5), tolerance);
+  EXPECT_NEAR(must(rig.backend->encoder(1)->read()), ticks_of(0.5), tolerance);
+  EXPECT_NEAR(must(rig.backend->encoder(2)->read()), ticks_of(0.5), tolerance);
   ASSERT_TRUE(rig.backend->encoder(1)->reset());
-  EXPECT_EQ(rig.backend->encoder(1)->read().value(), 0);
-  EXPECT_NE(rig.backend->encoder(2)->read().value(), 0);
+  EXPECT_EQ(must(rig.backend->encoder(1)->read()), 0);
+  EXPECT_NE(must(rig.backend->encoder(2)->read()), 0);
 }
 
 TEST_P(BackendContract, EncodersCountDownBackwards) {
   const Rig rig = make(1.0);
-  EXPECT_EQ(rig.backend->encoder(1)->read().value(), 0);
+  EXPECT_EQ(must(rig.backend->encoder(1)->read()), 0);
   ASSERT_TRUE(rig.backend->drive()->start({-0.2, 0.0, kSpeed}));
   rig.wait_for_drive();
   rig.wait(traits().age);
-  EXPECT_NEAR(rig.backend->encoder(1)->read().value(), ticks_of(-0.2), ticks_of(traits().way) + 1);
+  EXPECT_NEAR(must(rig.backend->encoder(1)->read()), ticks_of(-0.2), ticks_of(traits().way) + 1);
 }
 
 TEST_P(BackendContract, MotorsMoveTheirOwnWheel) {
@@ -73,8 +73,8 @@ TEST_P(BackendContract, MotorsMoveTheirOwnWheel) {
   rig.wait(0.5);
   ASSERT_TRUE(rig.backend->motor(2)->set_duty(0.0));
   rig.wait(0.5);
-  EXPECT_EQ(rig.backend->encoder(1)->read().value(), 0);
-  const int right = rig.backend->encoder(2)->read().value();
+  EXPECT_EQ(must(rig.backend->encoder(1)->read()), 0);
+  const int right = must(rig.backend->encoder(2)->read());
   EXPECT_GT(right, 0);
   // The right wheel alone turns the robot to the left, around the other wheel.
   const robot::DriveModel drive = rig_model().drive;
@@ -89,9 +89,9 @@ TEST_P(BackendContract, ADutyIsAShareOfTheTopSpeed) {
   ASSERT_TRUE(rig.backend->motor(2)->set_duty(0.2));
   rig.wait(1.0);
   const robot::DriveModel drive = rig_model().drive;
-  EXPECT_NEAR(rig.backend->drive()->measured_twist().value().linear,
+  EXPECT_NEAR(must(rig.backend->drive()->measured_twist()).linear,
               0.2 * drive.max_wheel_speed * drive.wheel_diameter / 2, traits().linear);
-  EXPECT_EQ(rig.backend->drive()->status().value().progress, DriveProgress::Done);
+  EXPECT_EQ(must(rig.backend->drive()->status()).progress, DriveProgress::Done);
 }
 
 TEST_P(BackendContract, MotorsKeepTheSpeedTheyAreTold) {
@@ -101,8 +101,8 @@ TEST_P(BackendContract, MotorsKeepTheSpeedTheyAreTold) {
   ASSERT_TRUE(rig.backend->motor(1)->set_speed(kTicksPerSecond));
   ASSERT_TRUE(rig.backend->motor(2)->set_speed(kTicksPerSecond));
   rig.wait(1.0);
-  EXPECT_NEAR(rig.backend->drive()->measured_twist().value().linear,
-              kTicksPerSecond / ticks_of(1.0), traits().linear);
+  EXPECT_NEAR(must(rig.backend->drive()->measured_twist()).linear, kTicksPerSecond / ticks_of(1.0),
+              traits().linear);
 }
 
 TEST_P(BackendContract, AMotorThatIsUsedEndsTheMovement) {
@@ -115,7 +115,7 @@ TEST_P(BackendContract, AMotorThatIsUsedEndsTheMovement) {
   const double stopped = front(rig);
   rig.wait(0.5);
   EXPECT_NEAR(front(rig), stopped, traits().range);
-  EXPECT_NE(rig.backend->drive()->status().value().progress, DriveProgress::Driving);
+  EXPECT_NE(must(rig.backend->drive()->status()).progress, DriveProgress::Driving);
   // And the drive takes it back.
   ASSERT_TRUE(rig.backend->drive()->start({-0.1, 0.0, kSpeed}));
   EXPECT_EQ(rig.wait_for_drive().progress, DriveProgress::Done);
@@ -141,6 +141,28 @@ TEST_P(BackendContract, StopStopsAtOnceWhateverMovedTheRobot) {
     rig.wait(1.0);
     EXPECT_NEAR(front(rig), stopped, traits().range);
   }
+}
+
+TEST_P(BackendContract, LosingTheRobotIsAnErrorNotAReading) {
+  const Rig rig = make(1.5);
+  ASSERT_TRUE(rig.backend->drive()->start({1.0, 0.0, kSpeed}));
+  rig.wait(0.5);
+  if (rig.unplug) rig.unplug();
+  rig.wait(0.5);
+  // A robot that has no line cannot be lost, and its readings go on.
+  const bool there = !rig.unplug;
+  EXPECT_EQ(rig.backend->range_sensor(1)->read().has_value(), there);
+  EXPECT_EQ(rig.backend->encoder(1)->read().has_value(), there);
+  EXPECT_EQ(rig.backend->drive()->odometry().has_value(), there);
+  EXPECT_EQ(rig.backend->drive()->status().has_value(), there);
+  EXPECT_EQ(rig.backend->motor(1)->set_duty(0.1).has_value(), there);
+  EXPECT_EQ(rig.backend->drive()->set_speed({0.1, 0.0}).has_value(), there);
+  if (there) return;
+  EXPECT_EQ(rig.backend->range_sensor(1)->read().error().code, Errc::Disconnected);
+  // And the robot that has lost its host stands.
+  const Pose stood = rig.truth().pose;
+  rig.wait(0.3);
+  EXPECT_EQ(rig.truth().pose, stood);
 }
 
 TEST_P(BackendContract, TraceTellsOfTheRunInOrder) {

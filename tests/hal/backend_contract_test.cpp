@@ -26,20 +26,20 @@ TEST_P(BackendContract, FrontSensorSeesTheWallAhead) {
 
 TEST_P(BackendContract, SideSensorsLookToTheirSides) {
   const Rig rig = make_at({1.0, 0.7, 0.0});
-  EXPECT_NEAR(rig.backend->range_sensor(2)->read().value(), 2 * kSideWall - 0.7, traits().range);
-  EXPECT_NEAR(rig.backend->range_sensor(3)->read().value(), 0.7, traits().range);
+  EXPECT_NEAR(must(rig.backend->range_sensor(2)->read()), 2 * kSideWall - 0.7, traits().range);
+  EXPECT_NEAR(must(rig.backend->range_sensor(3)->read()), 0.7, traits().range);
 }
 
 TEST_P(BackendContract, RawReadingsAreWhatTheSensorGives) {
-  EXPECT_EQ(make(0.5).backend->range_sensor(1)->read_raw().value(), traits().raw_at_half_metre);
+  EXPECT_EQ(must(make(0.5).backend->range_sensor(1)->read_raw()), traits().raw_at_half_metre);
 }
 
 TEST_P(BackendContract, AWallBeyondReachReadsAsOutOfRange) {
   const Rig rig = make(kShortReach + 0.05);
   RangeSensor* sensor = rig.backend->range_sensor(4);
-  EXPECT_EQ(sensor->read().value(), sensor->out_of_range());
+  EXPECT_EQ(must(sensor->read()), sensor->out_of_range());
   const Rig nearer = make(kShortReach - 0.05);
-  EXPECT_NEAR(nearer.backend->range_sensor(4)->read().value(), kShortReach - 0.05, traits().range);
+  EXPECT_NEAR(must(nearer.backend->range_sensor(4)->read()), kShortReach - 0.05, traits().range);
 }
 
 TEST_P(BackendContract, DevicesThatTheRobotLacksAreNull) {
@@ -87,7 +87,7 @@ TEST_P(BackendContract, ProximitySwitchesAtItsThreshold) {
     SwitchSensor* proximity = rig.backend->proximity(1);
     ASSERT_EQ(proximity != nullptr, traits().switches);
     if (proximity == nullptr) continue;
-    EXPECT_EQ(proximity->read().value(), distance < kThreshold);
+    EXPECT_EQ(must(proximity->read()), distance < kThreshold);
   }
 }
 
@@ -96,10 +96,10 @@ TEST_P(BackendContract, BumperFeelsTheWallThatTheRobotRanInto) {
   SwitchSensor* bumper = rig.backend->bumper(1);
   ASSERT_EQ(bumper != nullptr, traits().switches);
   if (bumper == nullptr) return;
-  EXPECT_FALSE(bumper->read().value());
+  EXPECT_FALSE(must(bumper->read()));
   ASSERT_TRUE(rig.backend->drive()->set_speed({0.3, 0.0}));
   rig.wait(3.0);
-  EXPECT_TRUE(bumper->read().value());
+  EXPECT_TRUE(must(bumper->read()));
 }
 
 TEST_P(BackendContract, CompassGivesTheHeadingInTheWorld) {
@@ -108,7 +108,7 @@ TEST_P(BackendContract, CompassGivesTheHeadingInTheWorld) {
     Compass* compass = rig.backend->compass();
     ASSERT_EQ(compass != nullptr, traits().compass);
     if (compass == nullptr) continue;
-    EXPECT_NEAR(compass->read().value(), heading, 1e-9);
+    EXPECT_NEAR(must(compass->read()), heading, 1e-9);
   }
 }
 

@@ -46,7 +46,7 @@ TEST_P(BackendContract, TheCameraSeesAllBodiesAndKnowsItsCarrier) {
   const world::Scene scene = view->scene();
   ASSERT_EQ(scene.bodies.size(), 3u);
   EXPECT_EQ(scene.model->walls.size(), 5u);
-  EXPECT_EQ(scene.bodies.at(view->carrier()).pose, rig.backend->world()->robot_pose(0).value());
+  EXPECT_EQ(scene.bodies.at(view->carrier()).pose, must(rig.backend->world()->robot_pose(0)));
 }
 
 TEST_P(BackendContract, WorldControlCountsFromOneAndKnowsItsOwnRobotAsZero) {
@@ -56,9 +56,9 @@ TEST_P(BackendContract, WorldControlCountsFromOneAndKnowsItsOwnRobotAsZero) {
   if (world == nullptr) return;
   EXPECT_EQ(world->robot_count(), 2);
   EXPECT_EQ(world->object_count(), 1);
-  EXPECT_EQ(world->robot_pose(0).value(), world->robot_pose(1).value());
-  EXPECT_NEAR(world->robot_pose(2).value().y, 1.5, 1e-9);
-  EXPECT_NEAR(world->object_pose(1).value().y, 0.5, 1e-9);
+  EXPECT_EQ(must(world->robot_pose(0)), must(world->robot_pose(1)));
+  EXPECT_NEAR(must(world->robot_pose(2)).y, 1.5, 1e-9);
+  EXPECT_NEAR(must(world->object_pose(1)).y, 0.5, 1e-9);
 }
 
 TEST_P(BackendContract, WorldControlRefusesUnknownIdsAndPoses) {

@@ -52,11 +52,26 @@ struct BoardPeer {
     told += sent;
     if (sent[0] == 'm' || sent[0] == 'M') motor[number[0]] = number[1];
     if (sent[0] != 'e') return;
+    if (rolls) roll();
+    const Time late = number[0] == 2 ? std::exchange(stall, Time{0}) : Time{0};
+    if (late > Time{0}) {  // the request is under way for so long
+      clock.spend(late);
+      roll();
+    }
     const auto count = static_cast<unsigned>(encoder[number[0]]);
     const unsigned bits = count ^ std::exchange(flip, 0U);
     const std::array bytes = {static_cast<char>(bits >> 8U & 0xFFU),
                               static_cast<char>(bits & 0xFFU)};
     to.arrive({bytes.data(), bytes.size()}, 1ms);
+  }
+
+  /// The wheels turn as they were told last, up to now.
+  void roll() {
+    const Time passed = clock.now() - std::exchange(rolled, clock.now());
+    for (const int id : {1, 2}) {
+      turned[id] += motor[id] * to_seconds(passed) * 100;
+      encoder[id] = static_cast<int>(std::lround(turned[id]));
+    }
   }
 
   std::unique_ptr<BoardBackend> make_backend(const BoardTables& tables) {
@@ -81,10 +96,14 @@ struct BoardPeer {
   std::string letters;
   bridges::io7::FakeBoard board;
   std::shared_ptr<ScriptedLine> line;
-  std::map<int, int> motor;    ///< Last number of `m` or `M`, by motor.
-  std::map<int, int> encoder;  ///< Counts, by encoder; 16 bits of them are told.
-  unsigned flip = 0;           ///< Bits that are inverted in the next count.
-  std::string told;            ///< Everything with letters that FakeBoard has not.
+  std::map<int, int> motor;      ///< Last number of `m` or `M`, by motor.
+  std::map<int, int> encoder;    ///< Counts, by encoder; 16 bits of them are told.
+  bool rolls = false;            ///< The wheels turn with the time; else as a test says.
+  Time rolled{0};                ///< Until when they have.
+  std::map<int, double> turned;  ///< How far, in ticks.
+  Time stall{0};                 ///< How late the next count of encoder 2 is.
+  unsigned flip = 0;             ///< Bits that are inverted in the next count.
+  std::string told;              ///< Everything with letters that FakeBoard has not.
 };
 
 }  // namespace eyebridge::hal::testing

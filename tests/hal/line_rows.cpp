@@ -35,6 +35,7 @@ Rig around(const std::shared_ptr<RigBoard>& board) {
   rig.log = std::make_unique<KeepingLog>();
   rig.other_end = board;
   rig.truth = [board] { return board->truth(); };
+  rig.unplug = [board] { board->unplug(); };
   board->start();
   return rig;
 }

@@ -44,6 +44,11 @@ Rig bench_rig(const std::shared_ptr<Bench>& bench, const std::string& url, Open&
   rig.backend = open(parse_backend_url(url, {"rig"}), BackendContext{config, *rig.log});
   bench->adopt(dynamic_cast<BoardBackend&>(*rig.backend));
   rig.truth = [bench] { return bench->board.truth(); };
+  rig.unplug = [bench] {
+    bench->board.unplug();
+    bench->wire.reset();
+    bench->node.reset();
+  };
   return rig;
 }
 

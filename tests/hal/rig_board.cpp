@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include <poll.h>
-
 #include "eyebridge/pins/psd_table.hpp"
 
 namespace eyebridge::hal::testing {
@@ -29,21 +27,32 @@ RigBoard::~RigBoard() = default;
 
 Time RigBoard::live(Time now) {
   const std::lock_guard lock(mutex_);
-  port_->pump();
+  if (port_) port_->pump();
   const Time due = world_.advance(now);
-  port_->pump();
+  if (port_) port_->pump();
   return due;
+}
+
+void RigBoard::unplug() {
+  const std::lock_guard lock(mutex_);
+  port_.reset();
 }
 
 void RigBoard::start() {
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
+pollfd RigBoard::what_to_wait_for() {
+  const std::lock_guard lock(mutex_);
+  if (!port_) return {-1, 0, 0};
+  const short room = port_->wants_room() ? POLLIN | POLLOUT : POLLIN;
+  return {port_->descriptor(), room, 0};
+}
+
 void RigBoard::run(const std::stop_token& stop) {
   while (!stop.stop_requested()) {
     const Time due = live(time_.now());
-    const short room = port_->wants_room() ? POLLIN | POLLOUT : POLLIN;
-    pollfd entry{port_->descriptor(), room, 0};
+    pollfd entry = what_to_wait_for();
     const Time left = std::clamp<Time>(due - time_.now(), Time{0}, std::chrono::milliseconds(10));
     const timespec timeout{0, static_cast<long>(left.count())};
     ::ppoll(&entry, 1, &timeout, nullptr);

@@ -5,6 +5,8 @@
 #include <string>
 #include <thread>
 
+#include <poll.h>
+
 #include "eyebridge/bridges/monotonic_clock.hpp"
 #include "eyebridge/pins/board_world.hpp"
 #include "eyebridge/ports/port.hpp"
@@ -32,6 +34,8 @@ class RigBoard {
   [[nodiscard]] eb_board& board() { return *board_; }
   void connect(std::unique_ptr<ports::Port> port) { port_ = std::move(port); }
   [[nodiscard]] const ports::Port& port() const { return *port_; }
+  /// The line is gone; the board does not hear of it. Any thread.
+  void unplug();
 
   /// World, board and line live up to `now`; when they are due again. Only without start().
   Time live(Time now);
@@ -47,6 +51,7 @@ class RigBoard {
 
  private:
   void run(const std::stop_token& stop);
+  [[nodiscard]] pollfd what_to_wait_for();
 
   eyebridge::testing::ScratchFolder folder_;
   std::string hdt_;
@@ -54,7 +59,7 @@ class RigBoard {
   std::mutex mutex_;  // of all below
   pins::BoardWorld world_;
   eb_board* board_ = nullptr;
-  std::unique_ptr<ports::Port> port_;
+  std::unique_ptr<ports::Port> port_;  // none after unplug()
   std::jthread thread_;
 };
 

@@ -96,10 +96,10 @@ void Rig::wait(double seconds) const {
 
 DriveStatus Rig::wait_for_drive() const {
   const Time end = backend->clock().now() + from_seconds(kPatience);
-  DriveStatus status = backend->drive()->status().value();
+  DriveStatus status = must(backend->drive()->status());
   while (status.progress == DriveProgress::Driving && backend->clock().now() < end) {
     wait(0.02);
-    status = backend->drive()->status().value();
+    status = must(backend->drive()->status());
   }
   return status;
 }
@@ -111,7 +111,7 @@ Rig sim_rig(const Pose& start, const std::map<std::string, std::string>& flags) 
   rig.backend = open_scenario(rig_scenario(start), {"rig"}, {config, *rig.log});
   rig.truth = [&robot = *rig.backend] {
     const camera::Eye eye = robot.camera_view()->eye();
-    const Pose pose = robot.world()->robot_pose(0).value();
+    const Pose pose = must(robot.world()->robot_pose(0));
     return Truth{pose, wrap_angle(eye.heading - pose.theta), eye.pitch};
   };
   return rig;

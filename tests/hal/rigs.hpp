@@ -4,7 +4,9 @@
 #include <memory>
 #include <mutex>
 #include <ostream>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "eyebridge/base/log.hpp"
@@ -14,6 +16,13 @@
 #include "rig_traits.hpp"
 
 namespace eyebridge::hal {
+
+/// The value; throws the error's text where there is none.
+template <class Value>
+Value must(Result<Value> result) {
+  if (!result) throw std::runtime_error(result.error().what);
+  return std::move(*result);
+}
 
 /// Keeps what was logged.
 class KeepingLog final : public LogSink {
@@ -60,6 +69,7 @@ struct Rig {
   std::shared_ptr<void> other_end;  ///< Of a board's line; likewise.
   std::unique_ptr<Backend> backend;
   std::function<Truth()> truth;  ///< Nothing where nobody knows.
+  std::function<void()> unplug;  ///< Takes the robot's line away; nothing where there is none.
 
   /// Lets `seconds` of the robot's clock pass.
   void wait(double seconds) const;
