@@ -33,15 +33,13 @@ endfunction()
 # eyebridge_test(core_base SOURCES … LIBRARIES … [LABEL slow]): one GoogleTest program; every test in
 # it becomes a ctest named core_base.Suite.Test@preset, so that `./test core` picks a group by its
 # prefix. LABEL is unit unless given: unit tests together stay under two minutes. Those with LABEL
-# threads are all that the thread sanitizer runs; the fuzz preset runs only fuzzers. Tests with a
-# high COST are started first.
+# threads or realtime are all that the thread sanitizer runs; the fuzz preset runs only fuzzers.
+# SHARDS n, for tests that mostly wait: a single ctest, named after the program, runs them in n
+# processes at once.
 function(eyebridge_test name)
-  cmake_parse_arguments(arg "" "LABEL;COST" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "" "LABEL;SHARDS" "SOURCES;LIBRARIES" ${ARGN})
   if(NOT arg_LABEL)
     set(arg_LABEL unit)
-  endif()
-  if(NOT arg_COST)
-    set(arg_COST 0)
   endif()
   add_executable(test_${name} ${arg_SOURCES})
   target_link_libraries(test_${name} PRIVATE ${arg_LIBRARIES} GTest::gmock GTest::gtest_main
@@ -50,14 +48,20 @@ function(eyebridge_test name)
   target_compile_definitions(test_${name} PRIVATE
                              EYEBRIDGE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                              EYEBRIDGE_SHARED_DIR="${CMAKE_SOURCE_DIR}/../shared")
-  if(EYEBRIDGE_FUZZ OR (EYEBRIDGE_SANITIZE MATCHES "thread" AND NOT arg_LABEL STREQUAL threads))
+  if(EYEBRIDGE_FUZZ OR (EYEBRIDGE_SANITIZE MATCHES "thread" AND NOT arg_LABEL MATCHES "^(threads|realtime)$"))
     return()
   endif()
   cmake_path(GET CMAKE_BINARY_DIR FILENAME preset)
-  gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_SUFFIX @${preset} NO_PRETTY_VALUES
-                       DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${arg_LABEL} TIMEOUT 300
-                       COST ${arg_COST})
-  if(arg_LABEL STREQUAL threads)
+  if(arg_SHARDS)
+    add_test(NAME ${name}@${preset}
+             COMMAND "${CMAKE_SOURCE_DIR}/cmake/run-shards.sh" $<TARGET_FILE:test_${name}> ${arg_SHARDS})
+    # Alone on a computer of two cores: others would only make them late.
+    set_tests_properties(${name}@${preset} PROPERTIES LABELS ${arg_LABEL} TIMEOUT 300 PROCESSORS 2)
+  else()
+    gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_SUFFIX @${preset} NO_PRETTY_VALUES
+                         DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${arg_LABEL} TIMEOUT 300)
+  endif()
+  if(arg_LABEL MATCHES "^(threads|realtime)$")
     add_dependencies(threaded_tests test_${name})
   endif()
 endfunction()

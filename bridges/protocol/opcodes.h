@@ -34,7 +34,7 @@
 #define IO7_VW_TURN 'Y'      /* speed deg/s, angle deg */
 #define IO7_VW_CURVE 'C'     /* distance mm, angle deg, speed mm/s */
 #define IO7_VW_REMAINING 'z' /* -> mm */
-#define IO7_VW_DONE 'Z'      /* -> 0 or 1 */
+#define IO7_VW_DONE 'Z'      /* -> 0 under way, 1 done, -1 given up */
 
 /* First and last of each argument. */
 #define IO7_MOTOR_FIRST 1
@@ -114,6 +114,9 @@
 
 /* S_Version.protocol */
 #define EYECAN_PROTOCOL_VERSION 1
+/* S_Version.capabilities */
+#define EYECAN_CAPABLE_OF_MOVES 0x0001
+#define EYECAN_CAPABLE_OF_SCANS 0x0002
 
 /* C_Nmt.command */
 #define EYECAN_NMT_ENABLE 0x01

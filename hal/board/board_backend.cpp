@@ -31,6 +31,7 @@ BoardBackend::BoardBackend(std::unique_ptr<Clock> line_clock, std::unique_ptr<Bo
                            const BoardTables& tables)
     : line_clock_(std::move(line_clock)),
       link_(std::move(link)),
+      clock_(*line_clock_),
       controller_(make_controller(*link_, *line_clock_, tables.drive)),
       lidar_(*link_),
       generation_(link_->generation()) {
@@ -60,6 +61,7 @@ BoardBackend::~BoardBackend() {
 }
 
 void BoardBackend::start() {
+  if (line_clock_->is_virtual()) return;
   thread_ = std::thread([this] { run(); });
   // By this name robios knows that it is none of the program's own threads.
   pthread_setname_np(thread_.native_handle(), "eb:board");

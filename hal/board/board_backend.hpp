@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "board/board_clock.hpp"
 #include "board/board_drive.hpp"
 #include "board/board_lidar.hpp"
 #include "board/board_link.hpp"
@@ -15,7 +16,6 @@
 #include "board/board_range_sensor.hpp"
 #include "board/board_servo.hpp"
 #include "board/board_tables.hpp"
-#include "eyebridge/bridges/monotonic_clock.hpp"
 #include "eyebridge/hal/backend.hpp"
 
 namespace eyebridge::hal {
@@ -29,7 +29,8 @@ class BoardBackend final : public Backend {
   /// Stops the motors.
   ~BoardBackend() override;
 
-  /// Starts the thread "eb:board", which calls step() every 10 ms.
+  /// Starts the thread "eb:board", which calls step() every 10 ms of the line's clock; not where
+  /// that is virtual: who moves it calls step().
   void start();
   /// What has to be done every 10 ms: looking after the link, v-omega on the host, the trace.
   void step();
@@ -60,7 +61,7 @@ class BoardBackend final : public Backend {
 
   const std::unique_ptr<Clock> line_clock_;
   const std::unique_ptr<BoardLink> link_;
-  bridges::MonotonicClock clock_;  ///< The program's: 0 when the board is ready.
+  BoardClock clock_;  ///< The program's.
   std::unique_ptr<DriveController> controller_;
   std::optional<BoardDrive> drive_;
   BoardLidar lidar_;

@@ -1,5 +1,6 @@
 #include "board/host_controller.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace eyebridge::hal {
@@ -12,6 +13,13 @@ constexpr Time kRepeat = 50ms;
 // A reply that is lost costs some 100 ms, and the line goes on: what was read before is the truth
 // for so long.
 constexpr Time kPatience = 500ms;
+// A board samples its counters and obeys its motors every 10 ms: counts are half a period old, and
+// a speed holds until the period after the one in which it came.
+constexpr double kDeadTime = 0.015;  // seconds
+
+constexpr Time kTogether = 4ms;
+constexpr Time kLongestPair = 50ms;  // beyond, a pair says nothing of what is usual
+constexpr int kAttempts = 3;
 
 HostDriveSettings settings_of(const BoardDriveShape& shape) {
   HostDriveSettings settings;
@@ -22,6 +30,7 @@ HostDriveSettings settings_of(const BoardDriveShape& shape) {
   settings.wheel_base = shape.wheel_base;
   settings.max_linear = shape.max_linear;
   settings.max_angular = shape.max_angular;
+  settings.motor_lag = kDeadTime;
   return settings;
 }
 
@@ -30,12 +39,22 @@ HostDriveSettings settings_of(const BoardDriveShape& shape) {
 HostController::HostController(BoardLink& link, Clock& clock, const BoardDriveShape& shape)
     : link_(link), clock_(clock), drive_(settings_of(shape)), heard_(clock.now()) {}
 
+// Two counts of a robot that drives on between them look like a turn: a pair that took much longer
+// than others is read again.
 Result<WheelCounts> HostController::read_counts() {
-  const auto left = link_.encoder(1);
-  if (!left) return tl::unexpected(left.error());
-  const auto right = link_.encoder(2);
-  if (!right) return tl::unexpected(right.error());
-  return WheelCounts{static_cast<std::uint16_t>(*left), static_cast<std::uint16_t>(*right)};
+  for (int attempt = 1;; ++attempt) {
+    const Time start = clock_.now();
+    const auto left = link_.encoder(1);
+    if (!left) return tl::unexpected(left.error());
+    const auto right = link_.encoder(2);
+    if (!right) return tl::unexpected(right.error());
+    const Time took = clock_.now() - start;
+    const bool together = took <= std::max<Time>(kTogether, 2 * usual_pair_);
+    usual_pair_ += (std::min(took, kLongestPair) - usual_pair_) / 8;
+    if (together || attempt == kAttempts) {
+      return WheelCounts{static_cast<std::uint16_t>(*left), static_cast<std::uint16_t>(*right)};
+    }
+  }
 }
 
 void HostController::step() {

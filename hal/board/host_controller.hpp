@@ -36,6 +36,7 @@ class HostController final : public DriveController {
 
   BoardLink& link_;
   Clock& clock_;
+  Time usual_pair_{0};  ///< How long reading two counts takes; only step()'s.
   std::mutex sending_;  // taken before mutex_: after release() no speed is sent
   std::mutex mutex_;    // of all below
   HostDrive drive_;

@@ -7,8 +7,8 @@
 #include <limits>
 #include <string>
 
-#include "core/robot/src/drive_controller.hpp"
-#include "core/robot/src/odometry.hpp"
+#include "eyebridge/robot/drive_controller.hpp"
+#include "eyebridge/robot/odometry.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -16,6 +16,7 @@ namespace {
 constexpr double kPeriodSeconds = 0.01;
 constexpr int kTopTicks = 127;           // of letter M
 constexpr int kMostPeriods = 10;         // that the ramps make up for after a late call
+constexpr std::size_t kMeasured = 5;     // periods: one alone is too coarse for a speed
 constexpr int kStallDebt = 4;            // ticks that a wheel owes before it counts as held …
 constexpr int kStallPeriods = 20;        // … and for how long
 constexpr double kCreepDistance = 1e-4;  // metres: nearer to its goal no motor drives
@@ -80,6 +81,12 @@ struct Side {
   [[nodiscard]] int on_board() const { return reversed ? -speed : speed; }
 };
 
+/// What was driven between two counts.
+struct Stretch {
+  robot::PathStep path;
+  double seconds = 0.0;
+};
+
 }  // namespace
 
 HostDriveSettings host_drive_settings(const files::Hdt& hdt, const std::string& file) {
@@ -129,7 +136,7 @@ struct HostDrive::Impl {
   }
 
   /// Where the next ramp starts: from what is commanded, or found when the program drove itself.
-  [[nodiscard]] Twist present() const { return engaged ? controller.twist() : measured; }
+  [[nodiscard]] Twist present() const { return engaged ? controller.twist() : latest; }
   void engage() {
     engaged = true;
     left.clear_stall();
@@ -146,7 +153,16 @@ struct HostDrive::Impl {
                                     right.travel(counts.right, periods)};
     const robot::PathStep path = robot::path_of(wheels, settings.wheel_base);
     odometry.add(robot::arc_of(path));
-    measured = {path.distance / seconds, path.angle / seconds};
+    latest = {path.distance / seconds, path.angle / seconds};
+    recent[next_recent] = {path, seconds};
+    next_recent = (next_recent + 1) % recent.size();
+    Stretch sum;
+    for (const Stretch& one : recent) {
+      sum.path.distance += one.path.distance;
+      sum.path.angle += one.path.angle;
+      sum.seconds += one.seconds;
+    }
+    measured = {sum.path.distance / sum.seconds, sum.path.angle / sum.seconds};
     if (!engaged) return;
     controller.advance(path);
     const bool given_up = (left.stalled() && left.held >= timeout_periods) ||
@@ -186,7 +202,10 @@ struct HostDrive::Impl {
   Side left;
   Side right;
   std::optional<Time> last;
-  Twist measured;
+  std::array<Stretch, kMeasured> recent{};
+  std::size_t next_recent = 0;
+  Twist measured;  ///< Over all of `recent`.
+  Twist latest;    ///< Of the last one alone.
   Twist rolling;
   bool engaged = false;
   bool failed_left = false;  ///< Which wheels made the last goal fail.
@@ -253,7 +272,8 @@ Result<WheelSpeeds> HostDrive::step(const WheelCounts& counts, Time now) {
 void HostDrive::restart() {
   impl_->controller.stop();
   impl_->stand();
-  impl_->measured = {};
+  impl_->measured = impl_->latest = {};
+  impl_->recent = {};
   impl_->left.count.forget();
   impl_->right.count.forget();
   impl_->last.reset();

@@ -105,7 +105,7 @@ class HostDrive {
   /// Of the last command. A wheel counts as stalled that turned for 0.2 s less than a quarter of
   /// what it should have; after a goal that failed by it until the next command.
   [[nodiscard]] DriveStatus status() const;
-  [[nodiscard]] Twist measured_twist() const;  ///< Between the last two counts.
+  [[nodiscard]] Twist measured_twist() const;  ///< Over the last five counts: 50 ms.
   [[nodiscard]] Pose odometry() const;         ///< Heading in (-pi, pi].
   void set_odometry(const Pose& pose);
 

@@ -56,8 +56,10 @@ Result<DriveStatus> Io7Drive::status() {
   DriveStatus status;
   const auto done = client_.exchange(request(IO7_VW_DONE));
   if (!done) return tl::unexpected(done.error());
-  if (mode == Mode::Failed) status.progress = DriveProgress::Failed;
-  if (mode != Mode::Goal || done->values[0] == 1) return status;
+  const int state = done->values[0];
+  const bool given_up = mode == Mode::Goal && state < 0;
+  if (mode == Mode::Failed || given_up) status.progress = DriveProgress::Failed;
+  if (mode != Mode::Goal || state != 0) return status;
   status.progress = DriveProgress::Driving;
   if (!client_.has(IO7_VW_REMAINING)) return status;
   return client_.exchange(request(IO7_VW_REMAINING)).map([&](const Reply& left) {

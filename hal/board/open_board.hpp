@@ -19,7 +19,8 @@ std::unique_ptr<Backend> open_io7_board(const BackendUrl& url, const BackendCont
 std::unique_ptr<Backend> open_can_board(const BackendUrl& url, const BackendContext& context);
 
 /// The same over a line at hand, named by `url`; for tests, and for lines without a scheme.
-/// `open` is called again after a loss; `clock` is the one of the lines.
+/// `open` is called again after a loss; `clock` is the one of the lines. Where it is virtual
+/// nothing runs by itself: who moves it calls BoardBackend::step() and CanClient::pump().
 std::unique_ptr<Backend> open_io7_board(
     const BackendUrl& url, const BackendContext& context,
     std::function<Result<std::unique_ptr<bridges::ByteStream>>()> open,

@@ -45,6 +45,14 @@ class Arrows(Tree):
     def test_files_may_include_robot(self):
         self.expect_include("core/files/src/a.cpp", "eyebridge/robot/robot_model.hpp", allowed=True)
 
+    def test_private_headers_of_another_room_are_private(self):
+        self.write("core/robot/src/motor.hpp")
+        self.expect_include("hal/board/a.cpp", "core/robot/src/motor.hpp", allowed=False)
+
+    def test_tests_may_look_inside(self):
+        self.write("core/robot/src/motor.hpp")
+        self.expect_include("tests/hal/a.cpp", "core/robot/src/motor.hpp", allowed=True)
+
     def test_hal_sees_of_the_camera_only_its_view(self):
         self.expect_include("hal/registry/a.cpp", "eyebridge/camera/source.hpp", allowed=False)
 

@@ -115,6 +115,16 @@ TEST(BoardWorld, DistancesArriveAsRawValues) {
   }
 }
 
+TEST(BoardWorld, SensorsThatTheRobotLacksAreNotConnected) {
+  BoardWorld world(files::default_scenario());
+  eb_board& board = world.add_board(0, settings());
+  for (const auto& sensor : world.simulation().model(0).range_sensors) {
+    EXPECT_NE(board.pins.psd[sensor.id - 1], EB_PSD_ABSENT) << sensor.name;
+  }
+  EXPECT_EQ(board.pins.psd[EB_PSDS - 1], EB_PSD_ABSENT);
+  EXPECT_EQ(board.config.lidar, world.simulation().model(0).lidar.has_value());
+}
+
 TEST(BoardWorld, EachBoardDrivesItsOwnRobot) {
   BoardWorld world(world_of("two-robots.sim"));
   ASSERT_EQ(world.robots(), 2U);
@@ -178,7 +188,7 @@ TEST(PsdTable, NeverRises) {
 TEST(PsdTable, IsPrintedAsAnHdtFile) {
   const std::string text = hdt_text(files::default_scenario().models[0]);
   EXPECT_THAT(text, testing::HasSubstr("ENCODER 1 6484\n"));
-  EXPECT_THAT(text, testing::HasSubstr("DRIVE 90 170 0 0\n"));
+  EXPECT_THAT(text, testing::HasSubstr("DRIVE 90 60 0 0\n"));
   EXPECT_THAT(text, testing::HasSubstr("PSD 1 PSD_Table\n"));
   EXPECT_THAT(text, testing::HasSubstr("TABLE PSD_Table\n9999 "));
   EXPECT_TRUE(text.ends_with("\nEND TABLE\n"));

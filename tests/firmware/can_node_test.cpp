@@ -252,6 +252,56 @@ TEST_F(CanNode, ResetIsARestart) {
   EXPECT_THAT(host.frames(), ElementsAre("701#00", StartsWith("481#"), "701#7F"));
 }
 
+TEST_F(CanNode, SaysWhatItCan) {
+  EXPECT_THAT(host.frames(), Contains("481#01312E3034010100")) << "moves";
+  host.board.config.lidar = true;
+  host.send("481#R");
+  EXPECT_THAT(host.frames(), ElementsAre("481#01312E3034010300")) << "and scans";
+}
+
+TEST_F(CanNode, ASensorThatIsNotConnectedIsAbsent) {
+  static const std::uint16_t table[EB_PSD_TABLE] = {};
+  host.board.config.psd_mm = table;
+  host.board.pins.psd[1] = EB_PSD_ABSENT;
+  host.enable();
+  host.wait_ms(50);
+  const auto frames = host.frames();
+  EXPECT_THAT(frames, Contains("1C1#0000FFFF00000000"));
+  EXPECT_THAT(frames, Contains("1E1#0000FFFF00000000"));
+}
+
+TEST_F(CanNode, AHeldWheelStaysHeldWhenTheSpeedIsRepeated) {
+  plant.held = true;
+  host.enable();
+  for (int i = 0; i < 20; ++i) {
+    host.send(kForward);
+    host.wait_ms(50, [this] { plant.step(host.board); });
+    host.send("70F#05");
+  }
+  EXPECT_TRUE(host.board.drive.stalled[0]);
+  host.send("201#38FF00000200");  // -200 mm/s
+  EXPECT_FALSE(host.board.drive.stalled[0]) << "another speed is another try";
+}
+
+TEST_F(CanNode, ARobotThatWasJustStoppedIsNotStartedAgainByASpeedOfZero) {
+  host.enable();
+  host.send(kHalfDuty);
+  wait_alive(100);
+  host.send("231#0000000001000000");
+  host.wait_ms(20, [this] { plant.step(host.board); });
+  const std::uint16_t stood = host.board.pins.encoder[0];
+  host.send("201#000000000100");
+  wait_alive(100);
+  EXPECT_EQ(host.board.pins.encoder[0], stood);
+}
+
+TEST_F(CanNode, APoseThatIsSetIsToldAtOnce) {
+  host.enable();
+  host.frames();
+  host.send("221#E8030030F8FF5046");
+  EXPECT_THAT(host.frames(), ElementsAre("181#E8030030F8FFB0B9"));
+}
+
 TEST_F(CanNode, TheVersionIsSentOnRequest) {
   host.frames();
   host.send("481#R");

@@ -103,6 +103,9 @@ std::string arrange(eb_board& board, const Golden& line) {
       board.drive.distance.left = static_cast<float>(number(0)) * 0.001F;
       return "z\r";
     case 'Z':
+      board.drive.move_state = number(0) < 0    ? EYECAN_MOVE_ABORTED
+                               : number(0) == 0 ? EYECAN_MOVE_RUNNING
+                                                : EYECAN_MOVE_DONE;
       return "Z\r";
     default:
       return {line.letter, '\r'};

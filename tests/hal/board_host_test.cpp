@@ -53,6 +53,24 @@ TEST_F(BoardHost, TurnsAsFarAsItIsTold) {
   EXPECT_NEAR(backend->drive()->odometry().value().theta, kPi / 2, 0.02);
 }
 
+TEST_F(BoardHost, ACountThatComesLateIsNoTurn) {
+  rolls = true;
+  rolled = clock.now();
+  ASSERT_TRUE(backend->drive()->start({0.4 * kPi / 2, kPi / 2, 0.3}));
+  double turned_back = 0.0;
+  double theta = 0.0;
+  for (int i = 0; i < 400; ++i) {
+    if (i == 60) stall = 9ms;  // less than a client waits
+    live(*backend, 10ms);
+    const double now = backend->drive()->odometry().value().theta;
+    turned_back = std::max(turned_back, theta - now);
+    theta = now;
+  }
+  EXPECT_EQ(backend->drive()->status().value().progress, DriveProgress::Done);
+  EXPECT_NEAR(theta, kPi / 2, 0.01);
+  EXPECT_LT(turned_back, 0.005);
+}
+
 TEST_F(BoardHost, AMotorThatIsUsedAloneIsNotDrivenAnyMore) {
   ASSERT_TRUE(backend->drive()->set_speed({0.3, 0.0}));
   turn(500ms);

@@ -10,6 +10,7 @@
 #include "../bridges/protocol/fake_board.hpp"
 #include "board/board_backend.hpp"
 #include "board/io7_link.hpp"
+#include "borrowed_clock.hpp"
 
 namespace eyebridge::hal::testing {
 
@@ -18,19 +19,6 @@ using bridges::testing::FakeClock;
 using bridges::testing::KeptLog;
 using bridges::testing::ScriptedLine;
 using bridges::testing::ScriptedStream;
-
-/// The clock of a bench, handed to whoever wants to own one.
-class BorrowedClock final : public Clock {
- public:
-  explicit BorrowedClock(Clock& clock) : clock_(clock) {}
-  [[nodiscard]] Time now() const override { return clock_.now(); }
-  void wait_until(Time deadline) override { clock_.wait_until(deadline); }
-  void spend(Time cost) override { clock_.spend(cost); }
-  [[nodiscard]] bool is_virtual() const override { return clock_.is_virtual(); }
-
- private:
-  Clock& clock_;
-};
 
 /// A whole IO7 board on virtual time: what FakeBoard answers, and encoders, motors and servos that
 /// remember what they were told. Answers take 1 ms.
@@ -64,11 +52,26 @@ struct BoardPeer {
     told += sent;
     if (sent[0] == 'm' || sent[0] == 'M') motor[number[0]] = number[1];
     if (sent[0] != 'e' || (mute > 0 && mute-- > 0)) return;
+    if (rolls) roll();
+    const Time late = number[0] == 2 ? std::exchange(stall, Time{0}) : Time{0};
+    if (late > Time{0}) {  // the request is under way for so long
+      clock.spend(late);
+      roll();
+    }
     const auto count = static_cast<unsigned>(encoder[number[0]]);
     const unsigned bits = count ^ std::exchange(flip, 0U);
     const std::array bytes = {static_cast<char>(bits >> 8U & 0xFFU),
                               static_cast<char>(bits & 0xFFU)};
     to.arrive({bytes.data(), bytes.size()}, 1ms);
+  }
+
+  /// The wheels turn as they were told last, up to now.
+  void roll() {
+    const Time passed = clock.now() - std::exchange(rolled, clock.now());
+    for (const int id : {1, 2}) {
+      turned[id] += motor[id] * to_seconds(passed) * 100;
+      encoder[id] = static_cast<int>(std::lround(turned[id]));
+    }
   }
 
   std::unique_ptr<BoardBackend> make_backend(const BoardTables& tables) {
@@ -93,11 +96,15 @@ struct BoardPeer {
   std::string letters;
   bridges::io7::FakeBoard board;
   std::shared_ptr<ScriptedLine> line;
-  std::map<int, int> motor;    ///< Last number of `m` or `M`, by motor.
-  std::map<int, int> encoder;  ///< Counts, by encoder; 16 bits of them are told.
-  int mute = 0;                ///< So many next counts are not told.
-  unsigned flip = 0;           ///< Bits that are inverted in the next count.
-  std::string told;            ///< Everything with letters that FakeBoard has not.
+  std::map<int, int> motor;      ///< Last number of `m` or `M`, by motor.
+  std::map<int, int> encoder;    ///< Counts, by encoder; 16 bits of them are told.
+  bool rolls = false;            ///< The wheels turn with the time; else as a test says.
+  Time rolled{0};                ///< Until when they have.
+  std::map<int, double> turned;  ///< How far, in ticks.
+  int mute = 0;                  ///< So many next counts are not told.
+  Time stall{0};                 ///< How late the next count of encoder 2 is.
+  unsigned flip = 0;             ///< Bits that are inverted in the next count.
+  std::string told;              ///< Everything with letters that FakeBoard has not.
 };
 
 }  // namespace eyebridge::hal::testing

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 
 /// The robot of the rigs, 1 m before a wall, in virtual time, with broken devices.
 Rig broken(const std::string& script, std::uint64_t seed = 1) {
-  Rig rig = all_rigs().front().make(1.0);
+  Rig rig = lockstep_rig(facing(1.0));
   rig.backend = with_faults(std::move(rig.backend), parse_fault_script(script, {}), seed);
   return rig;
 }

@@ -38,7 +38,7 @@ TEST(HostDrive, SpeedIsRampedHeldAndMeasured) {
   plant.steps(16);
   EXPECT_NEAR(plant.sim.twist(plant.robot).linear, 0.16, 0.02) << "1 m/s^2";
   plant.steps(200);
-  EXPECT_NEAR(plant.drive.measured_twist().linear, 0.3, 0.016) << "a tick in 10 ms";
+  EXPECT_NEAR(plant.drive.measured_twist().linear, 0.3, 0.0032) << "a tick in 50 ms";
   EXPECT_EQ(plant.drive.status().progress, DriveProgress::Done) << "nothing that could end";
   plant.drive.set_speed({});
   plant.steps(40);

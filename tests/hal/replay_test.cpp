@@ -34,7 +34,7 @@ class Replay : public testing::Test {
 
   /// The rigs' robot in virtual time, 1 m before a wall, recorded.
   Rig recorded() {
-    Rig rig = all_rigs().front().make(1.0);
+    Rig rig = lockstep_rig(facing(1.0));
     rig.backend = with_recording(std::move(rig.backend), file_, *rig.log);
     return rig;
   }

@@ -1,8 +1,9 @@
 #include "rigs.hpp"
 
+#include "eyebridge/base/math.hpp"
 #include "eyebridge/base/units.hpp"
+#include "eyebridge/camera/view.hpp"
 #include "eyebridge/files/readers.hpp"
-#include "fault/fault_tap.hpp"
 #include "sim/open_sim.hpp"
 
 namespace eyebridge::hal {
@@ -11,32 +12,12 @@ namespace {
 constexpr double kWallX = 3.0;    // of the wall that the robot faces, metres
 constexpr double kPatience = 60;  // seconds
 
-/// A room of 4 m x 2 m with a wall across it, and a robot that faces that wall.
-std::string world_text(double wall) {
-  const auto mm = [](double metres) { return std::to_string(m_to_mm(metres)) + ' '; };
+/// A room of 4 m x 2 m with a wall across it.
+std::string world_text() {
+  const std::string wall = std::to_string(m_to_mm(kWallX));
   return "floor 4000 2000\n"
          "0 0 4000 0\n4000 0 4000 2000\n4000 2000 0 2000\n0 2000 0 0\n" +
-         mm(kWallX) + "0 " + mm(kWallX) + "2000\n" +  //
-         "position " + mm(kWallX - wall - kFrontOffset) + mm(kSideWall) + "0\n";
-}
-
-Rig make_sim(double wall, const std::map<std::string, std::string>& flags) {
-  Rig rig;
-  rig.log = std::make_unique<KeepingLog>();
-  const Config config = rig_config(flags);
-  rig.backend = open_scenario(rig_scenario(wall), {"rig"}, {config, *rig.log});
-  return rig;
-}
-
-Rig make_lockstep(double wall) { return make_sim(wall, {{"fast", "true"}}); }
-Rig make_real_time(double wall) { return make_sim(wall, {{"factor", "50"}}); }
-
-/// A decorator that has nothing to do must not show.
-Rig make_faultless(double wall) {
-  Rig rig = make_lockstep(wall);
-  FaultScript later = parse_fault_script("all lose @1000000s; all delay 1s @1000000s", {});
-  rig.backend = with_faults(std::move(rig.backend), std::move(later), 1);
-  return rig;
+         wall + " 0 " + wall + " 2000\n";
 }
 
 }  // namespace
@@ -86,16 +67,18 @@ robot::RobotModel rig_model() {
   return model;
 }
 
-files::Scenario rig_scenario(double wall) {
+Pose facing(double wall) { return {kWallX - wall - kFrontOffset, kSideWall, 0}; }
+
+files::Scenario rig_scenario(const Pose& start) {
   files::Scenario scenario;
-  scenario.world = files::read_world(world_text(wall), "rig.wld", scenario.warnings);
+  scenario.world = files::read_world(world_text(), "rig.wld", scenario.warnings);
   world::ObjectSpec ball;
   ball.pose = {3.5, 0.5, 0};
   scenario.world.objects.push_back(ball);
 
   scenario.models.push_back(rig_model());
   files::RobotPlacement own;
-  own.pose = scenario.world.starts.at(0).pose;
+  own.pose = start;
   files::RobotPlacement other;
   other.pose = {3.5, 1.5, kPi};
   scenario.robots = {own, other};
@@ -113,20 +96,29 @@ void Rig::wait(double seconds) const {
 
 DriveStatus Rig::wait_for_drive() const {
   const Time end = backend->clock().now() + from_seconds(kPatience);
-  DriveStatus status = backend->drive()->status().value();
+  DriveStatus status = must(backend->drive()->status());
   while (status.progress == DriveProgress::Driving && backend->clock().now() < end) {
     wait(0.02);
-    status = backend->drive()->status().value();
+    status = must(backend->drive()->status());
   }
   return status;
 }
 
-void PrintTo(const RigCase& rig, std::ostream* out) { *out << rig.name; }
-
-std::vector<RigCase> all_rigs() {
-  return {{"SimLockstep", make_lockstep, 1e-9, 1e-3},
-          {"SimRealTime", make_real_time, 1e-9, 1e-3},
-          {"FaultNone", make_faultless, 1e-9, 1e-3}};
+Rig sim_rig(const Pose& start, const std::map<std::string, std::string>& flags) {
+  Rig rig;
+  rig.log = std::make_unique<KeepingLog>();
+  const Config config = rig_config(flags);
+  rig.backend = open_scenario(rig_scenario(start), {"rig"}, {config, *rig.log});
+  rig.truth = [&robot = *rig.backend] {
+    const camera::Eye eye = robot.camera_view()->eye();
+    const Pose pose = must(robot.world()->robot_pose(0));
+    return Truth{pose, wrap_angle(eye.heading - pose.theta), eye.pitch};
+  };
+  return rig;
 }
+
+Rig lockstep_rig(const Pose& start) { return sim_rig(start, {{"fast", "true"}}); }
+
+void PrintTo(const RigCase& rig, std::ostream* out) { *out << rig.name; }
 
 }  // namespace eyebridge::hal

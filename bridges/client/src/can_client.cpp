@@ -11,14 +11,37 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Time kPoseTimeout = 200ms;
-// What comes sooner may have been said before the robot heard us: it tells its pose every 20 ms.
+// Without a jump, what comes sooner may have been said before the robot heard us: it tells its pose
+// every 20 ms.
 constexpr Time kPoseSettles = 25ms;
+// What no robot drives or turns within a period of its pose is a jump.
+constexpr double kJumpMm = 60;
+constexpr double kJumpCdeg = 2000;
 constexpr Time kScanAge = 1s;
 constexpr Time kReleaseTime = 550ms;  // the robot wants 500 ms without an emergency stop
 constexpr Time kLeastAge = 300ms;
 constexpr std::uint8_t kMiddle = 128;
 // How far a pose may be from the one that was set, for a robot that drives on meanwhile.
 constexpr int kNearMm = 150;
+constexpr int kNearCdeg = 4500;
+
+/// Difference of two headings, 0 … 18000.
+int apart_cdeg(const can::PoseStatus& status, const can::PoseCommand& wanted) {
+  const int turn = std::abs(status.phi_cdeg - wanted.phi_cdeg) % 36000;
+  return std::min(turn, 36000 - turn);
+}
+
+/// How far apart, in jumps.
+double jumps(const can::PoseStatus& status, const can::PoseCommand& wanted) {
+  return std::max({std::abs(status.x_mm - wanted.x_mm) / kJumpMm,
+                   std::abs(status.y_mm - wanted.y_mm) / kJumpMm,
+                   apart_cdeg(status, wanted) / kJumpCdeg});
+}
+
+bool is_near(const can::PoseStatus& status, const can::PoseCommand& wanted) {
+  return std::abs(status.x_mm - wanted.x_mm) <= kNearMm &&
+         std::abs(status.y_mm - wanted.y_mm) <= kNearMm && apart_cdeg(status, wanted) <= kNearCdeg;
+}
 
 }  // namespace
 
@@ -175,6 +198,11 @@ Result<void> CanClient::set_pose(const can::PoseCommand& pose) {
   const auto frame = can::encode(node_, pose);
   if (!frame) return tl::unexpected(frame.error());
   const Time start = clock_.now();
+  const bool is_jump = [&] {
+    const std::lock_guard lock(mutex_);
+    const auto& before = std::get<Latest<can::PoseStatus>>(latest_);
+    return before.seen && jumps(before.value, pose) >= 1.0;
+  }();
   // One repetition, for a frame that got lost.
   for (const Time until : {start + kPoseTimeout / 2, start + kPoseTimeout}) {
     const Time sent = clock_.now();
@@ -182,10 +210,8 @@ Result<void> CanClient::set_pose(const can::PoseCommand& pose) {
     const bool taken = wait_for(
         [&] {
           const auto& now = std::get<Latest<can::PoseStatus>>(latest_);
-          const int turn = (now.value.phi_cdeg - pose.phi_cdeg) % 36000;
-          return now.at >= sent + kPoseSettles && std::abs(now.value.x_mm - pose.x_mm) <= kNearMm &&
-                 std::abs(now.value.y_mm - pose.y_mm) <= kNearMm &&
-                 (std::abs(turn) <= 4500 || std::abs(turn) >= 36000 - 4500);
+          if (is_jump && now.at >= sent && jumps(now.value, pose) <= 0.5) return true;
+          return now.at >= sent + kPoseSettles && is_near(now.value, pose);
         },
         until);
     if (taken) return {};
@@ -243,7 +269,12 @@ Result<void> CanClient::latest_scan(can::LidarScan& out) const {
 
 bool CanClient::has_lidar() const {
   const std::lock_guard lock(mutex_);
-  return has_lidar_;
+  return has_lidar_ || announces_scans();
+}
+
+bool CanClient::announces_scans() const {
+  const auto& version = std::get<Latest<can::VersionStatus>>(latest_);
+  return version.seen && (version.value.capabilities & EYECAN_CAPABLE_OF_SCANS) != 0;
 }
 
 RobotWatch::Phase CanClient::phase() const {

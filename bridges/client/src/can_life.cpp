@@ -97,6 +97,8 @@ Time CanClient::tick() {
     if (now >= next_heartbeat_) {
       next_heartbeat_ = now + kHeartbeatPeriod;
       out.add(can::encode(EYECAN_NODE_HOST, can::Heartbeat{EYECAN_STATE_OPERATIONAL}));
+      const bool is_known = std::get<Latest<can::VersionStatus>>(latest_).seen;
+      if (!is_known && watch_.phase() != RobotWatch::Phase::Unheard) out.add(version_request());
       if (emergency_) out.add(can::encode(node_, can::EmergencyStop{*emergency_, next_seq()}));
       if (watch_.wants_enable(now)) {
         add_zero(out);
@@ -122,18 +124,28 @@ Time CanClient::tick() {
   return next;
 }
 
+CanFrame CanClient::version_request() const {
+  CanFrame frame;
+  frame.id = EYECAN_S_VERSION << EYECAN_NODE_BITS | static_cast<std::uint32_t>(node_);
+  frame.remote = true;
+  frame.length = static_cast<std::uint8_t>(can::spec_of<can::VersionStatus>().length);
+  return frame;
+}
+
 void CanClient::add_zero(Outbox& out) {
   command_ = {};
-  command_.mode = Mode::Speed;
+  command_.mode = Mode::Standing;
   out.add(can::encode(node_, can::SpeedCommand{.seq = next_seq()}));
-  out.add(can::encode(node_, can::MotorCommand{.mask = 0xF, .seq = next_seq()}));
-  out.add(can::encode(node_, can::SpeedCommand{.seq = next_seq()}));
+  add_set_points(out);
 }
 
 void CanClient::add_set_points(Outbox& out) {
   switch (command_.mode) {
     case Mode::Idle:
       return;
+    case Mode::Standing:
+      // No speed of 0: to that the robot would go down its ramp.
+      return out.add(can::encode(node_, can::MotorCommand{.mask = 0xF, .seq = next_seq()}));
     case Mode::Speed:
       command_.speed.seq = next_seq();
       return out.add(can::encode(node_, command_.speed));
@@ -293,14 +305,19 @@ bool CanClient::wait_for(const std::function<bool()>& done, Time deadline) {
 
 std::string CanClient::missing() const {
   constexpr int kCyclic = 100;  // ms; what comes less often comes on events, too
+  const bool is_known = std::get<Latest<can::VersionStatus>>(latest_).seen;
   if (auto ready = check_ready(); !ready) return ready.error().what;
   std::string names;
+  const auto add = [&](std::string_view name) {
+    names += (names.empty() ? "" : ", ") + std::string(name);
+  };
   const auto look = [&]<class Status>(const Latest<Status>& entry) {
     const can::MessageSpec& spec = can::spec_of<Status>();
-    if (entry.seen || spec.period_ms == 0 || spec.period_ms > kCyclic) return;
-    names += (names.empty() ? "" : ", ") + std::string(spec.name);
+    if (!entry.seen && spec.period_ms > 0 && spec.period_ms <= kCyclic) add(spec.name);
   };
   std::apply([&](const auto&... entries) { (look(entries), ...); }, latest_);
+  if (!is_known) add(can::spec_of<can::VersionStatus>().name);
+  if (announces_scans() && !scan_at_) add("a whole scan of its LIDAR");
   return names.empty() ? "" : "robot " + std::to_string(node_) + " does not send " + names;
 }
 

@@ -1,4 +1,4 @@
-#include "arc.hpp"
+#include "eyebridge/robot/arc.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "ramp.hpp"
+#include "eyebridge/robot/ramp.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,10 +3,10 @@
 #include <array>
 #include <vector>
 
-#include "drive_controller.hpp"
 #include "errors.hpp"
+#include "eyebridge/robot/drive_controller.hpp"
+#include "eyebridge/robot/odometry.hpp"
 #include "motor.hpp"
-#include "odometry.hpp"
 #include "sensing.hpp"
 
 namespace eyebridge::robot {

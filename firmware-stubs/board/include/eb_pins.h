@@ -9,13 +9,14 @@
 #define EB_SERVOS 14
 #define EB_PORTS 16
 #define EB_DUTY_FULL 10000
+#define EB_PSD_ABSENT 0xFFFFU
 
 /* What the wires of a board carry. The port writes the first part before eb_board_process() and
  * carries out the second part after it. */
 struct eb_pins {
   /* In. */
   uint16_t encoder[EB_MOTORS]; /* counters of the quadrature decoders; they wrap */
-  uint16_t psd[EB_PSDS];       /* 12-bit ADC */
+  uint16_t psd[EB_PSDS];       /* 12-bit ADC; EB_PSD_ABSENT: not connected */
   uint16_t analog[EB_ANALOGS]; /* 12-bit ADC; 0 is the supply, 8 the microphone */
   uint16_t supply_cv;          /* supply voltage, 10 mV */
   uint16_t digital_in;         /* bit n: level at port n, where something drives it */

@@ -4,7 +4,6 @@
 
 #define DEGREE 0.017453292519943295F
 #define HARDWARE_EYEBOT_IO 1
-#define CAPABILITIES 0x0003 /* bit 0: moves on board, bit 1: LIDAR */
 
 static int32_t to_word(int32_t value) { return eb_clamp(value, -32768, 32767); }
 
@@ -89,7 +88,7 @@ static void fill_version(const struct eb_board* board, int32_t* v) {
   v[0] = EYECAN_PROTOCOL_VERSION;
   for (i = 0; i < IO7_VERSION_LENGTH; ++i) v[1 + i] = board->config.io7.version[i];
   v[5] = HARDWARE_EYEBOT_IO;
-  v[6] = CAPABILITIES;
+  v[6] = EYECAN_CAPABLE_OF_MOVES | (board->config.lidar ? EYECAN_CAPABLE_OF_SCANS : 0);
 }
 
 static bool scan_header(const struct eb_node* node, struct eb_can_frame* frame) {

@@ -198,6 +198,7 @@ static void command(struct eb_board* board, int function, const int32_t* v) {
       return;
     case EYECAN_C_SET_POSE:
       eb_drive_set_pose(&board->drive, v[0], v[1], v[2]);
+      node->due |= bit_of(EB_DUE_POSE); /* the host waits for it */
       return;
     case EYECAN_C_PID:
       eb_motors_set_gains(&board->motors, (int)v[0] - 1, (uint8_t)v[1], (uint8_t)v[2],

@@ -51,11 +51,20 @@ static void set_part(struct eb_goal_part* part, float amount) {
   part->side = amount;
 }
 
+/* Metres that a wheel rolled in the last period. */
+static float last_moved(const struct eb_drive* drive, int wheel) {
+  const int last = (drive->moved_at + EB_MEASURED_PERIODS - 1) % EB_MEASURED_PERIODS;
+  return (float)drive->moved[wheel][last] / drive->config.ticks_per_metre;
+}
+
 static void take_over(struct eb_drive* drive) {
   if (!drive->active) {
-    /* Whoever had the motors before: the ramp starts from the speed that there is. */
-    drive->linear = eb_drive_linear(drive);
-    drive->angular = eb_drive_angular(drive);
+    /* Whoever had the motors before: the ramp starts from the speed that there is. The last period
+     * is coarse, but the mean of more would start a robot again that has just been stopped. */
+    const float left = last_moved(drive, 0) / PERIOD;
+    const float right = last_moved(drive, 1) / PERIOD;
+    drive->linear = (left + right) / 2.0F;
+    drive->angular = (right - left) / drive->config.wheel_base;
   }
   drive->active = true;
   drive->held_us = 0;
@@ -65,7 +74,6 @@ static void take_over(struct eb_drive* drive) {
 
 void eb_drive_speed(struct eb_drive* drive, float linear, float angular) {
   float wheel;
-  take_over(drive);
   linear = eb_limit(linear, -drive->config.max_linear, drive->config.max_linear);
   angular = eb_limit(angular, -drive->config.max_angular, drive->config.max_angular);
   wheel = rim(drive, linear, angular);
@@ -73,6 +81,12 @@ void eb_drive_speed(struct eb_drive* drive, float linear, float angular) {
     linear *= drive->top / wheel;
     angular *= drive->top / wheel;
   }
+  /* Hosts repeat themselves: a wheel that is held stays held. */
+  if (drive->active && drive->move_state == EYECAN_MOVE_SPEED && linear == drive->target_linear &&
+      angular == drive->target_angular) {
+    return;
+  }
+  take_over(drive);
   drive->target_linear = linear;
   drive->target_angular = angular;
   set_part(&drive->distance, 0.0F);

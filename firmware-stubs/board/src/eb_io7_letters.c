@@ -54,7 +54,7 @@ static const struct eb_letter letters[] = {
     {IO7_VW_TURN, 2, {WORD, WORD}, "turn: deg/s deg"},
     {IO7_VW_CURVE, 3, {WORD, WORD, WORD}, "curve: mm deg mm/s"},
     {IO7_VW_REMAINING, 0, NONE, "remaining mm"},
-    {IO7_VW_DONE, 0, NONE, "move done 0..1"},
+    {IO7_VW_DONE, 0, NONE, "move done -1..1"},
     {0, 0, NONE, ""}};
 
 const struct eb_letter* eb_letters(void) { return letters; }

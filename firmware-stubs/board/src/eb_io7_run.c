@@ -10,6 +10,12 @@ static void one(struct eb_board* board, int32_t value, int width) {
 
 static void word(struct eb_board* board, uint16_t value) { one(board, value, 2); }
 
+/* An ADC port that nothing is connected to is held at 0. */
+static uint16_t psd(const struct eb_board* board, int index) {
+  const uint16_t raw = board->pins.psd[index];
+  return raw == EB_PSD_ABSENT ? 0 : raw;
+}
+
 /* A serial host takes the motors wheel by wheel. Whoever had them before leaves them standing. */
 static void own_wheels(struct eb_board* board) {
   if (board->owner != EB_OWNER_SERIAL || board->drive.active) eb_board_stop_motors(board);
@@ -59,6 +65,12 @@ static void send_speed(struct eb_board* board) {
   eb_io7_numbers(&board->io7, values, 2, 2);
 }
 
+/* How the last move stands. */
+static int32_t progress(const struct eb_drive* drive) {
+  if (drive->move_state == EYECAN_MOVE_RUNNING) return 0;
+  return drive->move_state == EYECAN_MOVE_ABORTED ? -1 : 1;
+}
+
 static void run_drive(struct eb_board* board, char letter, const int32_t* a) {
   struct eb_drive* drive = &board->drive;
   switch (letter) {
@@ -91,7 +103,7 @@ static void run_drive(struct eb_board* board, char letter, const int32_t* a) {
       one(board, eb_clamp(eb_drive_remaining_mm(drive), 0, IO7_WORD_LAST), 2);
       break;
     case IO7_VW_DONE:
-      one(board, drive->move_state == EYECAN_MOVE_RUNNING ? 0 : 1, 1);
+      one(board, progress(drive), 1);
       break;
     default:
       break;
@@ -160,7 +172,7 @@ void eb_board_run(struct eb_board* board, const struct eb_request* request) {
       run_servo_limits(board, a);
       break;
     case IO7_PSD:
-      word(board, board->pins.psd[a[0] - IO7_PSD_FIRST]);
+      word(board, psd(board, (int)a[0] - IO7_PSD_FIRST));
       break;
     case IO7_ENCODER:
       word(board, board->pins.encoder[a[0] - IO7_ENCODER_FIRST]);

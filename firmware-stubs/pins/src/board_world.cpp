@@ -64,6 +64,7 @@ eb_board& BoardWorld::add_board(robot::RobotIndex index, const eb_config& config
   complete.drive = drive_config(simulation_.model(index).drive);
   complete.drive.stall_timeout_us = config.drive.stall_timeout_us;
   complete.psd_mm = psd_table().data();
+  complete.lidar = simulation_.model(index).lidar.has_value();
   read_pins(seat);
   const eb_pins pins = seat.board.pins;
   eb_board_init(&seat.board, &complete, &pins);
@@ -78,6 +79,7 @@ void BoardWorld::read_pins(Seat& seat) {
     pins.encoder[wheel] =
         static_cast<std::uint16_t>(simulation_.encoder_ticks(seat.robot, wheel) & 0xFFFF);
   }
+  std::ranges::fill(pins.psd, static_cast<std::uint16_t>(EB_PSD_ABSENT));
   for (std::size_t i = 0; i < model.range_sensors.size(); ++i) {
     const int id = model.range_sensors[i].id;
     if (id < 1 || id > EB_PSDS) continue;

@@ -42,11 +42,10 @@ std::uint16_t psd_raw(double range) {
 
 std::string hdt_text(const robot::RobotModel& model) {
   const robot::DriveModel& drive = model.drive;
-  const double top = drive.max_wheel_speed * drive.wheel_diameter / 2;
   std::string text = "# A simulated board: see firmware-stubs/pins/README.md\n";
   text += fmt::format("EYEBOT {}\n", model.name.empty() ? "robot" : model.name);
   for (const int motor : {1, 2}) {
-    text += fmt::format("ENCODER {} {:.0f}\n", motor, ticks_per_metre(drive));
+    text += fmt::format("MOTOR {}\nENCODER {} {:.0f}\n", motor, motor, ticks_per_metre(drive));
   }
   for (const robot::RangeSensorModel& sensor : model.range_sensors) {
     if (sensor.id >= 1 && sensor.id <= kPsds) {
@@ -54,7 +53,9 @@ std::string hdt_text(const robot::RobotModel& model) {
     }
   }
   for (const int servo : {1, 2}) text += fmt::format("SERVO {} 1000 2000\n", servo);
-  text += fmt::format("DRIVE {:.0f} {:.0f} 0 0\n", m_to_mm(drive.wheel_base), top * 100);
+  const double top = drive.max_wheel_speed * drive.wheel_diameter / 2;
+  text += fmt::format("DRIVE {:.0f} {:.0f} 0 0\n", m_to_mm(drive.wheel_base),
+                      std::min(drive.max_linear, top) * 100);
   text += "TABLE PSD_Table\n";
   for (std::size_t raw = 0; raw < kTable.size(); ++raw) {
     text += fmt::format("{}{}", kTable[raw], raw % 16 == 15 ? '\n' : ' ');

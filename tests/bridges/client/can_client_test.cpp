@@ -33,6 +33,26 @@ TEST_F(CanClientStart, WaitsUntilEverythingHasCome) {
   EXPECT_TRUE(client->wait_ready(2s));
 }
 
+TEST_F(CanClientStart, AsksWhatTheRobotIsUntilItHasSaidSo) {
+  EXPECT_TRUE(client->wait_ready(2s));
+  EXPECT_EQ(client->latest<can::VersionStatus>().value().capabilities, EYECAN_CAPABLE_OF_MOVES);
+  EXPECT_GE(robot.count(0x48), 1u);
+  robot.clear();
+  live(500ms);
+  EXPECT_EQ(robot.count(0x48), 0u);
+}
+
+TEST_F(CanClientStart, WaitsForAScanOfARobotThatCanScan) {
+  robot.capabilities = EYECAN_CAPABLE_OF_SCANS;
+  const auto without = client->wait_ready(2s);
+  ASSERT_FALSE(without);
+  EXPECT_THAT(without.error().what, HasSubstr("does not send a whole scan of its LIDAR"));
+  EXPECT_TRUE(client->has_lidar());
+  robot.send(0x2C, {7, 1, 0, 0x68, 1, 0, 0, 0});
+  robot.send(0x2D, {0x07, 0, 1, 1, 0xFF, 0xFF, 0xFF, 0xFF});
+  EXPECT_TRUE(client->wait_ready(100ms));
+}
+
 TEST_F(CanClientStart, SaysThatNobodyIsThere) {
   robot.silent = true;
   live(1s);
@@ -132,6 +152,18 @@ TEST_F(CanClientTest, APoseIsTakenBeforeTheCallReturns) {
   EXPECT_EQ(robot.last(0x22), "221#E8030030F8FF5046");
 }
 
+TEST_F(CanClientTest, AJumpOfThePoseIsBelievedAtOnce) {
+  const Time start = clock.now();
+  ASSERT_TRUE(client->set_pose({1000, -2000, 18000}));
+  EXPECT_LT(clock.now() - start, 25ms) << "a robot tells its pose every 20 ms";
+  EXPECT_EQ(client->latest<can::PoseStatus>().value(), (can::PoseStatus{1000, -2000, 18000}));
+}
+
+TEST_F(CanClientTest, APoseNearTheOldOneIsNotBelievedUntilItMustBeNew) {
+  ASSERT_TRUE(client->set_pose({10, 0, 0}));
+  EXPECT_EQ(client->latest<can::PoseStatus>().value(), (can::PoseStatus{10, 0, 0}));
+}
+
 TEST_F(CanClientTest, APoseThatIsNotTakenIsAnError) {
   robot.obeys = false;
   EXPECT_EQ(client->set_pose({1000, -2000, 18000}).error().code, Errc::Timeout);
@@ -143,8 +175,17 @@ TEST_F(CanClientTest, StopsWhateverItWasDoing) {
   client->stop();
   robot.clear();
   live(200ms);
-  EXPECT_GE(robot.count(0x20), 3u);
+  EXPECT_GE(robot.count(0x23), 3u);
   EXPECT_THAT(robot.last(0x20), StartsWith("201#00000000"));
+  EXPECT_THAT(robot.last(0x23), StartsWith("231#000000000F"));
+}
+
+TEST_F(CanClientTest, TheLastWordOfAStopIsAboutTheMotors) {
+  ASSERT_TRUE(client->drive(300, 0));
+  client->stop();
+  robot.step();
+  // A speed after it would be reached by a ramp, from the one that the robot had.
+  EXPECT_EQ(robot.heard.back().id, 0x231u);
 }
 
 TEST_F(CanClientTest, ItsEndLeavesTheRobotAtZeroAndInStandby) {

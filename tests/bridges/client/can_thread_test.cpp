@@ -67,6 +67,7 @@ TEST(CanClientThread, WakesWhoeverWaitsForTheRobot) {
            {0x18U, 0x19U, 0x1AU, 0x1BU, 0x1CU, 0x1DU, 0x1EU, 0x1FU, 0x28U, 0x29U, 0x2AU}) {
         (void)robot->send(raw_frame(function << 4U | 1U, {0, 0, 0, 0, 0, 0, 0, 0}), Time{0});
       }
+      (void)robot->send(raw_frame(0x481, {1, '1', '.', '0', '4', 1, 1, 0}), Time{0});
       (void)robot->send(raw_frame(0x701, {state}), Time{0});
     }
   });

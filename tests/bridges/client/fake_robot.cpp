@@ -81,6 +81,9 @@ void FakeRobot::obey(const CanFrame& frame) {
     case 0x01:
       state = 4;
       break;
+    case 0x48:
+      if (frame.remote) send(0x48, {1, '1', '.', '0', '4', 1, capabilities, 0});
+      break;
     case 0x21:
       if (frame.data[1] != echoed) move_state = 2;
       echoed = frame.data[1];

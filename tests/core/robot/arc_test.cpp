@@ -1,11 +1,11 @@
-#include "arc.hpp"
+#include "eyebridge/robot/arc.hpp"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "eyebridge/base/units.hpp"
-#include "odometry.hpp"
+#include "eyebridge/robot/odometry.hpp"
 
 namespace eyebridge::robot {
 namespace {

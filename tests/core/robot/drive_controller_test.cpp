@@ -1,4 +1,4 @@
-#include "drive_controller.hpp"
+#include "eyebridge/robot/drive_controller.hpp"
 
 #include <algorithm>
 #include <cmath>

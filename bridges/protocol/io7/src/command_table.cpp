@@ -84,7 +84,7 @@ constexpr Command kCommands[] = {
     guessed(row(IO7_VW_CURVE, "curve", fields(word("distance"), word("angle"), word("mm/s")),
                 kNothing)),
     guessed(row(IO7_VW_REMAINING, "remaining", kNothing, fields(word("mm")))),
-    guessed(row(IO7_VW_DONE, "done", kNothing, fields(Field{"bit", 0, 1}))),
+    guessed(row(IO7_VW_DONE, "done", kNothing, fields(Field{"state", -1, 1}))),
 };
 
 }  // namespace

@@ -29,9 +29,9 @@ class BoardWorld {
   ~BoardWorld();
 
   [[nodiscard]] std::size_t robots() const;
-  /// Gives robot `index` a board that speaks as `config` says; what `config.drive` and the PSD
-  /// table are is set here. A robot that had one gets a new one. The board lives as long as the
-  /// world. Throws std::out_of_range when there is no such robot.
+  /// Gives robot `index` a board that speaks as `config` says; what `config.drive`, the PSD
+  /// table and `config.lidar` are is set here. A robot that had one gets a new one. The board lives
+  /// as long as the world. Throws std::out_of_range when there is no such robot.
   eb_board& add_board(robot::RobotIndex index, const eb_config& config);
 
   /// One step of the world: every board sees its pins, works, and moves its robot.

@@ -60,8 +60,8 @@ class CanClient {
   void start();
   /// Does what the thread would until `until`. Only without start().
   void pump(Time until);
-  /// Waits until the robot is ready and every cyclic message but the LIDAR's has come, at most for
-  /// `patience`. Fails with what is missing.
+  /// Waits until the robot is ready, has told what it is, and every cyclic message has come, and a
+  /// scan from one that can; at most for `patience`. Fails with what is missing.
   Result<void> wait_ready(Time patience);
 
   /// The last status of a kind. Fails with Disconnected or Corrupt while the robot is not ready;
@@ -75,7 +75,7 @@ class CanClient {
   }
   /// The last complete scan, copied into `out`. Fails as latest() does; Timeout: none in a second.
   Result<void> latest_scan(can::LidarScan& out) const;
-  /// Whether the robot has ever announced a scan.
+  /// Whether the robot says that it can scan, or has ever announced a scan.
   [[nodiscard]] bool has_lidar() const;
 
   /// Drives at this speed from now on; repeated every 50 ms.
@@ -92,7 +92,8 @@ class CanClient {
   /// Servo 1 … 14 to 0 … 255; repeated every 100 ms. The others of its bank are in the middle until
   /// they are told.
   Result<void> servo(int servo, std::uint8_t position);
-  /// Sets the robot's odometry and waits until it says so, at most 200 ms.
+  /// Sets the robot's odometry and waits until it says so, at most 200 ms. A pose that is less than
+  /// 60 mm and 20 degrees from the one before takes 25 ms: no sooner can the two be told apart.
   Result<void> set_pose(const can::PoseCommand& pose);
   /// A command that is said once.
   template <class Command>
@@ -130,7 +131,7 @@ class CanClient {
   template <class Status, class... Entries>
   struct IsKept<Status, std::tuple<Entries...>>
       : std::disjunction<std::is_same<Latest<Status>, Entries>...> {};
-  enum class Mode { Idle, Speed, Move, Motors };
+  enum class Mode { Idle, Standing, Speed, Move, Motors };
   struct MotorPoint {
     bool used = false;
     std::uint8_t mode = 0;
@@ -170,7 +171,9 @@ class CanClient {
   Result<void> send_all(const Outbox& out);  // under sending_
   Result<void> send_ready(const Result<CanFrame>& frame);
   bool wait_for(const std::function<bool()>& done, Time deadline);
-  [[nodiscard]] std::string missing() const;  // under mutex_
+  [[nodiscard]] std::string missing() const;   // under mutex_
+  [[nodiscard]] bool announces_scans() const;  // under mutex_
+  [[nodiscard]] CanFrame version_request() const;
   std::uint8_t next_seq() { return seq_ = static_cast<std::uint8_t>(seq_ + 1U); }
 
   const std::unique_ptr<CanBus> bus_;

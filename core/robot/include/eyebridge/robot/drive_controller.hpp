@@ -1,9 +1,9 @@
 #pragma once
 
-#include "arc.hpp"
 #include "eyebridge/base/drive_goal.hpp"
+#include "eyebridge/robot/arc.hpp"
+#include "eyebridge/robot/ramp.hpp"
 #include "eyebridge/robot/simulation.hpp"
-#include "ramp.hpp"
 
 namespace eyebridge::robot {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "arc.hpp"
 #include "eyebridge/base/pose.hpp"
+#include "eyebridge/robot/arc.hpp"
 
 namespace eyebridge::robot {
 

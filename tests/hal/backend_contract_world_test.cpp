@@ -1,0 +1,89 @@
+// The central test: the world around the robot, and what its camera looks at, where they are
+// simulated. Its rows are in backend_contract_test.cpp.
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "backend_contract.hpp"
+#include "eyebridge/base/units.hpp"
+#include "eyebridge/camera/view.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+TEST_P(BackendContract, TheRobotHasANumber) { EXPECT_EQ(make(0.5).backend->robot_id(), 1); }
+
+TEST_P(BackendContract, TheCameraLooksWhereTheRobotIs) {
+  const Rig rig = make_at({1.0, 0.5, kPi / 2});
+  const camera::View* view = rig.backend->camera_view();
+  ASSERT_EQ(view != nullptr, traits().world);
+  if (view == nullptr) return;
+  const camera::Eye eye = view->eye();
+  EXPECT_NEAR(eye.x, 1.0, 1e-9);
+  EXPECT_NEAR(eye.y, 0.5 + rig_model().camera->x, 1e-9);
+  EXPECT_NEAR(eye.z, rig_model().camera->z, 1e-9);
+  EXPECT_NEAR(eye.heading, kPi / 2, 1e-9);
+  EXPECT_NEAR(eye.pitch, 0.0, 1e-9);
+}
+
+TEST_P(BackendContract, TheCameraMovesWithTheRobot) {
+  const Rig rig = make(0.5);
+  WorldControl* world = rig.backend->world();
+  ASSERT_EQ(world != nullptr, traits().world);
+  if (world == nullptr) return;
+  ASSERT_TRUE(world->set_robot_pose(0, {1.0, 0.5, kPi / 2}));
+  const camera::Eye eye = rig.backend->camera_view()->eye();
+  EXPECT_NEAR(eye.x, 1.0, 1e-9);
+  EXPECT_NEAR(eye.y, 0.5 + rig_model().camera->x, 1e-9);
+  EXPECT_NEAR(eye.heading, kPi / 2, 1e-9);
+}
+
+TEST_P(BackendContract, TheCameraSeesAllBodiesAndKnowsItsCarrier) {
+  const Rig rig = make(0.5);
+  const camera::View* view = rig.backend->camera_view();
+  ASSERT_EQ(view != nullptr, traits().world);
+  if (view == nullptr) return;
+  const world::Scene scene = view->scene();
+  ASSERT_EQ(scene.bodies.size(), 3u);
+  EXPECT_EQ(scene.model->walls.size(), 5u);
+  EXPECT_EQ(scene.bodies.at(view->carrier()).pose, must(rig.backend->world()->robot_pose(0)));
+}
+
+TEST_P(BackendContract, WorldControlCountsFromOneAndKnowsItsOwnRobotAsZero) {
+  const Rig rig = make(0.5);
+  WorldControl* world = rig.backend->world();
+  ASSERT_EQ(world != nullptr, traits().world);
+  if (world == nullptr) return;
+  EXPECT_EQ(world->robot_count(), 2);
+  EXPECT_EQ(world->object_count(), 1);
+  EXPECT_EQ(must(world->robot_pose(0)), must(world->robot_pose(1)));
+  EXPECT_NEAR(must(world->robot_pose(2)).y, 1.5, 1e-9);
+  EXPECT_NEAR(must(world->object_pose(1)).y, 0.5, 1e-9);
+}
+
+TEST_P(BackendContract, WorldControlRefusesUnknownIdsAndPoses) {
+  const Rig rig = make(0.5);
+  WorldControl* world = rig.backend->world();
+  ASSERT_EQ(world != nullptr, traits().world);
+  if (world == nullptr) return;
+  EXPECT_EQ(world->robot_pose(3).error().what, "no robot 3, the world has 2");
+  EXPECT_EQ(world->robot_pose(-1).error().code, Errc::OutOfRange);
+  EXPECT_EQ(world->object_pose(0).error().what, "no object 0, the world has 1");
+  EXPECT_EQ(world->set_object_pose(2, {}).error().code, Errc::OutOfRange);
+  EXPECT_EQ(world->set_robot_pose(1, {std::nan(""), 0, 0}).error().code, Errc::OutOfRange);
+}
+
+TEST_P(BackendContract, WorldControlMovesRobotsAndObjects) {
+  const Rig rig = make(0.5);
+  WorldControl* world = rig.backend->world();
+  ASSERT_EQ(world != nullptr, traits().world);
+  if (world == nullptr) return;
+  ASSERT_TRUE(world->set_robot_pose(0, facing(1.0)));
+  EXPECT_NEAR(front(rig), 1.0, traits().range);
+  const double at = facing(0.3).x + kFrontOffset;
+  ASSERT_TRUE(world->set_object_pose(1, {at, kSideWall, 0.0}));
+  EXPECT_NEAR(front(rig), 0.7 - world::ObjectSpec{}.radius, traits().range);
+}
+
+}  // namespace
+}  // namespace eyebridge::hal

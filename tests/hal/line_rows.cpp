@@ -1,0 +1,93 @@
+// Rows of the contract whose boards are behind lines of the operating system, opened as programs
+// open them, with all threads, in the computer's time.
+#include <sys/socket.h>
+
+#include "board/open_board.hpp"
+#include "eyebridge/base/units.hpp"
+#include "eyebridge/bridges/socket_can.hpp"
+#include "eyebridge/hal/registry.hpp"
+#include "eyebridge/ports/lines.hpp"
+#include "rig_board.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+using testing::RigBoard;
+using testing::RigFirmware;
+
+const SourceLocation kHere{"rig"};
+
+/// Both ends are on threads that a busy computer lets wait: a reading gets that much older, and the
+/// host takes a count for one of then: 20 ms in the 50 over which it measures a speed are two
+/// fifths of it (of at most 0.6 m/s, 1 rad/s). A host that is late at a goal drives past it, and
+/// back.
+RigTraits in_real_time(RigTraits traits) {
+  traits.age += 0.05;
+  traits.way += 3e-3;
+  traits.turn += 0.02;
+  traits.linear += 0.24;
+  traits.angular += 0.4;
+  return traits;
+}
+
+Rig around(const std::shared_ptr<RigBoard>& board) {
+  Rig rig;
+  rig.log = std::make_unique<KeepingLog>();
+  rig.other_end = board;
+  rig.truth = [board] { return board->truth(); };
+  rig.unplug = [board] { board->unplug(); };
+  board->start();
+  return rig;
+}
+
+/// By the registry, as `--hal URL --hdt FILE`.
+Rig opened(const std::shared_ptr<RigBoard>& board, const std::string& options) {
+  Rig rig = around(board);
+  const Config config =
+      rig_config({{"hal", board->port().address() + options}, {"hdt", board->hdt()}});
+  rig.backend = open_backend({config, *rig.log});
+  return rig;
+}
+
+/// v-omega on the host: the terminal's latencies are in its control loop.
+Rig pty_rig(const Pose& start) {
+  auto board = std::make_shared<RigBoard>(start, RigFirmware{.vw_letters = false});
+  board->connect(
+      ports::open_pty(ports::byte_line(board->board()), board->folder() + "/eyebot.tty", kHere));
+  return opened(board, "");
+}
+
+Rig tcp_rig(const Pose& start) {
+  auto board = std::make_shared<RigBoard>(start, RigFirmware{});
+  board->connect(ports::open_tcp(ports::byte_line(board->board()), "0", kHere));
+  return opened(board, "?profile=io7vw");
+}
+
+Rig socketpair_rig(const Pose& start) {
+  constexpr int kNode = 5;
+  int ends[2] = {-1, -1};
+  if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_NONBLOCK | SOCK_CLOEXEC, 0, ends) != 0) {
+    throw std::system_error(errno, std::generic_category(), "socketpair");
+  }
+  UniqueFd host(ends[0]);
+  UniqueFd robot(ends[1]);
+  auto board = std::make_shared<RigBoard>(start, RigFirmware{.node = kNode});
+  board->connect(ports::make_can_port(ports::frame_line(board->board()), std::move(robot), false));
+  Rig rig = around(board);
+  const Config config = rig_config({{"hal", "can:pair?node=5"}, {"hdt", board->hdt()}});
+  auto clock = std::make_unique<bridges::MonotonicClock>();
+  auto bus = bridges::make_socket_can({std::move(host), false}, "pair", *clock);
+  rig.backend = open_can_board(parse_backend_url("can:pair?node=5", kHere), {config, *rig.log},
+                               std::move(bus), std::move(clock));
+  return rig;
+}
+
+}  // namespace
+
+std::vector<RigCase> contract_rows() {
+  return {{"Io7HostVwOverPty", pty_rig, in_real_time(kIo7HostVw)},
+          {"Io7BoardVwOverTcp", tcp_rig, in_real_time(kIo7BoardVw)},
+          {"CanOverSocketPair", socketpair_rig, in_real_time(kCan)}};
+}
+
+}  // namespace eyebridge::hal

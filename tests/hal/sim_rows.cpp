@@ -1,0 +1,34 @@
+// Rows of the contract without a board: the simulation, and what answers in its place.
+#include "fault/fault_tap.hpp"
+#include "rigs.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+Rig real_time_rig(const Pose& start) { return sim_rig(start, {{"factor", "50"}}); }
+
+/// A decorator that has nothing to do must not show.
+Rig faultless_rig(const Pose& start) {
+  Rig rig = lockstep_rig(start);
+  rig.backend = with_faults(std::move(rig.backend), FaultScript{}, 1);
+  return rig;
+}
+/// Nor one whose time has not come.
+Rig rig_before_its_faults(const Pose& start) {
+  Rig rig = lockstep_rig(start);
+  FaultScript later = parse_fault_script("all lose @1000000s; all delay 1s @1000000s", {});
+  rig.backend = with_faults(std::move(rig.backend), std::move(later), 1);
+  return rig;
+}
+
+}  // namespace
+
+std::vector<RigCase> contract_rows() {
+  return {{"SimLockstep", lockstep_rig, kSimulated},
+          {"SimRealTime", real_time_rig, kSimulated},
+          {"FaultNone", faultless_rig, kSimulated},
+          {"FaultLater", rig_before_its_faults, kSimulated},
+          {"Replay", lockstep_rig, kReplayed, true}};
+}
+
+}  // namespace eyebridge::hal
