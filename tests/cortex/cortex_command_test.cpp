@@ -1,13 +1,12 @@
 // `eyebridge firmware --cortex-m3` as a process, and what is missing or wrong.
 #include <charconv>
 #include <csignal>
-#include <cstring>
 #include <filesystem>
 #include <sstream>
 
 #include <gmock/gmock.h>
 #include <poll.h>
-#include <sys/pidfd.h>
+#include <sys/syscall.h>
 
 #include "../firmware/running_firmware.hpp"
 #include "cortex_rig.hpp"
@@ -43,6 +42,9 @@ pid_t child_of(pid_t parent) {
   return 0;
 }
 
+/// A descriptor that is ready when the process is over; -1 when there is no such process.
+int process_fd(pid_t pid) { return static_cast<int>(::syscall(SYS_pidfd_open, pid, 0)); }
+
 /// Waits until a process is over.
 bool is_over(const UniqueFd& process) {
   pollfd over{process.get(), POLLIN, 0};
@@ -56,7 +58,7 @@ TEST(CortexCommand, DrivesTheRobotOfAWorldAndSaysAtTheEndWhereItIs) {
       folder.path());
   EXPECT_THAT(running.wait_for("Ctrl-C ends\n"),
               HasSubstr("robot 1: eyebridge run --hal serial:./one.tty PROGRAM\n"));
-  const UniqueFd emulator(::pidfd_open(child_of(running.pid()), 0));
+  const UniqueFd emulator(process_fd(child_of(running.pid())));
   ASSERT_TRUE(emulator.valid());
   const UniqueFd host(::open((folder.path() + "/one.tty").c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
   ASSERT_EQ(::write(host.get(), "v\r", 2), 2);
@@ -79,7 +81,7 @@ TEST(CortexCommand, TheEmulatorDoesNotOutliveAKilledParent) {
   const ScratchFolder folder;
   RunningFirmware running({"--cortex-m3", "--world", kMaze, "--tcp", "0"}, folder.path());
   EXPECT_THAT(running.wait_for("Ctrl-C ends\n"), HasSubstr("--hal tcp:127.0.0.1:"));
-  const UniqueFd emulator(::pidfd_open(child_of(running.pid()), 0));
+  const UniqueFd emulator(process_fd(child_of(running.pid())));
   ASSERT_TRUE(emulator.valid());
   EXPECT_EQ(running.finish(SIGKILL), 128 + SIGKILL);
   EXPECT_TRUE(is_over(emulator));
@@ -137,14 +139,10 @@ TEST(CortexCommand, AFirmwareThatCannotRunIsAnErrorAtTheStart) {
   const ScratchFolder folder;
   std::string elf = file_text(EYEBRIDGE_CORTEX_ELF);
   ASSERT_GT(elf.size(), 1000u);
-  // The file's first segment begins with the vectors. Without them there is nothing to run.
-  const auto word_at = [&elf](std::size_t at) {
-    std::uint32_t word = 0;
-    std::memcpy(&word, elf.data() + at, sizeof word);
-    return std::size_t{word};
-  };
-  const std::size_t segment = word_at(word_at(28) + 4);
-  elf.replace(segment, 64, std::string(64, '\0'));
+  // The vectors begin with the stack's top, the end of the data memory; without them nothing runs.
+  const std::size_t stack_top = elf.find(std::string("\x00\x00\x40\x20", 4));
+  ASSERT_NE(stack_top, std::string::npos);
+  elf.replace(stack_top, 64, std::string(64, '\0'));
   const std::string path = folder.write("broken.elf", elf);
   const auto run = run_program(
       {{kCommand, "firmware", "--world", kMaze, "--cortex-m3", "--tcp", "0", "--elf", path},

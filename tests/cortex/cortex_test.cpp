@@ -22,7 +22,7 @@ struct Dialect {
 };
 void PrintTo(const Dialect& dialect, std::ostream* out) { *out << dialect.name; }
 
-class CortexDialects : public testing::TestWithParam<Dialect> {};
+class CortexDialects : public ::testing::TestWithParam<Dialect> {};
 
 TEST_P(CortexDialects, TheProbeFindsTheBoardAndReadsWhatThePlantSays) {
   const Dialect& row = GetParam();
@@ -43,16 +43,18 @@ TEST_P(CortexDialects, TheProbeFindsTheBoardAndReadsWhatThePlantSays) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, CortexDialects,
-                         testing::Values(Dialect{"Default", false, false, false, false},
-                                         Dialect{"Verbose", false, true, false, true},
-                                         Dialect{"LsbFirst", false, false, true, false},
-                                         Dialect{"Binary", true, false, false, false},
-                                         Dialect{"BinaryLsbPrompt", true, false, true, true}),
+                         ::testing::Values(Dialect{"Default", false, false, false, false},
+                                           Dialect{"Verbose", false, true, false, true},
+                                           Dialect{"LsbFirst", false, false, true, false},
+                                           Dialect{"Binary", true, false, false, false},
+                                           Dialect{"BinaryLsbPrompt", true, false, true, true}),
                          [](const auto& row) { return std::string(row.param.name); });
 
 TEST(Cortex, EncodersCountWhatTheWheelsDo) {
   CortexRig cortex(dialect(false));
   const hal::Rig rig = cortex.open("io7");
+  ASSERT_NE(rig.backend->motor(1), nullptr);
+  ASSERT_NE(rig.backend->motor(2), nullptr);
   ASSERT_TRUE(rig.backend->motor(1)->set_speed(1000));
   ASSERT_TRUE(rig.backend->motor(2)->set_speed(2000));
   ASSERT_TRUE(cortex.wait_for(
@@ -76,7 +78,7 @@ TEST(Cortex, EncodersCountWhatTheWheelsDo) {
   EXPECT_NEAR(pins.encoder[1], 2 * pins.encoder[0], 0.1 * pins.encoder[1]);
 }
 
-class CortexDrives : public testing::TestWithParam<bool> {};
+class CortexDrives : public ::testing::TestWithParam<bool> {};
 
 TEST_P(CortexDrives, AStraightAndATurnEndWhereTheyShould) {
   const bool on_board = GetParam();
@@ -96,7 +98,7 @@ TEST_P(CortexDrives, AStraightAndATurnEndWhereTheyShould) {
   EXPECT_NEAR(wrap_angle(cortex.pose().theta - there.theta), kPi / 2, 0.02 * kPi / 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Both, CortexDrives, testing::Bool(),
+INSTANTIATE_TEST_SUITE_P(Both, CortexDrives, ::testing::Bool(),
                          [](const auto& row) { return row.param ? "OnBoard" : "OnHost"; });
 
 TEST(Cortex, TheWatchdogStopsTheMotorsWhenTheProgramFallsSilent) {

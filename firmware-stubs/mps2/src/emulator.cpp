@@ -11,9 +11,9 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
-#include <sys/pidfd.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -52,9 +52,13 @@ std::pair<UniqueFd, UniqueFd> socket_pair() {
 }
 
 std::vector<std::string> command_line(const EmulatorSettings& settings, int host, int plant) {
-  std::vector<std::string> words{settings.command, "-machine",        "mps2-an385",  "-kernel",
-                                 settings.elf,     "-no-user-config", "-nodefaults", "-display",
-                                 "none",           "-monitor",        "none"};
+  std::vector<std::string> words{settings.command, "-machine", "mps2-an385", "-kernel",
+                                 settings.elf};
+  for (const char* word : {"-no-user-config", "-nodefaults", "-display", "none", "-monitor", "none",
+                           // The board has an Ethernet port, and QEMU a warning when it is open.
+                           "-nic", "user,restrict=on"}) {
+    words.emplace_back(word);
+  }
   for (const int fd : {host, plant}) {  // in this order: UART0, UART1
     words.insert(words.end(), {"-chardev", fmt::format("socket,id=fd{0},fd={0}", fd), "-serial",
                                fmt::format("chardev:fd{}", fd)});
@@ -114,7 +118,8 @@ Emulator::~Emulator() {
 std::string Emulator::end() {
   if (pid_ <= 0) return "has ended";
   // Its lines close a moment before it is over: how it ends is not to be overwritten by us.
-  const UniqueFd process(::pidfd_open(pid_, 0));
+  // glibc 2.36 declares its pidfd_open() for C only.
+  const UniqueFd process(static_cast<int>(::syscall(SYS_pidfd_open, pid_, 0)));
   pollfd over{process.get(), POLLIN, 0};
   ::poll(&over, 1, kEndPatience_ms);
   ::kill(pid_, SIGKILL);

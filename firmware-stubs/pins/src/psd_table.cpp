@@ -46,7 +46,7 @@ std::string hdt_text(const robot::RobotModel& model) {
   std::string text = "# A simulated board: see firmware-stubs/pins/README.md\n";
   text += fmt::format("EYEBOT {}\n", model.name.empty() ? "robot" : model.name);
   for (const int motor : {1, 2}) {
-    text += fmt::format("ENCODER {} {:.0f}\n", motor, ticks_per_metre(drive));
+    text += fmt::format("MOTOR {}\nENCODER {} {:.0f}\n", motor, motor, ticks_per_metre(drive));
   }
   for (const robot::RangeSensorModel& sensor : model.range_sensors) {
     if (sensor.id >= 1 && sensor.id <= kPsds) {
