@@ -24,7 +24,8 @@ class EmulatedRun {
     mps2::EmulatorSettings settings;
     settings.elf = options.elf.empty() ? own_files().firmware.string() : options.elf;
     board_ = std::make_unique<mps2::EmulatedBoard>(settings, world_, 0,
-                                                   board_config(options, wanted), start_);
+                                                   board_config(options, wanted), monotonic_now);
+    stop_on_signals();  // not earlier: a start that hangs ends by Ctrl-C, and the emulator with it
     ports_.push_back(open_byte_port(trace_.traced(board_->line()), wanted));
     print_start(ports_, options.world);
   }
@@ -34,7 +35,7 @@ class EmulatedRun {
       wait();
       // Requests in, then what the firmware has to say to them.
       ports_[0]->pump();
-      const auto moved = board_->pump(monotonic_now());
+      const auto moved = board_->pump();
       ports_[0]->pump();
       if (!moved) {
         std::fprintf(stderr, "eyebridge: %s\n", moved.error().what.c_str());
@@ -72,7 +73,6 @@ int run_emulated(const FirmwareOptions& options, const files::Scenario& scenario
     throw ConfigError({"--cortex-m3"},
                       "found --can, expected --pty or --tcp: the emulated board has no CAN");
   }
-  stop_on_signals();
   return EmulatedRun(options, scenario, wanted[0]).run();
 }
 

@@ -1,6 +1,7 @@
 #include "cortex_rig.hpp"
 
 #include <chrono>
+#include <utility>
 
 #include <poll.h>
 
@@ -18,6 +19,10 @@ using namespace std::chrono_literals;
 constexpr auto kPatience = 60s;
 constexpr int kLook_ms = 5;
 
+Time now() { return std::chrono::steady_clock::now().time_since_epoch(); }
+
+}  // namespace
+
 files::Scenario room() {
   files::Scenario scenario;
   scenario.world = files::read_world(
@@ -32,10 +37,6 @@ files::Scenario room() {
   return scenario;
 }
 
-Time now() { return std::chrono::steady_clock::now().time_since_epoch(); }
-
-}  // namespace
-
 EmulatorSettings emulator_settings() {
   EmulatorSettings settings;
   settings.elf = EYEBRIDGE_CORTEX_ELF;
@@ -49,11 +50,11 @@ eb_config dialect(bool vw) {
   return config;
 }
 
-CortexRig::CortexRig(const eb_config& config)
-    : scenario_(room()),
+CortexRig::CortexRig(const eb_config& config, files::Scenario scenario)
+    : scenario_(std::move(scenario)),
       hdt_(folder_.write("robot.hdt", pins::hdt_text(scenario_.models[0]))),
       world_(scenario_),
-      board_(std::make_unique<EmulatedBoard>(emulator_settings(), world_, 0, config, now())),
+      board_(std::make_unique<EmulatedBoard>(emulator_settings(), world_, 0, config, now)),
       port_(ports::open_pty(board_->line(), device(), {"rig"})),
       thread_([this](const std::stop_token& stop) { live(stop); }) {}
 
@@ -64,7 +65,7 @@ void CortexRig::live(const std::stop_token& stop) {
     {
       const std::lock_guard lock(mutex_);
       port_->pump();
-      const auto moved = board_->pump(now());
+      const auto moved = board_->pump();
       port_->pump();
       if (!moved) {
         end_ = moved.error().what;
@@ -97,15 +98,20 @@ bool CortexRig::wait_for(const std::function<bool(robot::Simulation&)>& seen) {
   return turned_.wait_for(lock, kPatience, [&] { return seen(world_.simulation()); });
 }
 
-Pose CortexRig::pose() {
+void CortexRig::look(const std::function<void(robot::Simulation&)>& show) {
   const std::lock_guard lock(mutex_);
-  return world_.simulation().pose(0);
+  show(world_.simulation());
+}
+
+Pose CortexRig::pose() {
+  Pose pose;
+  look([&pose](robot::Simulation& simulation) { pose = simulation.pose(0); });
+  return pose;
 }
 
 eb_pins CortexRig::pins() {
-  const std::lock_guard lock(mutex_);
   eb_pins pins{};
-  pins::read_pins(world_.simulation(), 0, pins);
+  look([&pins](robot::Simulation& simulation) { pins::read_pins(simulation, 0, pins); });
   return pins;
 }
 

@@ -16,12 +16,14 @@ namespace eyebridge::mps2 {
 /// The emulated board of this build, before it is started.
 EmulatorSettings emulator_settings();
 
-/// A room with one robot that faces a wall 2.5 m ahead of its front sensor, and a board on an
-/// emulated Cortex-M3 that drives it, reached over a pseudo-terminal. It lives on a thread of its
-/// own.
+/// A room with one robot that faces a wall 2.5 m ahead of its front sensor.
+files::Scenario room();
+
+/// A board on an emulated Cortex-M3 that drives the first robot of a world, reached over a
+/// pseudo-terminal. It lives on a thread of its own.
 class CortexRig {
  public:
-  explicit CortexRig(const eb_config& config);
+  explicit CortexRig(const eb_config& config, files::Scenario scenario = room());
   ~CortexRig();
   CortexRig(const CortexRig&) = delete;
   CortexRig& operator=(const CortexRig&) = delete;
@@ -36,7 +38,9 @@ class CortexRig {
 
   /// Waits until the robot's world is as `seen` wants it; false when it is not within a minute.
   bool wait_for(const std::function<bool(robot::Simulation&)>& seen);
-  /// What the world says now.
+  /// Shows the world as it is now.
+  void look(const std::function<void(robot::Simulation&)>& show);
+  /// Where the robot really is.
   Pose pose();
   /// What the board's wires carry now, by the plant.
   eb_pins pins();

@@ -1,6 +1,7 @@
 // Both codecs of the plant link against the same bytes, and against each other.
 #include "eyebridge/mps2/plant_frame.hpp"
 
+#include <cmath>
 #include <cstdlib>
 #include <random>
 
@@ -105,6 +106,24 @@ TEST(PlantFrame, ConfigTellsTheFirmwareItsDialectAndItsRobot) {
     EXPECT_EQ(told.drive.motor_lag, config.drive.motor_lag);
     EXPECT_EQ(told.silence_us, config.silence_us);
   }
+}
+
+TEST(PlantFrame, TheFirmwareTakesNoRobotThatItsArithmeticIsNotMadeFor) {
+  const float nan = std::nanf("");
+  const auto takes = [](float eb_drive_config::*member, float value) {
+    eb_config config;
+    eb_config_default(&config);
+    config.drive.*member = value;
+    eb_config told;
+    return eb_plant_config(&firmware_frames_in(encode(encode_config(config))).at(0), &told);
+  };
+  EXPECT_TRUE(takes(&eb_drive_config::motor_lag, 0.5F));
+  EXPECT_FALSE(takes(&eb_drive_config::motor_lag, nan));
+  EXPECT_FALSE(takes(&eb_drive_config::wheel_base, 0.0F));
+  EXPECT_FALSE(takes(&eb_drive_config::wheel_base, nan));
+  EXPECT_FALSE(takes(&eb_drive_config::max_linear, -1.0F));
+  EXPECT_FALSE(takes(&eb_drive_config::ticks_per_metre, HUGE_VALF));
+  EXPECT_FALSE(takes(&eb_drive_config::full_ticks, 32001.0F));
 }
 
 TEST(PlantFrame, OutputsCarryWhatTheBoardDrives) {

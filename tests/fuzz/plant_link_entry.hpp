@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -30,13 +32,31 @@ inline void require_same(const mps2::PlantFrame& ours, const eb_plant_frame& fir
   }
 }
 
+/// After an F, the text is kind, sequence, length and payload of frames, whose sync and CRC are
+/// right: noise alone seldom is a frame.
+inline std::string framed(std::string_view text) {
+  std::string bytes;
+  while (text.size() > 3) {
+    mps2::PlantFrame frame{
+        static_cast<mps2::PlantKind>(text[0]), static_cast<std::uint8_t>(text[1]), 0, {}};
+    const std::size_t wanted = static_cast<std::uint8_t>(text[2]) % (mps2::kMaxPlantPayload + 1);
+    text.remove_prefix(3);
+    frame.length = static_cast<std::uint8_t>(std::min(wanted, text.size()));
+    std::copy_n(text.begin(), frame.length, frame.payload.begin());
+    text.remove_prefix(frame.length);
+    for (const std::uint8_t byte : mps2::encode(frame)) bytes += static_cast<char>(byte);
+  }
+  return bytes;
+}
+
 /// The bytes to both parsers, and to the firmware itself, which lets 3 ms pass after each.
 inline void plant_link(std::string_view text) {
+  const std::string made = text.starts_with('F') ? framed(text.substr(1)) : std::string(text);
   mps2::PlantParser parser;
   eb_plant_parser firmwares{};
   eb_app app;
   eb_app_init(&app);
-  for (const char c : text) {
+  for (const char c : made) {
     const auto byte = static_cast<std::uint8_t>(c);
     parser.push(byte);
     eb_plant_push(&firmwares, byte);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <utility>
 
 #include <sys/socket.h>
 
@@ -14,6 +15,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Time kPatience = 10s;
+constexpr int kLook_ms = 100;
 constexpr std::size_t kMostPending = 65536;
 
 bool only_waits() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR; }
@@ -42,20 +44,28 @@ bool write_from(int fd, std::vector<std::uint8_t>& bytes) {
 }  // namespace
 
 EmulatedBoard::EmulatedBoard(const EmulatorSettings& settings, pins::BoardWorld& world,
-                             robot::RobotIndex robot, const eb_config& config, Time now)
-    : command_(settings.command), emulator_(settings), plant_(world, robot, config), heard_(now) {
+                             robot::RobotIndex robot, const eb_config& config, ports::Now now)
+    : now_(std::move(now)),
+      command_(settings.command),
+      emulator_(settings),
+      plant_(world, robot, config),
+      heard_(now_()) {
+  wait_for_firmware(settings.elf);
+}
+
+void EmulatedBoard::wait_for_firmware(const std::string& elf) {
   while (plant_.periods() == 0) {
-    const std::array<pollfd, 2> lines = descriptors();
-    pollfd plant_line = lines[1];
-    const int ready = ::poll(&plant_line, 1, static_cast<int>(kPatience / 1ms));
-    if (ready == 0) {
-      throw ConfigError({settings.elf},
-                        "says nothing on the plant link, expected the firmware of the emulated "
-                        "board (eyebridge-mps2.elf)");
+    const auto moved = pump();
+    if (!moved && moved.error().code == Errc::Timeout) {
+      throw ConfigError({elf}, plant_.starts() == 0
+                                   ? "says nothing on the plant link, expected the firmware of the "
+                                     "emulated board (eyebridge-mps2.elf)"
+                                   : "does not take this robot's configuration");
     }
-    // `now` stands still here: poll() is the clock.
-    if (const auto moved = pump(now); !moved) throw ConfigError({settings.elf}, moved.error().what);
-    if (!plant_.refusal().empty()) throw ConfigError({settings.elf}, plant_.refusal());
+    if (!moved) throw ConfigError({elf}, moved.error().what);
+    if (!plant_.refusal().empty()) throw ConfigError({elf}, plant_.refusal());
+    std::array<pollfd, 2> lines = descriptors();
+    ::poll(lines.data(), lines.size(), kLook_ms);
   }
 }
 
@@ -103,14 +113,14 @@ bool EmulatedBoard::serve_host() {
   return write_from(emulator_.host_line(), to_board_);
 }
 
-Result<void> EmulatedBoard::pump(Time now) {
+Result<void> EmulatedBoard::pump() {
   // The host's line first: what was said before the firmware knew of a loss is to be thrown away.
   if (!serve_host() || !serve_plant() || !serve_host()) return ended();
   if (plant_.periods() != seen_periods_) {
     seen_periods_ = plant_.periods();
-    heard_ = now;
+    heard_ = now_();
   }
-  if (now - heard_ > kPatience) {
+  if (now_() - heard_ > kPatience) {
     return fail(Errc::Timeout, "the emulated board's firmware is silent");
   }
   return {};

@@ -157,7 +157,8 @@ PlantFrame encode_config(const eb_config& config) {
   if (config.io7.verbose) flags |= kVerbose;
   if (config.io7.lsb_first) flags |= kLsbFirst;
   if (config.io7.prompt[0] != 0) flags |= kPrompt;
-  if (config.io7.letters == std::string_view(EB_LETTERS_ALL)) flags |= kVwLetters;
+  const char* letters = config.io7.letters;  // null is the command page
+  if (letters != nullptr && std::string_view(letters) == EB_LETTERS_ALL) flags |= kVwLetters;
   out.u8(flags);
   out.u32(config.silence_us);
   out.u32(config.drive.stall_timeout_us);

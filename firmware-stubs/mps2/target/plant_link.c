@@ -119,6 +119,21 @@ void eb_plant_outputs(struct eb_plant_frame* frame, uint8_t sequence, uint32_t e
   put8(frame, losses);
 }
 
+/* What the arithmetic of the board is made for; a number that is none fits nowhere. */
+static bool drivable(const struct eb_drive_config* drive) {
+  const float value[8] = {drive->ticks_per_metre,     drive->wheel_base,
+                          drive->max_linear,          drive->max_angular,
+                          drive->linear_acceleration, drive->angular_acceleration,
+                          drive->motor_lag,           drive->full_ticks};
+  static const float low[8] = {1.0F, 0.001F, 0.0F, 0.0F, 0.0F, 0.0F, 0.0F, 1.0F};
+  static const float high[8] = {1.0e6F, 10.0F, 100.0F, 1000.0F, 1.0e4F, 1.0e5F, 10.0F, 32000.0F};
+  int i;
+  for (i = 0; i < 8; ++i) {
+    if (!(value[i] >= low[i] && value[i] <= high[i])) return false;
+  }
+  return true;
+}
+
 bool eb_plant_config(const struct eb_plant_frame* frame, struct eb_config* config) {
   const uint8_t* at = frame->payload;
   struct eb_drive_config* drive = &config->drive;
@@ -141,7 +156,7 @@ bool eb_plant_config(const struct eb_plant_frame* frame, struct eb_config* confi
   drive->angular_acceleration = get_float(&at);
   drive->motor_lag = get_float(&at);
   drive->full_ticks = get_float(&at);
-  return true;
+  return drivable(drive);
 }
 
 bool eb_plant_inputs(const struct eb_plant_frame* frame, struct eb_pins* pins, uint8_t* losses) {

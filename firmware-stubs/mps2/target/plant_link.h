@@ -50,7 +50,8 @@ void eb_plant_hello(struct eb_plant_frame* frame);
 /* The outer side of `pins`; the world is to go on by `elapsed_us`. */
 void eb_plant_outputs(struct eb_plant_frame* frame, uint8_t sequence, uint32_t elapsed_us,
                       uint8_t losses, const struct eb_pins* pins);
-/* False when it is not such a frame. The rest of `config` is as eb_config_default() says. */
+/* False when it is not such a frame, or its drive is none that a board can have. The rest of
+ * `config` is as eb_config_default() says. */
 bool eb_plant_config(const struct eb_plant_frame* frame, struct eb_config* config);
 /* Sets the inner side of `pins`; false when it is not such a frame. */
 bool eb_plant_inputs(const struct eb_plant_frame* frame, struct eb_pins* pins, uint8_t* losses);
