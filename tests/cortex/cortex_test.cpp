@@ -131,6 +131,7 @@ TEST(Cortex, AHostThatGoesAwayStopsTheMotorsAtOnceAndTheNextOneFindsTheBoard) {
   }
   EXPECT_TRUE(cortex.wait_for(
       [](robot::Simulation& simulation) { return simulation.twist(0) == Twist{}; }));
+  EXPECT_LT(cortex.pose().x, 3.0);  // the wall, which stops it, too, is farther away
   const hal::Rig rig = cortex.open("io7vw");
   EXPECT_EQ(rig.backend->range_sensor(1)->read_raw().value(), cortex.pins().psd[0]);
 }
