@@ -6,7 +6,12 @@
 #define HEAD 4U /* sync, kind, sequence, length */
 #define TAIL 2U
 
-enum flag { FLAG_BINARY = 1, FLAG_VERBOSE = 2, FLAG_LSB = 4, FLAG_PROMPT = 8, FLAG_VW = 16 };
+/* Bits of the first byte of Config. */
+#define FLAG_BINARY 1U
+#define FLAG_VERBOSE 2U
+#define FLAG_LSB 4U
+#define FLAG_PROMPT 8U
+#define FLAG_VW 16U
 
 /* CRC-16/CCITT-FALSE. */
 static uint16_t crc_of(const uint8_t* bytes, size_t count) {
