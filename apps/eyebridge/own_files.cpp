@@ -9,10 +9,11 @@ OwnFiles own_files() {
   if (bin == fs::path(EYEBRIDGE_BUILD_DIR) / "bin") {
     const fs::path source = EYEBRIDGE_SOURCE_DIR;
     return {prefix / "lib/libeyebridge.so", source / "robios/include/eyebot.h", source / "worlds",
-            source / "tests/lab"};
+            source / "tests/lab", prefix / "firmware/eyebridge-mps2.elf"};
   }
   return {prefix / "lib/libeyebridge.so", prefix / "include/eyebridge/eyebot.h",
-          prefix / "share/eyebridge/worlds", prefix / "share/eyebridge/lab"};
+          prefix / "share/eyebridge/worlds", prefix / "share/eyebridge/lab",
+          prefix / "share/eyebridge/firmware/eyebridge-mps2.elf"};
 }
 
 }  // namespace eyebridge::apps

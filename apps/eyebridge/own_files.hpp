@@ -7,10 +7,11 @@ namespace eyebridge::apps {
 /// Where our own files lie: after an installation beside this program's prefix, else in the trees
 /// that it was built from and in.
 struct OwnFiles {
-  std::filesystem::path library;  ///< libeyebridge.so
-  std::filesystem::path header;   ///< eyebot.h
-  std::filesystem::path worlds;   ///< Folder.
-  std::filesystem::path lab;      ///< Folder of the lab's scripts.
+  std::filesystem::path library;   ///< libeyebridge.so
+  std::filesystem::path header;    ///< eyebot.h
+  std::filesystem::path worlds;    ///< Folder.
+  std::filesystem::path lab;       ///< Folder of the lab's scripts.
+  std::filesystem::path firmware;  ///< eyebridge-mps2.elf
 };
 
 /// Does not say whether they exist. Throws std::filesystem::filesystem_error without /proc.

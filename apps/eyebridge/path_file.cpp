@@ -6,14 +6,16 @@
 
 namespace eyebridge::apps {
 
-PathFile::PathFile(const std::string& path) : file_(std::fopen(path.c_str(), "we"), &std::fclose) {
+PathFile::PathFile(const std::string& path) : file_(nullptr, &std::fclose) {
+  if (path.empty()) return;
+  file_.reset(std::fopen(path.c_str(), "we"));
   if (file_ == nullptr) throw ConfigError({"--path"}, "cannot write " + path);
   std::setvbuf(file_.get(), nullptr, _IOLBF, BUFSIZ);  // complete even when the process is killed
   std::fputs("t,robot,x,y,theta\n", file_.get());
 }
 
 void PathFile::note(Time now, const robot::Simulation& simulation, std::size_t robots) {
-  if (now < due_) return;
+  if (file_ == nullptr || now < due_) return;
   due_ = now + std::chrono::milliseconds(10);
   for (std::size_t i = 0; i < robots; ++i) {
     const Pose pose = simulation.pose(static_cast<robot::RobotIndex>(i));

@@ -9,11 +9,11 @@
 
 namespace eyebridge::apps {
 
-/// Where the robots really are, as a table: "t,robot,x,y,theta" in s, m and radians, a row for each
-/// robot 100 times a second.
+/// Where `--path` goes, if it was given: where the robots really are, as a table
+/// "t,robot,x,y,theta" in s, m and radians, a row for each robot 100 times a second.
 class PathFile {
  public:
-  /// Throws ConfigError when `path` cannot be written.
+  /// "" for none. Throws ConfigError when `path` cannot be written.
   explicit PathFile(const std::string& path);
 
   /// Adds rows for the time `now`, if the last ones are 10 ms old.

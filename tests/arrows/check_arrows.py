@@ -16,7 +16,7 @@ SKIPPED = {"build", "out", ".git", "__pycache__", ".cache"}
 
 CORE = ["core/base", "core/world", "core/robot", "core/files", "core/mapping"]
 BACKENDS = ["hal/sim", "hal/board"]
-FIRMWARE = ["firmware-stubs/board", "firmware-stubs/ports", "firmware-stubs/pins"]
+FIRMWARE = ["firmware-stubs/board", "firmware-stubs/ports", "firmware-stubs/pins", "firmware-stubs/mps2"]
 EVERYTHING = [*CORE, "hal", *BACKENDS, "camera", "robios", "bridges", *FIRMWARE, "apps", "tests"]
 
 # Room -> what it may include besides itself. The longest room that holds a file is the file's.
@@ -36,6 +36,7 @@ ALLOWED = {
     "firmware-stubs/board": ["bridges:opcodes.h"],
     "firmware-stubs/ports": ["core/base", "firmware-stubs/board"],
     "firmware-stubs/pins": [*CORE, "firmware-stubs/board"],
+    "firmware-stubs/mps2": [*CORE, "firmware-stubs/board", "firmware-stubs/ports", "firmware-stubs/pins"],
     "gui": [*CORE, "camera", "robios"],
     "python": [*CORE, "robios"],
     "apps": [*CORE, "hal", "camera", "robios", *FIRMWARE],
@@ -47,7 +48,7 @@ ALLOWED = {
 # eyebridge/<this>/… -> the room whose public header it is.
 PUBLIC = {room.split("/")[-1]: room for room in ALLOWED if room.startswith("core/")} | {
     name: name for name in ("hal", "camera", "bridges", "robios", "gui")
-} | {name: f"firmware-stubs/{name}" for name in ("ports", "pins")}
+} | {name: f"firmware-stubs/{name}" for name in ("ports", "pins", "mps2")}
 
 # Rooms that may look at another one's private headers.
 CURIOUS = {"tests", "bench"}

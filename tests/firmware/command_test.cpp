@@ -2,7 +2,6 @@
 #include <csignal>
 #include <filesystem>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fcntl.h>
@@ -11,7 +10,7 @@
 #include <unistd.h>
 
 #include "eyebridge/base/unique_fd.hpp"
-#include "running_program.hpp"
+#include "running_firmware.hpp"
 
 namespace eyebridge::firmware {
 namespace {
@@ -19,22 +18,7 @@ namespace {
 using eyebridge::testing::run_program;
 using ::testing::HasSubstr;
 
-constexpr int kPatience_ms = 60'000;
-const std::string kCommand = EYEBRIDGE_BIN "/eyebridge";
 const std::string kWorlds = EYEBRIDGE_SOURCE_DIR "/worlds/";
-
-/// `eyebridge firmware …`, running.
-class RunningFirmware : public eyebridge::testing::RunningProgram {
- public:
-  RunningFirmware(std::vector<std::string> arguments, const std::string& folder)
-      : RunningProgram({with_command(std::move(arguments)), {}, folder}) {}
-
- private:
-  static std::vector<std::string> with_command(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {kCommand, "firmware"});
-    return arguments;
-  }
-};
 
 std::string ask(int host, const std::string& request, std::size_t size) {
   std::string answer;

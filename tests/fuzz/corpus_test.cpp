@@ -8,6 +8,7 @@
 #include "bridges_entry.hpp"
 #include "entry.hpp"
 #include "firmware_entry.hpp"
+#include "plant_link_entry.hpp"
 
 namespace eyebridge::fuzz {
 namespace {
@@ -37,7 +38,8 @@ constexpr Target kTargets[] = {{"world", world},
                                {"can_frame", can_frame},
                                {"trace", trace},
                                {"url", url},
-                               {"firmware", firmware}};
+                               {"firmware", firmware},
+                               {"plant_link", plant_link}};
 
 const auto kCorpus = std::filesystem::path(EYEBRIDGE_SOURCE_DIR) / "tests/fuzz/corpus";
 

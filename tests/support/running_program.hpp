@@ -22,10 +22,11 @@ class RunningProgram {
   /// Standard output and standard error up to and with `text`; all that came when it did not come
   /// within two minutes of silence.
   const std::string& wait_for(const std::string& text);
+  [[nodiscard]] pid_t pid() const { return pid_; }
   /// Sends `signal`, returns at once.
   void signal(int signal) const;
-  /// Waits for its end; kills it when it says nothing for two minutes. What was said until then is in said().
-  /// Returns the exit code, or 128 + the signal that ended it.
+  /// Waits for its end; kills it when it says nothing for two minutes. What was said until then is
+  /// in said(). Returns the exit code, or 128 + the signal that ended it.
   int wait();
   /// signal() and wait().
   int finish(int signal);

@@ -12,9 +12,6 @@
 
 namespace eyebridge::pins {
 
-/// What a board must know of the robot that it drives, out of the robot's model.
-eb_drive_config drive_config(const robot::DriveModel& model);
-
 /// A simulated world in which boards drive the robots: their duty turns its motors, and what its
 /// wheels and sensors do arrives at their pins. One thread.
 ///
@@ -44,9 +41,7 @@ class BoardWorld {
 
  private:
   struct Seat;  // a robot and its board
-  void read_pins(Seat& seat);
   void offer_scan(Seat& seat);
-  void obey_pins(const Seat& seat);
 
   robot::Simulation simulation_;
   std::vector<std::unique_ptr<Seat>> seats_;

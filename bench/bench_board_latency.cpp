@@ -1,0 +1,59 @@
+// How long a program waits for a distance from a board over a pseudo-terminal: one in the
+// firmware's own process, and one on the emulated Cortex-M3.
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "../tests/firmware/running_firmware.hpp"
+#include "../tests/support/run_program.hpp"
+#include "eyebridge/base/log.hpp"
+#include "eyebridge/hal/registry.hpp"
+
+namespace eyebridge {
+namespace {
+
+class Silent final : public LogSink {
+ public:
+  void write(Severity /*severity*/, std::string_view /*message*/) override {}
+};
+
+void psd_read(benchmark::State& state, const std::vector<std::string>& more) {
+  const testing::ScratchFolder folder;
+  std::vector<std::string> arguments{"--world", EYEBRIDGE_SOURCE_DIR "/worlds/maze-5.maz", "--pty",
+                                     "./eyebot.tty"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  firmware::RunningFirmware firmware(arguments, folder.path());
+  if (firmware.wait_for("Ctrl-C ends\n").find("Ctrl-C ends\n") == std::string::npos) {
+    state.SkipWithError("the firmware did not start");
+    return;
+  }
+  Silent log;
+  const auto config =
+      hal::Config::load({{{"hal", "serial:" + folder.path() + "/eyebot.tty"}}, {}, {}});
+  const auto backend = hal::open_backend({config, log});
+  hal::RangeSensor* psd = backend->range_sensor(1);
+  std::vector<double> seconds;
+  for ([[maybe_unused]] auto _ : state) {
+    const auto begin = std::chrono::steady_clock::now();
+    if (!psd->read_raw()) {
+      state.SkipWithError("the board did not answer");
+      break;
+    }
+    seconds.push_back(
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  }
+  if (seconds.empty()) return;
+  std::ranges::sort(seconds);
+  state.counters["median_us"] = seconds[seconds.size() / 2] * 1e6;
+  state.counters["p99_us"] = seconds[seconds.size() * 99 / 100] * 1e6;
+  state.counters["max_us"] = seconds.back() * 1e6;
+}
+
+BENCHMARK_CAPTURE(psd_read, Pty, {})->UseRealTime();
+BENCHMARK_CAPTURE(psd_read, CortexM3, {"--cortex-m3"})->UseRealTime();
+
+}  // namespace
+}  // namespace eyebridge

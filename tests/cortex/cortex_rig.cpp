@@ -1,0 +1,124 @@
+#include "cortex_rig.hpp"
+
+#include <chrono>
+#include <utility>
+
+#include <poll.h>
+
+#include "eyebridge/files/readers.hpp"
+#include "eyebridge/hal/registry.hpp"
+#include "eyebridge/pins/psd_table.hpp"
+#include "eyebridge/pins/robot_pins.hpp"
+#include "eyebridge/ports/lines.hpp"
+
+namespace eyebridge::mps2 {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kPatience = 60s;
+constexpr int kLook_ms = 5;
+
+Time now() { return std::chrono::steady_clock::now().time_since_epoch(); }
+
+}  // namespace
+
+files::Scenario room() {
+  files::Scenario scenario;
+  scenario.world = files::read_world(
+      "floor 4000 2000\n0 0 4000 0\n4000 0 4000 2000\n4000 2000 0 2000\n0 2000 0 0\n", "room.wld",
+      scenario.warnings);
+  robot::RobotModel model = hal::rig_model();
+  model.lidar.reset();
+  scenario.models.push_back(model);
+  files::RobotPlacement robot;
+  robot.pose = {1.5 - hal::kFrontOffset, 1.0, 0.0};
+  scenario.robots.push_back(robot);
+  return scenario;
+}
+
+EmulatorSettings emulator_settings() {
+  EmulatorSettings settings;
+  settings.elf = EYEBRIDGE_CORTEX_ELF;
+  return settings;
+}
+
+eb_config dialect(bool vw) {
+  eb_config config;
+  eb_config_default(&config);
+  config.io7.letters = vw ? EB_LETTERS_ALL : EB_LETTERS_PAGE;
+  return config;
+}
+
+CortexRig::CortexRig(const eb_config& config, files::Scenario scenario)
+    : scenario_(std::move(scenario)),
+      hdt_(folder_.write("robot.hdt", pins::hdt_text(scenario_.models[0]))),
+      world_(scenario_),
+      board_(std::make_unique<EmulatedBoard>(emulator_settings(), world_, 0, config, now)),
+      port_(ports::open_pty(board_->line(), device(), {"rig"})),
+      thread_([this](const std::stop_token& stop) { live(stop); }) {}
+
+CortexRig::~CortexRig() = default;
+
+void CortexRig::live(const std::stop_token& stop) {
+  while (!stop.stop_requested()) {
+    {
+      const std::lock_guard lock(mutex_);
+      port_->pump();
+      const auto moved = board_->pump();
+      port_->pump();
+      if (!moved) {
+        end_ = moved.error().what;
+        port_.reset();
+      }
+    }
+    turned_.notify_all();
+    if (port_ == nullptr) return;
+    const auto lines = board_->descriptors();
+    std::array<pollfd, 3> all{lines[0], lines[1], pollfd{port_->descriptor(), POLLIN, 0}};
+    if (port_->wants_room()) all[2].events = POLLIN | POLLOUT;
+    ::poll(all.data(), all.size(), kLook_ms);
+  }
+}
+
+std::string CortexRig::url(const std::string& profile) const {
+  return "serial:" + device() + "?profile=" + profile + "&hdt=" + hdt_;
+}
+
+hal::Rig CortexRig::open(const std::string& profile) const {
+  hal::Rig rig;
+  rig.log = std::make_unique<hal::KeepingLog>();
+  const hal::Config config = hal::rig_config({{"hal", url(profile)}});
+  rig.backend = hal::open_backend({config, *rig.log});
+  return rig;
+}
+
+bool CortexRig::wait_for(const std::function<bool(robot::Simulation&)>& seen) {
+  std::unique_lock lock(mutex_);
+  return turned_.wait_for(lock, kPatience, [&] { return seen(world_.simulation()); });
+}
+
+void CortexRig::look(const std::function<void(robot::Simulation&)>& show) {
+  const std::lock_guard lock(mutex_);
+  show(world_.simulation());
+}
+
+Pose CortexRig::pose() {
+  Pose pose;
+  look([&pose](robot::Simulation& simulation) { pose = simulation.pose(0); });
+  return pose;
+}
+
+eb_pins CortexRig::pins() {
+  eb_pins pins{};
+  look([&pins](robot::Simulation& simulation) { pins::read_pins(simulation, 0, pins); });
+  return pins;
+}
+
+std::string CortexRig::wait_for_end() {
+  std::unique_lock lock(mutex_);
+  turned_.wait_for(lock, kPatience, [&] { return !end_.empty(); });
+  return end_;
+}
+
+}  // namespace eyebridge::mps2
