@@ -9,10 +9,11 @@ OwnFiles own_files() {
   if (bin == fs::path(EYEBRIDGE_BUILD_DIR) / "bin") {
     const fs::path source = EYEBRIDGE_SOURCE_DIR;
     return {prefix / "lib/libeyebridge.so", source / "robios/include/eyebot.h", source / "worlds",
-            source / "tests/lab"};
+            source / "tests/lab", source / "apps/udev/60-eyebridge.rules"};
   }
   return {prefix / "lib/libeyebridge.so", prefix / "include/eyebridge/eyebot.h",
-          prefix / "share/eyebridge/worlds", prefix / "share/eyebridge/lab"};
+          prefix / "share/eyebridge/worlds", prefix / "share/eyebridge/lab",
+          prefix / "share/eyebridge/udev/60-eyebridge.rules"};
 }
 
 }  // namespace eyebridge::apps

@@ -11,6 +11,7 @@ struct OwnFiles {
   std::filesystem::path header;   ///< eyebot.h
   std::filesystem::path worlds;   ///< Folder.
   std::filesystem::path lab;      ///< Folder of the lab's scripts.
+  std::filesystem::path udev;     ///< The rules for udev.
 };
 
 /// Does not say whether they exist. Throws std::filesystem::filesystem_error without /proc.

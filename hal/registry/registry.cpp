@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 
 #include <fmt/format.h>
 
 #include "board/open_board.hpp"
+#include "eyebridge/base/text.hpp"
 #include "fault/fault_tap.hpp"
 #include "replay/open_replay.hpp"
 #include "replay/record_tap.hpp"
@@ -32,10 +34,22 @@ FaultScript faults_of(const Config& config) {
   }
 }
 
+/// How this process was started, its words between blanks.
+std::string command_line() {
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  std::string line(4096, '\0');
+  file.read(line.data(), static_cast<std::streamsize>(line.size()));
+  line.resize(static_cast<std::size_t>(file.gcount()));
+  std::ranges::replace(line, '\0', ' ');
+  return std::string(trimmed(line));
+}
+
 std::unique_ptr<Backend> recorded(std::unique_ptr<Backend> backend, const BackendContext& context) {
   const ConfigValue& record = context.config.value("record");
   try {
-    return with_recording(std::move(backend), context.config.path("record"), context.log);
+    const Config& config = context.config;
+    return with_recording(std::move(backend), config.path("record"), context.log,
+                          {command_line(), config.text("hal"), config.text("world")});
   } catch (const ConfigError& error) {
     throw error_in(record, error);
   }

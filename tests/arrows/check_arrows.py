@@ -38,7 +38,7 @@ ALLOWED = {
     "firmware-stubs/pins": [*CORE, "firmware-stubs/board"],
     "gui": [*CORE, "camera", "robios"],
     "python": [*CORE, "robios"],
-    "apps": [*CORE, "hal", "camera", "robios", *FIRMWARE],
+    "apps": [*CORE, "hal", "camera", "robios", "bridges", *FIRMWARE],
     "examples": ["robios:eyebot.h", "robios:eyebot++.h"],
     "tests": EVERYTHING,
     "bench": EVERYTHING,

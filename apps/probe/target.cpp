@@ -1,0 +1,82 @@
+#include "target.hpp"
+
+#include <filesystem>
+
+#include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/text.hpp"
+#include "machine/holders.hpp"
+#include "machine/serial_ports.hpp"
+
+namespace eyebridge::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kExpected =
+    "expected a device such as /dev/ttyACM0, or serial:DEVICE, tcp:HOST:PORT, can:INTERFACE";
+
+bool is_path(const std::string& text) {
+  return text.starts_with('/') || text.starts_with("./") || text.starts_with("../");
+}
+
+/// The device without links, from "/".
+std::string real_device(const std::string& device) {
+  std::error_code error;
+  const fs::path real = fs::weakly_canonical(fs::absolute(device), error);
+  return error ? device : real.string();
+}
+
+}  // namespace
+
+ProbeTarget probe_target(const std::string& device) {
+  const SourceLocation where{device};
+  std::string url = device;
+  std::error_code ignored;
+  if (is_path(device)) {
+    url = "serial:" + device;
+  } else if (device.find(':') == std::string::npos) {
+    // A bare word: a file here, as eyebot.tty; else an interface, as can0.
+    url = (fs::exists(device, ignored) ? "serial:" : "can:") + device;
+  }
+  ProbeTarget target{url, parse_url(url, where)};
+  const std::string& scheme = target.line.scheme;
+  if (scheme != "serial" && scheme != "tcp" && scheme != "can") {
+    throw ConfigError(where, std::string("found another kind of device, ") + kExpected);
+  }
+  for (const char* key : {"profile", "hdt", "node"}) target.line.options.erase(key);
+  return target;
+}
+
+std::string why_not_opened(const std::string& device, const Error& error) {
+  std::error_code ignored;
+  const std::string real = real_device(device);
+  if (!fs::exists(real, ignored)) {
+    std::string others;
+    for (const SerialPort& port : look_at_serial().ports) others += " " + port.device;
+    return device + ": no such device; expected " +
+           (others.empty() ? "a board that is plugged in (none is)" : "one of" + others);
+  }
+  const SerialPort port = look_at_port(real);
+  if (!port.permitted) return device + ": permission denied; " + how_to_be_permitted(port);
+  if (port.holders.empty()) return error.what;
+  return error.what + ": it is open in " + listed(port.holders);
+}
+
+std::string why_not_opened(const CanState& state, const std::string& name, const Error& error) {
+  if (error.code == Errc::Unsupported && state.raw_error == 0) return error.what;
+  const std::string reason = why_no_can(state, name);
+  return reason.empty() ? error.what : name + ": " + reason;
+}
+
+std::vector<std::string> advice_on(const std::string& device) {
+  SerialState state = look_at_serial();
+  const std::string real = real_device(device);
+  for (SerialPort& port : state.ports) {
+    if (port.device != real) continue;
+    port.holders.clear();  // that is us
+    return judge_port(port, state).advice;
+  }
+  return {};
+}
+
+}  // namespace eyebridge::apps
