@@ -3,6 +3,7 @@
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/files/readers.hpp"
 #include "fault/fault_tap.hpp"
+#include "mix/mix_backend.hpp"
 #include "sim/open_sim.hpp"
 
 namespace eyebridge::hal {
@@ -36,6 +37,18 @@ Rig make_faultless(double wall) {
   Rig rig = make_lockstep(wall);
   FaultScript later = parse_fault_script("all lose @1000000s; all delay 1s @1000000s", {});
   rig.backend = with_faults(std::move(rig.backend), std::move(later), 1);
+  return rig;
+}
+
+/// Devices from elsewhere must not show at the others.
+Rig make_mixed(double wall) {
+  Rig rig = make_lockstep(wall);
+  const Config config = rig_config({{"fast", "true"}});
+  std::vector<MixPart> parts;
+  parts.push_back({{"servo", "camera"},
+                   "other",
+                   open_scenario(rig_scenario(wall), {"rig"}, {config, *rig.log})});
+  rig.backend = make_mix(std::move(rig.backend), std::move(parts));
   return rig;
 }
 
@@ -126,7 +139,8 @@ void PrintTo(const RigCase& rig, std::ostream* out) { *out << rig.name; }
 std::vector<RigCase> all_rigs() {
   return {{"SimLockstep", make_lockstep, 1e-9, 1e-3},
           {"SimRealTime", make_real_time, 1e-9, 1e-3},
-          {"FaultNone", make_faultless, 1e-9, 1e-3}};
+          {"FaultNone", make_faultless, 1e-9, 1e-3},
+          {"MixOther", make_mixed, 1e-9, 1e-3}};
 }
 
 }  // namespace eyebridge::hal
