@@ -22,7 +22,7 @@ class FollowTap final : public Tap {
   Result<Values> exchange(const Call& call,
                           const std::function<Result<Values>()>& device) override {
     if (const auto there = catch_up(follow_, own_); !there) return tl::unexpected(there.error());
-    if (!follow_.leads || !follow_.tracker->is_used() || call.name != "set_odometry") {
+    if (!follow_.leads || !follow_.tracker->follows_odometry() || call.name != "set_odometry") {
       return device();
     }
     const Pose pose{call.request[0], call.request[1], call.request[2]};

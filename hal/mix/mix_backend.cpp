@@ -107,11 +107,20 @@ class MixBackend final : public Backend {
   }
 
   void begin_to_follow() {
-    Drive* const drive = backends_.front()->drive();
-    if (followers_.empty() || drive == nullptr) return;
+    Backend& leader = *backends_.front();
+    if (followers_.empty() || leader.drive() == nullptr) return;
     const auto start = followers_.front()->robot_pose(0);
     if (!start) throw ConfigError({}, start.error().what);
-    if (const auto begun = tracker_.begin(*drive, *start); !begun) {
+    // Where both are simulated the truth is known, which odometry may miss.
+    const bool by_odometry = leader.world() == nullptr;
+    const auto source = [this, &leader, by_odometry] {
+      if (by_odometry) return leader.drive()->odometry();
+      if (&leader != main_ && leader.clock().is_virtual()) {
+        leader.clock().wait_until(clock().now());
+      }
+      return leader.world()->robot_pose(0);
+    };
+    if (const auto begun = tracker_.begin(source, by_odometry, *start); !begun) {
       throw ConfigError({}, begun.error().what);
     }
   }

@@ -12,17 +12,18 @@ Pose relative(const Pose& frame, const Pose& pose) {
 
 }  // namespace
 
-Result<void> PoseTracker::begin(Drive& drive, const Pose& start) {
-  return drive.odometry().map([&](const Pose& odometry) {
-    drive_ = &drive;
+Result<void> PoseTracker::begin(Source source, bool is_odometry, const Pose& start) {
+  return source().map([&](const Pose& there) {
+    source_ = std::move(source);
+    is_odometry_ = is_odometry;
     world_ = start;
-    odometry_ = odometry;
+    there_ = there;
   });
 }
 
 Result<Pose> PoseTracker::pose_now() {
-  return drive_->odometry().map(
-      [this](const Pose& now) { return transform(world_, relative(odometry_, now)); });
+  return source_().map(
+      [this](const Pose& now) { return transform(world_, relative(there_, now)); });
 }
 
 Result<Pose> PoseTracker::pose() {
@@ -36,7 +37,7 @@ Result<void> PoseTracker::rebase(const Pose& odometry, const std::function<Resul
   if (!before) return tl::unexpected(before.error());
   return set().map([&] {
     world_ = *before;
-    odometry_ = odometry;
+    there_ = odometry;
   });
 }
 

@@ -17,12 +17,41 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
+/// A simulated robot that says nothing of its world, like a real one.
+class Worldless final : public Backend {
+ public:
+  explicit Worldless(std::unique_ptr<Backend> inner) : inner_(std::move(inner)) {}
+  Clock& clock() override { return inner_->clock(); }
+  [[nodiscard]] int robot_id() const override { return 1; }
+  Drive* drive() override { return inner_->drive(); }
+  RangeSensor* range_sensor(int id) override { return inner_->range_sensor(id); }
+  SwitchSensor* proximity(int id) override { return inner_->proximity(id); }
+  SwitchSensor* bumper(int id) override { return inner_->bumper(id); }
+  Lidar* lidar() override { return inner_->lidar(); }
+  Compass* compass() override { return inner_->compass(); }
+  Motor* motor(int id) override { return inner_->motor(id); }
+  Encoder* encoder(int id) override { return inner_->encoder(id); }
+  Servo* servo(int id) override { return inner_->servo(id); }
+  WorldControl* world() override { return nullptr; }
+  camera::View* camera_view() override { return nullptr; }
+  void trace_to(TraceSink* sink) override { inner_->trace_to(sink); }
+  void stop() noexcept override { inner_->stop(); }
+
+ private:
+  std::unique_ptr<Backend> inner_;
+};
+
 /// Two simulated robots in virtual time, each before a wall of its own.
 struct Two {
   Rig main = all_rigs().front().make(1.0);
   Rig other = all_rigs().front().make(0.5);
   Backend* other_backend = other.backend.get();
 
+  /// The first one is as on a board.
+  std::unique_ptr<Backend> mix_with_board(std::vector<std::string> devices) {
+    main.backend = std::make_unique<Worldless>(std::move(main.backend));
+    return mix(std::move(devices));
+  }
   std::unique_ptr<Backend> mix(std::vector<std::string> devices) {
     std::vector<MixPart> parts;
     parts.push_back({std::move(devices), "other", std::move(other.backend)});
@@ -48,7 +77,7 @@ TEST(Mix, TakesTheKindsThatAreNamedFromTheOtherBackendAndTheRestFromTheFirst) {
 
 TEST(Mix, ASimulatedRobotThatDoesNotDriveFollowsTheOneThatDoes) {
   Two two;
-  const auto mix = two.mix({"psd"});
+  const auto mix = two.mix_with_board({"psd"});
   ASSERT_TRUE(mix->drive()->start({0.2, 0.0, 0.2}));
   wait(*mix, 5.0);
   EXPECT_NEAR(mix->range_sensor(1)->read().value(), 0.3, 0.01);
@@ -69,7 +98,7 @@ TEST(Mix, AFirstRobotWhoseWheelsAreElsewhereFollowsThem) {
 
 TEST(Mix, NewOdometryDoesNotMoveTheFollower) {
   Two two;
-  const auto mix = two.mix({"psd"});
+  const auto mix = two.mix_with_board({"psd"});
   ASSERT_TRUE(mix->drive()->start({0.1, 0.0, 0.2}));
   wait(*mix, 5.0);
   const double before = mix->range_sensor(1)->read().value();
@@ -80,9 +109,19 @@ TEST(Mix, NewOdometryDoesNotMoveTheFollower) {
   EXPECT_NEAR(mix->range_sensor(1)->read().value(), before - 0.1, 0.01);
 }
 
+TEST(Mix, WhereBothAreSimulatedTheTruthIsFollowed) {
+  Two two;
+  const auto mix = two.mix({"psd"});
+  const Pose start = mix->world()->robot_pose(0).value();
+  ASSERT_TRUE(mix->world()->set_robot_pose(0, {start.x - 0.25, start.y, start.theta}));
+  EXPECT_NEAR(mix->range_sensor(1)->read().value(), 0.75, 1e-9);
+  ASSERT_TRUE(mix->drive()->set_odometry({7.0, -3.0, 1.5}));
+  EXPECT_NEAR(mix->range_sensor(1)->read().value(), 0.75, 1e-9);
+}
+
 TEST(Mix, ACameraLooksFromWhereTheDriveIs) {
   Two two;
-  const auto mix = two.mix({"camera"});
+  const auto mix = two.mix_with_board({"camera"});
   const double start = mix->camera_view()->eye().x;
   ASSERT_TRUE(mix->drive()->start({0.2, 0.0, 0.2}));
   wait(*mix, 5.0);
