@@ -118,12 +118,19 @@ int probe_can(const ProbeTarget& target, const ProbeFlags& flags) {
   if (!census) throw ConfigError({}, census.error().what);
   std::fputs(described(*census, name).c_str(), stdout);
   std::fflush(stdout);
-  if (!census->robots.empty()) return kFine;
-  throw ConfigError({name},
-                    fmt::format("no robot was heard for {}; expected its heartbeat ten times "
-                                "a second: is it switched on, has the bus the same bit rate "
-                                "everywhere and a 120 ohm resistor at both ends?",
-                                flags.listen));
+  if (census->robots.empty()) {
+    throw ConfigError({name},
+                      fmt::format("no robot was heard for {}; expected its heartbeat ten times a "
+                                  "second: is it switched on, has the bus the same bit rate "
+                                  "everywhere and a 120 ohm resistor at both ends?",
+                                  flags.listen));
+  }
+  if (target.node != 0 && !census->robots.contains(target.node)) {
+    throw ConfigError({name}, fmt::format("robot {} was not heard for {}; expected one of those "
+                                          "above",
+                                          target.node, flags.listen));
+  }
+  return kFine;
 }
 
 int probe(const ProbeFlags& flags) {

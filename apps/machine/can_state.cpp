@@ -88,12 +88,12 @@ void advise_on_state(const std::string& name, const CanLink& link, Finding& out)
       break;
     case BusState::ErrorWarning:
     case BusState::ErrorPassive:
-      out.advice.push_back(std::string("frames get damaged: ") + kSettle);
+      out.advice.push_back(fmt::format("frames get damaged: {}", kSettle));
       break;
     case BusState::BusOff:
       out.found = false;
       out.remedy = "as root, once the bus is in order: ip link set " + name + " type can restart";
-      out.advice.push_back(std::string("it gave up: ") + kSettle);
+      out.advice.push_back(fmt::format("it gave up: {}", kSettle));
       break;
   }
 }
@@ -109,7 +109,7 @@ Finding judge_link(const CanInterface& interface) {
                             " type can listen-only off (while it is down)");
   }
   if (link.termination_ohm == 0) {
-    out.advice.push_back(
+    out.advice.emplace_back(
         "its own termination is off: right only if it is not at an end of the bus");
   }
   if (is_virtual(interface)) return out;

@@ -92,7 +92,7 @@ std::string robot_text(int node, const HeardRobot& robot, bool has_host,
     out += row("supply", fmt::format("{:.2f} V", robot.board->battery_cv / 100.0));
   }
   if (robot.board) {
-    out += row("on since", fmt::format("{:.1f} s", robot.board->uptime_ds / 10.0));
+    out += row("on for", fmt::format("{:.1f} s", robot.board->uptime_ds / 10.0));
   }
   out += row("fault", fault_text(robot.fault));
   out += row("devices", devices(robot));

@@ -87,15 +87,22 @@ std::string answers(const RoundTrips& trips) {
                      milliseconds(trips.slowest), milliseconds(trips.median));
 }
 
+/// `url` as a shell takes it.
+std::string word(const std::string& url) {
+  const bool plain = url.find_first_of("?&*[] '\"") == std::string::npos;
+  return plain ? url : "'" + url + "'";
+}
+
 std::string run_lines(const Io7Board& board, const std::string& url) {
   const LetterSet& letters = board.report.profile.letters;
-  std::string out = fmt::format("Run a program with it:\n  eyebridge run --hal {} PROGRAM\n", url);
-  if (letters.has(IO7_VW_SET_SPEED)) {
+  std::string out =
+      fmt::format("Run a program with it:\n  eyebridge run --hal {} PROGRAM\n", word(url));
+  if (letters.has(IO7_VW_SET_SPEED) && url.find("profile=") == std::string::npos) {
     const char* joint = url.find('?') == std::string::npos ? "?" : "&";
     out += fmt::format(
         "or, to drive by the board's own v-omega letters:\n"
-        "  eyebridge run --hal '{}{}profile=io7vw' PROGRAM\n",
-        url, joint);
+        "  eyebridge run --hal {} PROGRAM\n",
+        word(url + joint + "profile=io7vw"));
   }
   return out;
 }

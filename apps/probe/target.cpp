@@ -1,11 +1,16 @@
 #include "target.hpp"
 
+#include <algorithm>
+#include <charconv>
 #include <filesystem>
+
+#include <fmt/format.h>
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/text.hpp"
 #include "machine/holders.hpp"
 #include "machine/serial_ports.hpp"
+#include "opcodes.h"
 
 namespace eyebridge::apps {
 namespace {
@@ -17,6 +22,18 @@ constexpr const char* kExpected =
 
 bool is_path(const std::string& text) {
   return text.starts_with('/') || text.starts_with("./") || text.starts_with("../");
+}
+
+int node_number(const std::string& text, const SourceLocation& where) {
+  int node = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), node);
+  if (error == std::errc{} && end == text.data() + text.size() && node >= EYECAN_NODE_FIRST &&
+      node <= EYECAN_NODE_LAST) {
+    return node;
+  }
+  throw ConfigError(where,
+                    fmt::format("found {} for 'node', expected the number of a robot, {} … {}",
+                                in_quotes(text), EYECAN_NODE_FIRST, EYECAN_NODE_LAST));
 }
 
 /// The device without links, from "/".
@@ -43,7 +60,16 @@ ProbeTarget probe_target(const std::string& device) {
   if (scheme != "serial" && scheme != "tcp" && scheme != "can") {
     throw ConfigError(where, std::string("found another kind of device, ") + kExpected);
   }
-  for (const char* key : {"profile", "hdt", "node"}) target.line.options.erase(key);
+  auto& options = target.line.options;
+  if (scheme == "can") {
+    if (const auto node = options.find("node"); node != options.end()) {
+      target.node = node_number(node->second, where);
+    }
+    options.erase("node");
+  } else {
+    options.erase("profile");
+  }
+  options.erase("hdt");
   return target;
 }
 
@@ -59,7 +85,12 @@ std::string why_not_opened(const std::string& device, const Error& error) {
   const SerialPort port = look_at_port(real);
   if (!port.permitted) return device + ": permission denied; " + how_to_be_permitted(port);
   if (port.holders.empty()) return error.what;
-  return error.what + ": it is open in " + listed(port.holders);
+  const bool is_manager =
+      std::ranges::find(port.holders, "ModemManager", &Process::name) != port.holders.end();
+  return error.what + ": it is open in " + listed(port.holders) +
+         (is_manager ? ", which tries new ports for some seconds; the rule of eyebridge doctor "
+                       "--udev keeps it away"
+                     : "");
 }
 
 std::string why_not_opened(const CanState& state, const std::string& name, const Error& error) {

@@ -13,6 +13,7 @@ namespace eyebridge::apps {
 struct ProbeTarget {
   std::string url;  ///< As --hal takes it.
   Url line;         ///< The same without the options that are no line's (profile, hdt, node).
+  int node = 0;     ///< The robot that is meant on a CAN bus; 0: all.
 };
 
 /// Reads "/dev/ttyACM0", "./eyebot.tty", "can0", or a URL serial:, tcp:, can:. Throws ConfigError.

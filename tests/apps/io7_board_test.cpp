@@ -132,6 +132,7 @@ TEST_F(Io7BoardTest, VOmegaLettersAreOfferedWithTheirProfile) {
   board.list += "x speed\r\nM motor\r\ne encoder\r\n";
   EXPECT_THAT(text("tcp:robot:4711?hdt=a"),
               AllOf(HasSubstr("by the host, over M and e"), HasSubstr("of its own: x"),
+                    HasSubstr("--hal 'tcp:robot:4711?hdt=a' PROGRAM"),
                     HasSubstr("'tcp:robot:4711?hdt=a&profile=io7vw'")));
 }
 
@@ -173,6 +174,14 @@ TEST(ProbeTarget, OptionsOfABackendAreNoneOfItsLines) {
   const ProbeTarget target = probe_target("serial:/dev/ttyUSB0?profile=io7&hdt=a.txt&baud=9600");
   EXPECT_EQ(target.line.options.size(), 1u);
   EXPECT_EQ(target.url, "serial:/dev/ttyUSB0?profile=io7&hdt=a.txt&baud=9600");
+}
+
+TEST(ProbeTarget, ARobotsNumberIsCheckedBeforeAnythingIsOpened) {
+  EXPECT_EQ(probe_target("can:can0?node=14&fd=1").node, 14);
+  EXPECT_EQ(probe_target("can:can0").node, 0);
+  for (const char* node : {"0", "15", "99", "x", ""}) {
+    EXPECT_THROW(probe_target(std::string("can:can0?node=") + node), ConfigError) << node;
+  }
 }
 
 TEST(ProbeTarget, OtherBackendsCannotBeProbed) {

@@ -81,10 +81,13 @@ TEST(LabProbe, TheListHasTheInterfaces) {
 /// the kernel's slcan driver takes it.
 std::string doctor_with_adapter(const std::string& state) {
   const std::string program = R"(
-import fcntl, os, pty, socket, struct, subprocess, termios, tty
+import fcntl, os, pty, socket, struct, subprocess, termios, threading, tty
 board, line = pty.openpty()
 tty.setraw(line)
 fcntl.ioctl(line, termios.TIOCSETD, struct.pack('i', 17))  # N_SLCAN
+def take():  # what the driver tells the adapter, which would wait else
+    while True: os.read(board, 100)
+threading.Thread(target=take, daemon=True).start()
 subprocess.check_call('ip link set can0 type can bitrate 500000 && ip link set can0 up', shell=True)
 bus = socket.socket(socket.AF_CAN, socket.SOCK_RAW, socket.CAN_RAW)
 bus.bind(('can0',))
@@ -103,6 +106,12 @@ TEST(LabDoctor, TellsAnAdaptersBitRateAndState) {
 TEST(LabDoctor, GivesHintsOnABusThatDamagesFrames) {
   EXPECT_THAT(doctor_with_adapter("sp001130"),
               AllOf(ContainsRegex("can0 +ok +500 kbit/s, error-passive"), HasSubstr("120 ohm")));
+}
+
+TEST(LabDoctor, CallsAnAdapterThatWentOffTheBusNone) {
+  EXPECT_THAT(doctor_with_adapter("sb256256"),
+              AllOf(ContainsRegex("can0 +none +500 kbit/s, bus-off"),
+                    HasSubstr("ip link set can0 type can restart\n")));
 }
 
 }  // namespace
