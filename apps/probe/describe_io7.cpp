@@ -81,7 +81,7 @@ std::string exchange(const Io7Board& board) {
 }
 
 std::string answers(const RoundTrips& trips) {
-  const std::string share = fmt::format("{} of {} times", trips.answered, trips.asked);
+  std::string share = fmt::format("{} of {} times", trips.answered, trips.asked);
   if (trips.answered == 0) return share;
   return fmt::format("{}, in {} … {}, median {}", share, milliseconds(trips.fastest),
                      milliseconds(trips.slowest), milliseconds(trips.median));
