@@ -15,15 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The path that programs in `root` know the device by, without links.
-std::string real_path(const std::string& device, const fs::path& root) {
-  std::error_code error;
-  const fs::path real = fs::weakly_canonical(below(root, device), error);
-  if (error) return device;
-  const fs::path base = fs::weakly_canonical(root, error);
-  return error ? device : "/" + real.lexically_relative(base).string();
-}
-
 bool has_open(int process, const std::string& path, const fs::path& root) {
   const fs::path folder = below(root, "/proc") / std::to_string(process) / "fd";
   for (const std::string& name : names_in(folder)) {
@@ -57,8 +48,16 @@ std::set<int> lockers_of(const std::string& device, const fs::path& root) {
 
 }  // namespace
 
+std::string without_links(const std::string& device, const fs::path& root) {
+  std::error_code error;
+  const fs::path real = fs::weakly_canonical(below(root, device), error);
+  if (error) return device;
+  const fs::path base = fs::weakly_canonical(root, error);
+  return error ? device : "/" + real.lexically_relative(base).string();
+}
+
 std::vector<Process> holders_of(const std::string& device, const fs::path& root) {
-  const std::string path = real_path(device, root);
+  const std::string path = without_links(device, root);
   std::set<int> lockers = lockers_of(device, root);
   std::vector<Process> out;
   for (Process& process : processes(root)) {

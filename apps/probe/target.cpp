@@ -36,13 +36,6 @@ int node_number(const std::string& text, const SourceLocation& where) {
                                 in_quotes(text), EYECAN_NODE_FIRST, EYECAN_NODE_LAST));
 }
 
-/// The device without links, from "/".
-std::string real_device(const std::string& device) {
-  std::error_code error;
-  const fs::path real = fs::weakly_canonical(fs::absolute(device), error);
-  return error ? device : real.string();
-}
-
 }  // namespace
 
 ProbeTarget probe_target(const std::string& device) {
@@ -73,16 +66,16 @@ ProbeTarget probe_target(const std::string& device) {
   return target;
 }
 
-std::string why_not_opened(const std::string& device, const Error& error) {
+std::string why_not_opened(const std::string& device, const Error& error, const fs::path& root) {
   std::error_code ignored;
-  const std::string real = real_device(device);
-  if (!fs::exists(real, ignored)) {
+  const std::string full = fs::absolute(device).string();
+  if (!fs::exists(below(root, full), ignored)) {
     std::string others;
-    for (const SerialPort& port : look_at_serial().ports) others += " " + port.device;
+    for (const SerialPort& port : look_at_serial(root).ports) others += " " + port.device;
     return device + ": no such device; expected " +
            (others.empty() ? "a board that is plugged in (none is)" : "one of" + others);
   }
-  const SerialPort port = look_at_port(real);
+  const SerialPort port = look_at_port(without_links(full, root), root);
   if (!port.permitted) return device + ": permission denied; " + how_to_be_permitted(port);
   if (port.holders.empty()) return error.what;
   const bool is_manager =
@@ -101,7 +94,7 @@ std::string why_not_opened(const CanState& state, const std::string& name, const
 
 std::vector<std::string> advice_on(const std::string& device) {
   SerialState state = look_at_serial();
-  const std::string real = real_device(device);
+  const std::string real = without_links(fs::absolute(device).string());
   for (SerialPort& port : state.ports) {
     if (port.device != real) continue;
     port.holders.clear();  // that is us

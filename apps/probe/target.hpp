@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,10 @@ struct ProbeTarget {
 /// Reads "/dev/ttyACM0", "./eyebot.tty", "can0", or a URL serial:, tcp:, can:. Throws ConfigError.
 ProbeTarget probe_target(const std::string& device);
 
-/// Why the serial port `device` could not be opened, and what to do: one line that names it.
-std::string why_not_opened(const std::string& device, const Error& error);
+/// Why the serial port `device` could not be opened, and what to do: one line that names it. `root`
+/// is the folder that counts as "/".
+std::string why_not_opened(const std::string& device, const Error& error,
+                           const std::filesystem::path& root = "/");
 /// The same of a CAN interface.
 std::string why_not_opened(const CanState& state, const std::string& name, const Error& error);
 

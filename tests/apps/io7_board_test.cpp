@@ -7,6 +7,7 @@
 #include "../bridges/client/scripted_line.hpp"
 #include "../bridges/protocol/fake_board.hpp"
 #include "eyebridge/base/config_error.hpp"
+#include "fake_machine.hpp"
 #include "probe/target.hpp"
 
 namespace eyebridge::apps {
@@ -160,6 +161,37 @@ TEST_F(Io7BoardTest, BytesThatAreNoTextAreAHintAtTheBitRate) {
 TEST_F(Io7BoardTest, ALineThatIsUnpluggedIsALoss) {
   line->on_write = [](ScriptedLine& to, const std::string&) { to.gone = true; };
   EXPECT_EQ(complaint(), "script: unplugged");
+}
+
+TEST(WhyNotOpened, AMissingDeviceIsToldWithThoseThatAreThere) {
+  const eyebridge::testing::FakeMachine machine;
+  const Error error{Errc::Disconnected, "/dev/ttyACM7: ?"};
+  EXPECT_EQ(why_not_opened("/dev/ttyACM7", error, machine.root()),
+            "/dev/ttyACM7: no such device; expected a board that is plugged in (none is)");
+  machine.add_acm();
+  EXPECT_EQ(why_not_opened("/dev/ttyACM7", error, machine.root()),
+            "/dev/ttyACM7: no such device; expected one of /dev/ttyACM0");
+}
+
+TEST(WhyNotOpened, WhoHoldsTheDeviceIsNamedWhateverItWasCalled) {
+  const eyebridge::testing::FakeMachine machine;
+  machine.add_acm();
+  const Error error{Errc::Disconnected, "it: in use by another program"};
+  EXPECT_EQ(why_not_opened("/dev/ttyACM0", error, machine.root()), error.what);
+  machine.add_process(812, "minicom", "/dev/ttyACM0");
+  const std::string expected = error.what + ": it is open in minicom (process 812)";
+  EXPECT_EQ(why_not_opened("/dev/ttyACM0", error, machine.root()), expected);
+  EXPECT_EQ(why_not_opened("/dev/serial/by-id/usb-UWA_Interface_Board-if00", error, machine.root()),
+            expected);
+}
+
+TEST(WhyNotOpened, ModemManagerIsToldToLetGoAndHowToKeepItAway) {
+  const eyebridge::testing::FakeMachine machine;
+  machine.add_acm();
+  machine.add_process(400, "ModemManager", "/dev/ttyACM0");
+  EXPECT_THAT(why_not_opened("/dev/ttyACM0", {Errc::Disconnected, "it: in use"}, machine.root()),
+              AllOf(HasSubstr("ModemManager (process 400), which tries new ports for some seconds"),
+                    HasSubstr("eyebridge doctor --udev")));
 }
 
 TEST(ProbeTarget, IsAPathOrAUrlOrAnInterface) {
