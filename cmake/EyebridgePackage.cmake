@@ -38,6 +38,7 @@ install(FILES "${for_installation}/lib/pkgconfig/eyebridge.pc" DESTINATION lib/p
 install(DIRECTORY "${CMAKE_SOURCE_DIR}/robios/include/" DESTINATION include/eyebridge
         FILES_MATCHING PATTERN "*.h")
 install(DIRECTORY "${CMAKE_SOURCE_DIR}/worlds" DESTINATION share/eyebridge)
+install(DIRECTORY "${CMAKE_SOURCE_DIR}/apps/udev" DESTINATION share/eyebridge)
 # The lab builds its kernel where it is used: only its scripts are installed.
 set(lab "${CMAKE_SOURCE_DIR}/tests/lab")
 install(PROGRAMS "${lab}/build" "${lab}/run" DESTINATION share/eyebridge/lab)

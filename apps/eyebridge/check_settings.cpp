@@ -65,7 +65,7 @@ void check_settings(const hal::Config& config) {
   check_keys(config.value("keys"));
   std::unique_ptr<hal::Backend> backend;
   // The program opens it again, which is free for a world but not for a board.
-  if (!hal::find_backend(config).has_effects) backend = hal::open_backend({config, log});
+  if (!hal::opening_has_effects(config)) backend = hal::open_backend({config, log});
   check_camera(config.value("camera"), backend.get(), log);
   if (config.is_set("out")) check_out(config.path("out"), config.value("out").where);
 }

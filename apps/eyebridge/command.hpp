@@ -17,6 +17,8 @@ enum ExitCode : int {
 // and parsed, it runs and stores its exit code in `code`; a ConfigError passes through to main().
 
 void add_run(CLI::App& root, int& code);
+void add_record(CLI::App& root, int& code);
+void add_probe(CLI::App& root, int& code);
 void add_firmware(CLI::App& root, int& code);
 void add_world(CLI::App& root, int& code);
 void add_config(CLI::App& root, int& code);

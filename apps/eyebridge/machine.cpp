@@ -1,18 +1,20 @@
 #include "machine.hpp"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <initializer_list>
+#include <string>
+#include <string_view>
 
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "can_state.hpp"
+#include "machine/can_state.hpp"
+#include "machine/serial_ports.hpp"
+#include "machine/system_files.hpp"
 #include "own_files.hpp"
 
 namespace eyebridge::apps {
@@ -20,23 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string joined(std::vector<std::string> names) {
-  std::sort(names.begin(), names.end());
+std::string joined(const std::vector<std::string>& names) {
   std::string out;
   for (const std::string& name : names) out += (out.empty() ? "" : " ") + name;
-  return out;
-}
-
-/// Names in `folder` that begin with one of `prefixes`.
-std::vector<std::string> names_in(const fs::path& folder,
-                                  std::initializer_list<std::string_view> prefixes) {
-  std::vector<std::string> out;
-  std::error_code error;
-  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    const std::string name = at->path().filename();
-    const auto begins = [&](std::string_view prefix) { return name.starts_with(prefix); };
-    if (std::any_of(prefixes.begin(), prefixes.end(), begins)) out.push_back(name);
-  }
   return out;
 }
 
@@ -71,10 +59,21 @@ Finding pseudo_terminals() {
   return {"PTY", false, works, reason, "mount devpts on /dev/pts"};
 }
 
-Finding devices(const char* what, std::initializer_list<std::string_view> prefixes,
-                const char* absent, const char* remedy) {
-  const auto names = names_in("/dev", prefixes);
-  return {what, false, !names.empty(), names.empty() ? absent : joined(names), remedy};
+Finding cameras(const fs::path& root) {
+  const auto names = names_in(below(root, "/dev"), {"video"});
+  return {"V4L2 cameras", false, !names.empty(), names.empty() ? "no /dev/video*" : joined(names),
+          "plug one in; apt install v4l-utils to look at it"};
+}
+
+/// Without ModemManager and its like nothing disturbs a board.
+Finding udev_rule(const fs::path& root) {
+  constexpr const char* kWhat = "udev rule";
+  for (const char* folder : {"/etc/udev/rules.d", "/run/udev/rules.d", "/usr/lib/udev/rules.d"}) {
+    const auto names = names_in(below(root, folder), {"60-eyebridge"});
+    if (!names.empty()) return {kWhat, false, true, std::string(folder) + "/" + names[0], ""};
+  }
+  return {kWhat, false, false, "lets people use boards, and keeps ModemManager away from them",
+          "eyebridge doctor --udev | sudo tee /etc/udev/rules.d/60-eyebridge.rules"};
 }
 
 Finding own(const char* what, const fs::path& path, const char* remedy) {
@@ -84,7 +83,7 @@ Finding own(const char* what, const fs::path& path, const char* remedy) {
 
 }  // namespace
 
-std::vector<Finding> examine_machine() {
+std::vector<Finding> examine_machine(const fs::path& root) {
   const OwnFiles files = own_files();
   std::vector<Finding> out = {
       command("gcc", true, "compiles robot programs in C", "build-essential"),
@@ -98,11 +97,15 @@ std::vector<Finding> examine_machine() {
       library("EGL", {"libEGL.so.1"}, "renders camera pictures where there is no OSMesa",
               "libegl1"),
       pseudo_terminals(),
-      devices("serial boards", {"ttyACM", "ttyUSB"}, "no /dev/ttyACM* or /dev/ttyUSB*", ""),
   };
-  for (Finding& finding : judge_can(look_at_can())) out.push_back(std::move(finding));
-  out.push_back(devices("V4L2 cameras", {"video"}, "no /dev/video*",
-                        "plug one in; apt install v4l-utils to look at it"));
+  const auto add = [&out](std::vector<Finding> findings) {
+    for (Finding& finding : findings) out.push_back(std::move(finding));
+  };
+  add(judge_serial(look_at_serial(root)));
+  out.push_back(udev_rule(root));
+  const bool is_here = root == "/";
+  add(judge_can(is_here ? look_at_can() : CanState{0, 0, can_interfaces(root, {})}));
+  out.push_back(cameras(root));
   return out;
 }
 

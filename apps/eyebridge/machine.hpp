@@ -1,20 +1,15 @@
 #pragma once
 
-#include <string>
+#include <filesystem>
 #include <vector>
+
+#include "machine/finding.hpp"
 
 namespace eyebridge::apps {
 
-/// One thing that a machine has or lacks.
-struct Finding {
-  std::string what;
-  bool needed = false;  ///< By every robot program; else only for some uses.
-  bool found = false;
-  std::string detail;  ///< What was found, or what cannot be done without.
-  std::string remedy;  ///< How to get it; empty when nothing can be installed.
-};
-
-/// Looks at compilers, renderers, devices and our own files. Changes nothing.
-std::vector<Finding> examine_machine();
+/// Looks at compilers, renderers and our own files, and below `root` at devices and drivers.
+/// Changes nothing. With another root than "/" the kernel is not asked about CAN, whose state is in
+/// no file.
+std::vector<Finding> examine_machine(const std::filesystem::path& root = "/");
 
 }  // namespace eyebridge::apps

@@ -12,6 +12,7 @@ struct OwnFiles {
   std::filesystem::path worlds;    ///< Folder.
   std::filesystem::path lab;       ///< Folder of the lab's scripts.
   std::filesystem::path firmware;  ///< eyebridge-mps2.elf
+  std::filesystem::path udev;      ///< The rules for udev.
 };
 
 /// Does not say whether they exist. Throws std::filesystem::filesystem_error without /proc.

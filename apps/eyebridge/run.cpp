@@ -1,3 +1,5 @@
+#include "run.hpp"
+
 #include <memory>
 #include <string>
 #include <vector>
@@ -7,26 +9,25 @@
 #include "check_settings.hpp"
 #include "command.hpp"
 #include "program.hpp"
-#include "setting_flags.hpp"
 
 namespace eyebridge::apps {
-namespace {
 
-void run(const SettingFlags& flags, const std::vector<std::string>& words) {
+void run_words(const std::string& command, const SettingFlags& flags,
+               const std::vector<std::string>& words) {
   if (words.empty()) {
-    throw ConfigError({"run"},
-                      "found no program, expected: eyebridge run [OPTIONS] PROGRAM [ARGUMENTS]");
+    throw ConfigError({command}, "found no program, expected: eyebridge " + command +
+                                     (command == "run" ? "" : " FILE.ebrec") +
+                                     " [OPTIONS] PROGRAM [ARGUMENTS]");
   }
   const std::string& name = words.front();
   if (name.size() > 1 && name.front() == '-') {
-    throw ConfigError({name}, "unknown option; eyebridge run --help lists those there are");
+    throw ConfigError({name},
+                      "unknown option; eyebridge " + command + " --help lists those there are");
   }
   const auto program = find_program(name);
   check_settings(hand_on(flags, program));
   become(program, {words.begin() + 1, words.end()});
 }
-
-}  // namespace
 
 void add_run(CLI::App& root, int& /*code*/) {
   CLI::App* command = root.add_subcommand(
@@ -38,7 +39,7 @@ void add_run(CLI::App& root, int& /*code*/) {
   command->prefix_command();
   auto flags = std::make_shared<SettingFlags>();
   add_setting_flags(*command, *flags);
-  command->callback([command, flags] { run(*flags, command->remaining()); });
+  command->callback([command, flags] { run_words("run", *flags, command->remaining()); });
 }
 
 }  // namespace eyebridge::apps

@@ -119,6 +119,12 @@ PixelSize Config::size(std::string_view key) const {
 
 std::filesystem::path Config::path(std::string_view key) const { return value(key).text; }
 
+Config Config::with(std::string_view key, ConfigValue value) const {
+  Config changed = *this;
+  changed.values_.insert_or_assign(std::string(key), std::move(value));
+  return changed;
+}
+
 std::string Config::flag_name(std::string_view key) {
   std::string out = "--";
   for (const char c : key) out += c == '_' ? '-' : c;

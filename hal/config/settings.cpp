@@ -11,6 +11,7 @@ using Kind = Setting::Kind;
 
 constexpr auto kSettings = std::to_array<Setting>({
     {"hal", Kind::Text, "sim", "how the robot is reached: a backend's URL"},
+    {"mix", Kind::Text, "", "devices from other backends: psd=sim; drive=serial:/dev/ttyACM0"},
     {"world", Kind::Path, "", "world to drive in: .wld .maz .sim .robi .p; unset: an empty room"},
     {"robot", Kind::Text, "S4", "type of the robot where the world places none"},
     {"hdt", Kind::Path, "", "hardware description of a real board; unset: that of an S4"},

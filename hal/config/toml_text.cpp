@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include "config/mix_text.hpp"
 #include "config/toml_ascii.hpp"
 #include "config/values.hpp"
 
@@ -87,6 +88,28 @@ struct Source {
   }
 };
 
+/// A table of texts as the one text "key=value; key=value" that the setting takes elsewhere.
+std::string flattened(const toml::table& table, std::string_view setting, const Source& source) {
+  std::string out;
+  for (const auto& [key, node] : table) {
+    const auto* text = node.as_string();
+    if (text == nullptr) {
+      throw ConfigError(source.place(node.source().begin),
+                        fmt::format("found {} for '{}.{}', expected a text in quotes",
+                                    found_type(node), setting, from_ascii(key.str())));
+    }
+    const std::string entry = fmt::format("{}={}", key.str(), text->get());
+    if (entry.find_first_of(";\n") != std::string::npos) {
+      throw ConfigError(source.place(node.source().begin),
+                        fmt::format("found a ';' or line end in '{}.{}', expected none", setting,
+                                    from_ascii(key.str())));
+    }
+    parse_mix(from_ascii(entry), source.place(key.source().begin));
+    out += (out.empty() ? "" : "; ") + entry;
+  }
+  return out;
+}
+
 TomlEntry read_entry(const toml::key& key, const toml::node& node, const Source& source) {
   const SourceLocation where = source.place(node.source().begin);
   const Setting* setting = find_setting(key.str());
@@ -94,7 +117,10 @@ TomlEntry read_entry(const toml::key& key, const toml::node& node, const Source&
     throw unknown_key(node.is_table() ? "table" : "key", from_ascii(key.str()),
                       source.place(key.source().begin));
   }
-  const std::optional<std::string> ascii = text_of(node, setting->kind);
+  std::optional<std::string> ascii = text_of(node, setting->kind);
+  if (const auto* entries = node.as_table(); entries != nullptr && setting->key == "mix") {
+    ascii = flattened(*entries, setting->key, source);
+  }
   if (!ascii) {
     throw ConfigError(where, fmt::format("found {} for '{}', expected {}", found_type(node),
                                          setting->key, expected_type(setting->kind)));

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 
 #include <fmt/format.h>
 
 #include "board/open_board.hpp"
+#include "config/mix_text.hpp"
+#include "eyebridge/base/text.hpp"
 #include "fault/fault_tap.hpp"
+#include "mix/mix_backend.hpp"
 #include "replay/open_replay.hpp"
 #include "replay/record_tap.hpp"
 #include "sim/open_sim.hpp"
@@ -23,6 +27,53 @@ constexpr auto kBackends = std::to_array<BackendFactory>({
     {"replay", "what a robot answered in a recorded run: replay:FILE.ebrec", open_replay},
 });
 
+const BackendFactory& row_of(const std::string& text, const SourceLocation& where) {
+  const BackendUrl url = parse_backend_url(text, where);
+  const auto* row = std::ranges::find(kBackends, url.scheme, &BackendFactory::scheme);
+  if (row != kBackends.end()) return *row;
+  std::string known;
+  for (const BackendFactory& backend : kBackends) {
+    known += known.empty() ? "" : ", ";
+    known += backend.scheme;
+  }
+  throw ConfigError(where,
+                    fmt::format("unknown backend '{}', expected one of: {}", url.scheme, known));
+}
+
+std::vector<MixEntry> mix_of(const Config& config) {
+  const ConfigValue& value = config.value("mix");
+  try {
+    auto entries = parse_mix(value.text, {});
+    for (const MixEntry& entry : entries) static_cast<void>(row_of(entry.url, value.where));
+    return entries;
+  } catch (const ConfigError& error) {
+    throw error_in(value, error);
+  }
+}
+
+std::unique_ptr<Backend> mixed(std::unique_ptr<Backend> main, const BackendContext& context) {
+  const Config& config = context.config;
+  const ConfigValue& mix = config.value("mix");
+  std::vector<MixPart> parts;
+  for (MixEntry& entry : mix_of(config)) {
+    if (entry.url == config.text("hal")) continue;
+    auto part = std::ranges::find(parts, entry.url, &MixPart::url);
+    if (part == parts.end()) {
+      const Config other = config.with("hal", {entry.url, mix.where});
+      auto backend = row_of(entry.url, mix.where)
+                         .open(parse_backend_url(entry.url, mix.where), {other, context.log});
+      parts.push_back({{}, entry.url, std::move(backend)});
+      part = std::prev(parts.end());
+    }
+    part->devices.push_back(std::move(entry.device));
+  }
+  try {
+    return make_mix(std::move(main), std::move(parts));
+  } catch (const ConfigError& error) {
+    throw error_in(mix, error);
+  }
+}
+
 FaultScript faults_of(const Config& config) {
   const ConfigValue& value = config.value("faults");
   try {
@@ -32,10 +83,22 @@ FaultScript faults_of(const Config& config) {
   }
 }
 
+/// How this process was started, its words between blanks.
+std::string command_line() {
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  std::string line(4096, '\0');
+  file.read(line.data(), static_cast<std::streamsize>(line.size()));
+  line.resize(static_cast<std::size_t>(file.gcount()));
+  std::ranges::replace(line, '\0', ' ');
+  return std::string(trimmed(line));
+}
+
 std::unique_ptr<Backend> recorded(std::unique_ptr<Backend> backend, const BackendContext& context) {
   const ConfigValue& record = context.config.value("record");
   try {
-    return with_recording(std::move(backend), context.config.path("record"), context.log);
+    const Config& config = context.config;
+    return with_recording(std::move(backend), config.path("record"), context.log,
+                          {command_line(), config.text("hal"), config.text("world")});
   } catch (const ConfigError& error) {
     throw error_in(record, error);
   }
@@ -47,20 +110,18 @@ std::span<const BackendFactory> backend_table() { return kBackends; }
 
 const BackendFactory& find_backend(const Config& config) {
   const ConfigValue& hal = config.value("hal");
-  const BackendUrl url = parse_backend_url(hal.text, hal.where);
-  const auto* row = std::ranges::find(kBackends, url.scheme, &BackendFactory::scheme);
-  if (row != kBackends.end()) {
-    static_cast<void>(faults_of(config));
-    return *row;
-  }
+  const BackendFactory& row = row_of(hal.text, hal.where);
+  static_cast<void>(faults_of(config));
+  static_cast<void>(mix_of(config));
+  return row;
+}
 
-  std::string known;
-  for (const BackendFactory& backend : kBackends) {
-    known += known.empty() ? "" : ", ";
-    known += backend.scheme;
+bool opening_has_effects(const Config& config) {
+  bool has_effects = find_backend(config).has_effects;
+  for (const MixEntry& entry : mix_of(config)) {
+    has_effects = has_effects || row_of(entry.url, config.value("mix").where).has_effects;
   }
-  throw ConfigError(hal.where,
-                    fmt::format("unknown backend '{}', expected one of: {}", url.scheme, known));
+  return has_effects;
 }
 
 std::unique_ptr<Backend> open_backend(const BackendContext& context) {
@@ -68,6 +129,7 @@ std::unique_ptr<Backend> open_backend(const BackendContext& context) {
   const ConfigValue& hal = config.value("hal");
   FaultScript script = faults_of(config);
   auto backend = find_backend(config).open(parse_backend_url(hal.text, hal.where), context);
+  if (config.is_set("mix")) backend = mixed(std::move(backend), context);
   if (!script.empty()) {
     const auto seed = static_cast<std::uint64_t>(config.integer("seed"));
     backend = with_faults(std::move(backend), std::move(script), seed);

@@ -32,15 +32,25 @@ struct RecordedDevice {
   Values facts;
 };
 
+/// What was recorded, for people to read; each may be empty.
+struct RecordingOrigin {
+  std::string program;  ///< Its command line.
+  std::string hal;      ///< How the robot was reached: a backend's URL.
+  std::string world;    ///< The world that was named.
+
+  friend bool operator==(const RecordingOrigin&, const RecordingOrigin&) = default;
+};
+
 /// A recording: one SQLite 3 file (`.ebrec`) that any SQLite tool opens. Tables: `meta` (key,
-/// value), `device` (kind, id, facts), `exchange` (seq, t in ns, device, id, call, request, reply,
-/// error, what); numbers of a request or reply are decimals with blanks between, in SI units.
-/// Written ahead (WAL), so that a program that is killed leaves what it did up to the last second.
-/// One thread at a time.
+/// value: version, program, hal, world), `device` (kind, id, facts), `exchange` (seq, t in ns,
+/// device, id, call, request, reply, error, what); numbers of a request or reply are decimals with
+/// blanks between, in SI units. Written ahead (WAL), so that a program that is killed leaves what
+/// it did up to the last second. One thread at a time.
 class EbrecWriter {
  public:
   /// Replaces `path`. Throws ConfigError without a place when it cannot be written.
-  EbrecWriter(const std::filesystem::path& path, const std::vector<RecordedDevice>& devices);
+  EbrecWriter(const std::filesystem::path& path, const std::vector<RecordedDevice>& devices,
+              const RecordingOrigin& origin = {});
   ~EbrecWriter();
   EbrecWriter(const EbrecWriter&) = delete;
   EbrecWriter& operator=(const EbrecWriter&) = delete;
@@ -63,6 +73,7 @@ class EbrecWriter {
 
 /// All of a recording.
 struct Recording {
+  RecordingOrigin origin;
   std::vector<RecordedDevice> devices;
   std::vector<Exchange> exchanges;  ///< In the order in which they were made.
 };

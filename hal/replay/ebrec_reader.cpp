@@ -27,6 +27,18 @@ void check_version(sqlite3* database) {
   }
 }
 
+RecordingOrigin read_origin(sqlite3* database) {
+  RecordingOrigin origin;
+  const Statement row(sqlite::prepare(database, "SELECT key,value FROM meta"));
+  while (sqlite::step(row.get())) {
+    const std::string key = sqlite::text(row.get(), 0);
+    if (key == "program") origin.program = sqlite::text(row.get(), 1);
+    if (key == "hal") origin.hal = sqlite::text(row.get(), 1);
+    if (key == "world") origin.world = sqlite::text(row.get(), 1);
+  }
+  return origin;
+}
+
 std::vector<RecordedDevice> read_devices(sqlite3* database) {
   std::vector<RecordedDevice> devices;
   const Statement row(sqlite::prepare(database, "SELECT kind,id,facts FROM device"));
@@ -68,7 +80,7 @@ Recording read_recording(const std::filesystem::path& path) {
     const std::unique_ptr<sqlite3, Close> database(opened);
     if (code != SQLITE_OK) throw std::runtime_error(sqlite3_errmsg(opened));
     check_version(opened);
-    return {read_devices(opened), read_exchanges(opened)};
+    return {read_origin(opened), read_devices(opened), read_exchanges(opened)};
   } catch (const std::runtime_error& error) {
     throw ConfigError({path.string()},
                       fmt::format("{}: expected a recording (.ebrec)", error.what()));

@@ -25,7 +25,8 @@ void EbrecWriter::Close::operator()(sqlite3* database) const { sqlite3_close(dat
 void EbrecWriter::Close::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 
 EbrecWriter::EbrecWriter(const std::filesystem::path& path,
-                         const std::vector<RecordedDevice>& devices) {
+                         const std::vector<RecordedDevice>& devices,
+                         const RecordingOrigin& origin) {
   for (const char* end : {"", "-wal", "-shm"}) {
     std::error_code ignored;  // what cannot be removed cannot be written either: SQLite will say so
     std::filesystem::remove(path.string() + end, ignored);
@@ -36,6 +37,15 @@ EbrecWriter::EbrecWriter(const std::filesystem::path& path,
     database_.reset(database);
     if (code != SQLITE_OK) throw std::runtime_error(sqlite3_errmsg(database));
     sqlite::run(database, kSchema);
+    const std::unique_ptr<sqlite3_stmt, Close> add_fact(
+        sqlite::prepare(database, "INSERT INTO meta VALUES(?,?)"));
+    for (const auto& [key, value] : std::initializer_list<std::pair<const char*, std::string_view>>{
+             {"program", origin.program}, {"hal", origin.hal}, {"world", origin.world}}) {
+      sqlite::bind(add_fact.get(), 1, key);
+      sqlite::bind(add_fact.get(), 2, value);
+      sqlite::step(add_fact.get());
+      sqlite3_reset(add_fact.get());
+    }
     const std::unique_ptr<sqlite3_stmt, Close> add_device(
         sqlite::prepare(database, "INSERT INTO device VALUES(?,?,?)"));
     for (const RecordedDevice& device : devices) {

@@ -38,10 +38,11 @@ std::vector<RecordedDevice> devices_of(Backend& backend) {
 
 class RecordTap final : public Tap {
  public:
-  RecordTap(Backend& backend, const std::filesystem::path& path, LogSink& log)
+  RecordTap(Backend& backend, const std::filesystem::path& path, LogSink& log,
+            const RecordingOrigin& origin)
       : clock_(backend.clock()),
         log_(log),
-        writer_(std::make_unique<EbrecWriter>(path, devices_of(backend))) {}
+        writer_(std::make_unique<EbrecWriter>(path, devices_of(backend), origin)) {}
 
   Result<Values> exchange(const Call& call,
                           const std::function<Result<Values>()>& device) override {
@@ -79,9 +80,10 @@ class RecordTap final : public Tap {
 }  // namespace
 
 std::unique_ptr<Backend> with_recording(std::unique_ptr<Backend> inner,
-                                        const std::filesystem::path& path, LogSink& log) {
+                                        const std::filesystem::path& path, LogSink& log,
+                                        const RecordingOrigin& origin) {
   return make_tapped(std::move(inner), [&](Backend& backend) {
-    return std::make_unique<RecordTap>(backend, path, log);
+    return std::make_unique<RecordTap>(backend, path, log, origin);
   });
 }
 

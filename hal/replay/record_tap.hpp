@@ -4,14 +4,16 @@
 #include <memory>
 
 #include "eyebridge/base/log.hpp"
-#include "tap/tap.hpp"
+#include "replay/ebrec.hpp"
 
 namespace eyebridge::hal {
 
 /// `inner`, every call of whose devices is written to a recording. The camera and the world's
 /// functions are not in it. When the disk fails the run goes on without, and one error is logged.
 /// Throws ConfigError without a place when `path` cannot be written. `log` outlives the backend.
+/// `origin` is written down as it is.
 std::unique_ptr<Backend> with_recording(std::unique_ptr<Backend> inner,
-                                        const std::filesystem::path& path, LogSink& log);
+                                        const std::filesystem::path& path, LogSink& log,
+                                        const RecordingOrigin& origin = {});
 
 }  // namespace eyebridge::hal

@@ -70,5 +70,12 @@ TEST_F(Package, TheDoctorOfAnInstallationFindsItsFiles) {
   EXPECT_THAT(r.out, HasSubstr("/moved/share/eyebridge/worlds\n"));
 }
 
+TEST_F(Package, TheRuleForUdevIsInstalled) {
+  const ProgramRun r =
+      run_shell(installed() + "moved/bin/eyebridge doctor --udev\n", folder_.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.out, testing::file_text(EYEBRIDGE_SOURCE_DIR "/apps/udev/60-eyebridge.rules"));
+}
+
 }  // namespace
 }  // namespace eyebridge

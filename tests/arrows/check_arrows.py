@@ -39,7 +39,7 @@ ALLOWED = {
     "firmware-stubs/mps2": [*CORE, "firmware-stubs/board", "firmware-stubs/ports", "firmware-stubs/pins"],
     "gui": [*CORE, "camera", "robios"],
     "python": [*CORE, "robios"],
-    "apps": [*CORE, "hal", "camera", "robios", *FIRMWARE],
+    "apps": [*CORE, "hal", "camera", "robios", "bridges", *FIRMWARE],
     "examples": ["robios:eyebot.h", "robios:eyebot++.h"],
     "tests": EVERYTHING,
     "bench": EVERYTHING,

@@ -109,9 +109,27 @@ TEST_F(ConfigTest, NamesTheNearestKeyOfAnUnknownOneWithLineAndColumn) {
               HasSubstr("eyebridge.toml:2:3: unknown key 'wrold', the nearest setting is 'world'"));
 }
 
-TEST_F(ConfigTest, DoesNotKnowTablesYet) {
-  EXPECT_THAT(complaint("seed = 1\n[mix]\ndrive = 'sim'\n"), HasSubstr(":2:"));
-  EXPECT_THAT(complaint("[mix]\ndrive = 'sim'\n"), HasSubstr("unknown table 'mix'"));
+TEST_F(ConfigTest, KnowsNoTableButMix) {
+  EXPECT_THAT(complaint("seed = 1\n[max]\ndrive = 'sim'\n"),
+              HasSubstr(":2:2: unknown table 'max', the nearest setting is 'mix'"));
+  EXPECT_THAT(complaint("[seed]\na = 'sim'\n"), HasSubstr("found a table for 'seed'"));
+}
+
+TEST_F(ConfigTest, TakesAMixAsATableOrAsText) {
+  const auto table = write("table.toml", "[mix]\npsd = 'sim'\ndrive = 'serial:/dev/a~b?c=d'\n");
+  EXPECT_EQ(Config::load({{}, {}, {table}}).text("mix"), "drive=serial:/dev/a~b?c=d; psd=sim");
+  const auto text = write("text.toml", "mix = 'psd=sim'\n");
+  EXPECT_EQ(Config::load({{}, {}, {text}}).text("mix"), "psd=sim");
+}
+
+TEST_F(ConfigTest, SaysWhereAMixIsWrong) {
+  EXPECT_THAT(complaint("[mix]\npsd = 'sim'\nwings = 'sim'\n"),
+              HasSubstr(":3:1: found 'wings' as a device, expected one of drive, psd"));
+  EXPECT_THAT(complaint("[mix]\npsd = 1\n"),
+              HasSubstr(":2:7: found a whole number for 'mix.psd', expected a text"));
+  EXPECT_THAT(complaint("[mix]\npsd = 'sim; drive=sim'\n"), HasSubstr(":2:7: found a ';'"));
+  EXPECT_THAT(complaint("[mix]\npsd = ''\n"), HasSubstr(":2:1: found no backend for 'psd'"));
+  EXPECT_THAT(complaint("[mix.psd]\na = 'sim'\n"), HasSubstr("found a table for 'mix.psd'"));
 }
 
 TEST_F(ConfigTest, NamesTheNearestVariableOfAnUnknownOne) {

@@ -167,6 +167,15 @@ TEST_F(Replay, FailuresAreRecordedToo) {
   EXPECT_EQ(replay()->servo(1)->set(7.0).error().what, e.reply.error().what);
 }
 
+TEST_F(Replay, ARecordingKnowsWhereItCameFrom) {
+  const RecordingOrigin origin{"./prog --fast 'a'", "serial:/dev/ttyACM0", "maze.maz"};
+  Rig rig = all_rigs().front().make(1.0);
+  with_recording(std::move(rig.backend), file_, *rig.log, origin)->stop();
+  EXPECT_EQ(read_recording(file_).origin, origin);
+  run_sql("DELETE FROM meta WHERE key<>'version'");
+  EXPECT_EQ(read_recording(file_).origin, RecordingOrigin{}) << "older ones do not tell";
+}
+
 TEST_F(Replay, AProgramThatIsKilledLeavesAllButItsLastSecond) {
   const pid_t child = fork();
   if (child == 0) {

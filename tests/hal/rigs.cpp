@@ -104,16 +104,20 @@ DriveStatus Rig::wait_for_drive() const {
   return status;
 }
 
+std::function<Truth()> truth_of(Backend& robot) {
+  return [&robot] {
+    const camera::Eye eye = robot.camera_view()->eye();
+    const Pose pose = must(robot.world()->robot_pose(0));
+    return Truth{pose, wrap_angle(eye.heading - pose.theta), eye.pitch};
+  };
+}
+
 Rig sim_rig(const Pose& start, const std::map<std::string, std::string>& flags) {
   Rig rig;
   rig.log = std::make_unique<KeepingLog>();
   const Config config = rig_config(flags);
   rig.backend = open_scenario(rig_scenario(start), {"rig"}, {config, *rig.log});
-  rig.truth = [&robot = *rig.backend] {
-    const camera::Eye eye = robot.camera_view()->eye();
-    const Pose pose = must(robot.world()->robot_pose(0));
-    return Truth{pose, wrap_angle(eye.heading - pose.theta), eye.pitch};
-  };
+  rig.truth = truth_of(*rig.backend);
   return rig;
 }
 

@@ -77,6 +77,8 @@ struct Rig {
   DriveStatus wait_for_drive() const;
 };
 
+/// What a simulated robot's own devices tell; `robot` must outlive it.
+std::function<Truth()> truth_of(Backend& robot);
 /// The simulation, configured by `flags`.
 Rig sim_rig(const Pose& start, const std::map<std::string, std::string>& flags);
 /// In virtual time.

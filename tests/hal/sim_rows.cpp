@@ -1,5 +1,6 @@
 // Rows of the contract without a board: the simulation, and what answers in its place.
 #include "fault/fault_tap.hpp"
+#include "mix/mix_backend.hpp"
 #include "rigs.hpp"
 
 namespace eyebridge::hal {
@@ -21,14 +22,25 @@ Rig rig_before_its_faults(const Pose& start) {
   return rig;
 }
 
+/// Devices of another simulated robot, which follows this one, must not show at the others.
+Rig mixed_rig(const Pose& start) {
+  Rig rig = lockstep_rig(start);
+  Rig other = lockstep_rig(start);
+  std::vector<MixPart> parts;
+  parts.push_back({{"servo", "camera"}, "other", std::move(other.backend)});
+  rig.backend = make_mix(std::move(rig.backend), std::move(parts));
+  rig.other_end = std::shared_ptr<KeepingLog>(std::move(other.log));
+  rig.truth = truth_of(*rig.backend);
+  return rig;
+}
+
 }  // namespace
 
 std::vector<RigCase> contract_rows() {
-  return {{"SimLockstep", lockstep_rig, kSimulated},
-          {"SimRealTime", real_time_rig, kSimulated},
-          {"FaultNone", faultless_rig, kSimulated},
-          {"FaultLater", rig_before_its_faults, kSimulated},
-          {"Replay", lockstep_rig, kReplayed, true}};
+  return {
+      {"SimLockstep", lockstep_rig, kSimulated}, {"SimRealTime", real_time_rig, kSimulated},
+      {"FaultNone", faultless_rig, kSimulated},  {"FaultLater", rig_before_its_faults, kSimulated},
+      {"MixOther", mixed_rig, kSimulated},       {"Replay", lockstep_rig, kReplayed, true}};
 }
 
 }  // namespace eyebridge::hal

@@ -10,8 +10,6 @@
 namespace eyebridge::bridges {
 namespace {
 
-constexpr int kWrongAnswers = 2;  // A boot banner may spoil the first probe, not the second.
-
 constexpr const char* kNoSuchBoard =
     "; expected an EyeBot I/O board: is it another device, or another bit rate?";
 
@@ -43,16 +41,11 @@ Result<void> Io7Client::connect() { return find_board(settings_.boot_patience); 
 Result<void> Io7Client::find_board(Time patience) {
   auto stream = open_();
   if (!stream) return tl::unexpected(std::move(stream.error()));
-  const Time end = clock_.now() + patience;
-  auto report = run_probe(**stream, clock_, settings_.probe);
-  for (int wrong = 0; !report; report = run_probe(**stream, clock_, settings_.probe)) {
-    wrong += report.error().code == Errc::Timeout ? 0 : 1;
-    const bool final = report.error().code == Errc::Disconnected || wrong == kWrongAnswers;
-    if (final || clock_.now() >= end) {
-      const bool odd = report.error().code != Errc::Disconnected;
-      return fail(report.error().code, std::string((*stream)->name()) + ": " + report.error().what +
-                                           (odd ? kNoSuchBoard : ""));
-    }
+  auto report = run_probe_patiently(**stream, clock_, settings_.probe, patience);
+  if (!report) {
+    const bool odd = report.error().code != Errc::Disconnected;
+    return fail(report.error().code, std::string((*stream)->name()) + ": " + report.error().what +
+                                         (odd ? kNoSuchBoard : ""));
   }
   // Made ready before anybody else can reach it.
   Io7Statistics counts;

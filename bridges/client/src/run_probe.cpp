@@ -7,6 +7,7 @@
 namespace eyebridge::bridges {
 namespace {
 
+constexpr int kWrongAnswers = 2;
 constexpr std::size_t kMostBytes = 8192;  // twice the longest command list
 
 /// Everything that comes until the line is quiet.
@@ -44,6 +45,20 @@ Result<io7::ProbeReport> run_probe(ByteStream& stream, Clock& clock, const Probe
     probe.answer(*heard);
   }
   return probe.report();
+}
+
+Result<io7::ProbeReport> run_probe_patiently(ByteStream& stream, Clock& clock,
+                                             const ProbeTiming& timing, Time patience,
+                                             int* attempts) {
+  const Time end = clock.now() + patience;
+  int wrong = 0;
+  while (true) {
+    auto report = run_probe(stream, clock, timing);
+    if (attempts != nullptr) ++*attempts;
+    if (report || report.error().code == Errc::Disconnected) return report;
+    wrong += report.error().code == Errc::Timeout ? 0 : 1;
+    if (wrong == kWrongAnswers || clock.now() >= end) return report;
+  }
 }
 
 }  // namespace eyebridge::bridges

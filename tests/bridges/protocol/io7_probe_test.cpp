@@ -39,6 +39,10 @@ TEST(Io7Probe, AVerboseBoardWithPromptIsMadeQuiet) {
   EXPECT_FALSE(report->profile.letters.has('d'));
   EXPECT_FALSE(board.verbose);
   EXPECT_EQ(board.asked, "hvOvVa");
+  EXPECT_TRUE(report->was_verbose);
+  EXPECT_EQ(report->byte_order_witness, 'V');
+  EXPECT_EQ(report->witness_bytes, (std::array<std::uint8_t, 2>{0x02, 0xE4}));
+  EXPECT_EQ(report->repeats, 0);
 }
 
 TEST(Io7Probe, ABoardThatStaysVerboseIsSpokenToInText) {

@@ -64,7 +64,10 @@ void Probe::give_up(Errc code, std::string what) {
 }
 
 void Probe::retry_or_fail(std::string_view body, std::string_view expected) {
-  if (++attempts_ < 2) return;  // The same bytes once more.
+  if (++attempts_ < 2) {  // The same bytes once more.
+    ++report_.repeats;
+    return;
+  }
   give_up(body.empty() ? Errc::Timeout : Errc::Corrupt,
           "expected " + std::string(expected) + ", found " + quoted(body));
 }
@@ -154,7 +157,10 @@ void Probe::ask_list() {
 void Probe::answer_list(std::string_view body) {
   const auto letters = parse_help(without_frame(body));
   if (!letters) {
-    if (static_cast<std::size_t>(++attempts_) < 2 * kTerminators.size()) return ask_list();
+    if (static_cast<std::size_t>(++attempts_) < 2 * kTerminators.size()) {
+      ++report_.repeats;
+      return ask_list();
+    }
     if (!heard_) return give_up(Errc::Timeout, "the board is silent");
     return give_up(Errc::Corrupt, letters.error().what);
   }
@@ -187,6 +193,7 @@ void Probe::answer_version(std::string_view body) {
     report_.request_form_proven = report_.request_form_proven || raw;
     return ask_voltage();
   }
+  report_.was_verbose = !raw;
   if (raw || !quieten()) ask_voltage();
 }
 
@@ -217,6 +224,13 @@ std::optional<int> Probe::number_in(std::string_view body, std::size_t width) {
   return report_.profile.byte_order == ByteOrder::MsbFirst ? msb_first : lsb_first;
 }
 
+void Probe::note_witness(char letter, std::string_view body) {
+  const std::string_view bytes = without_frame(body);
+  report_.byte_order_proven = true;
+  report_.byte_order_witness = letter;
+  std::copy_n(bytes.begin(), report_.witness_bytes.size(), report_.witness_bytes.begin());
+}
+
 void Probe::answer_voltage(std::string_view body) {
   auto value = number_in(body, 2);
   if (!value) return retry_or_fail(body, "the supply voltage");
@@ -224,7 +238,7 @@ void Probe::answer_voltage(std::string_view body) {
     const auto [msb_first, lsb_first] = readings(without_frame(body));
     const auto plausible = [](int v) { return v >= kLowestBattery && v <= IO7_VOLTAGE_LAST; };
     if (plausible(msb_first) != plausible(lsb_first)) {
-      report_.byte_order_proven = true;
+      note_witness(IO7_VOLTAGE, body);
       report_.profile.byte_order = plausible(msb_first) ? ByteOrder::MsbFirst : ByteOrder::LsbFirst;
       value = number_in(body, 2);
     }
@@ -254,7 +268,7 @@ void Probe::answer_form(std::string_view body) {
       field.last == IO7_ADC_LAST) {
     const auto [msb_first, lsb_first] = readings(without_frame(body));
     if ((msb_first > IO7_ADC_LAST) != (lsb_first > IO7_ADC_LAST)) {
-      report_.byte_order_proven = true;
+      note_witness(form_request_.letter, body);
       profile.byte_order = lsb_first > IO7_ADC_LAST ? ByteOrder::MsbFirst : ByteOrder::LsbFirst;
       value = std::min(msb_first, lsb_first);
     }

@@ -95,6 +95,9 @@ class Config {
   /// working folder).
   [[nodiscard]] std::filesystem::path path(std::string_view key) const;
 
+  /// This configuration with another value of `key`, which must be in settings(); not checked.
+  [[nodiscard]] Config with(std::string_view key, ConfigValue value) const;
+
   /// How `key` is spelled as a flag: "--time-limit".
   static std::string flag_name(std::string_view key);
   /// How `key` is spelled as an environment variable: "EYEBRIDGE_TIME_LIMIT".

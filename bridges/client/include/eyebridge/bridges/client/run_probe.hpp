@@ -19,4 +19,11 @@ struct ProbeTiming {
 Result<io7::ProbeReport> run_probe(ByteStream& stream, Clock& clock,
                                    const ProbeTiming& timing = {});
 
+/// The same, again and again for `patience`: opening a port resets some boards, which are deaf then
+/// for a while. A board that answers wrongly twice, or a lost line, ends it at once: a banner may
+/// spoil the first probe, not the second. `attempts`, when not null, counts the probes.
+Result<io7::ProbeReport> run_probe_patiently(ByteStream& stream, Clock& clock,
+                                             const ProbeTiming& timing, Time patience,
+                                             int* attempts = nullptr);
+
 }  // namespace eyebridge::bridges

@@ -23,6 +23,12 @@ struct ProbeReport {
   bool byte_order_proven = false;    ///< False: two readings were possible, most significant first
                                      ///< is assumed. Always false when replies are text.
   bool request_form_proven = false;  ///< False: the board lists nothing harmless to try it with.
+  bool was_verbose = false;          ///< It answered in text before `O 0` was sent.
+  /// The letter, 'V', 'a' or 'p', whose reading proved the byte order, and its bytes; 0 when none
+  /// did.
+  char byte_order_witness = 0;
+  std::array<std::uint8_t, 2> witness_bytes{};
+  int repeats = 0;  ///< Questions that had to be asked again, or in another way.
 };
 
 /// Finds out how a board wants to be spoken to. Pure: says what to send, is told what came.
@@ -79,6 +85,7 @@ class Probe {
   bool quieten();  ///< False when the board does not list the letter.
   void ask_voltage();
   void ask_form();
+  void note_witness(char letter, std::string_view body);
   void retry_or_fail(std::string_view body, std::string_view expected);
   /// `body` without echo, and without the prompt at its end.
   [[nodiscard]] std::string_view without_frame(std::string_view body) const;

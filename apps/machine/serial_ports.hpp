@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "finding.hpp"
+#include "system_files.hpp"
+
+namespace eyebridge::apps {
+
+/// A serial port that a board may be on, and who may use it.
+struct SerialPort {
+  std::string device;      ///< "/dev/ttyACM0"
+  std::string by_id;       ///< "/dev/serial/by-id/usb-…", which stays the same; or "".
+  std::string driver;      ///< "cdc_acm"; "" when it is not known.
+  std::string product;     ///< "Interface Board (03eb:2404)"; or "".
+  std::string group;       ///< Of the device: "dialout".
+  bool group_may = false;  ///< The group may read and write.
+  bool permitted = false;  ///< This process may read and write.
+  bool in_group = false;   ///< /etc/group names this user; it counts from the next login on.
+  std::optional<long> latency_ms;  ///< What an FTDI adapter waits before it passes bytes on.
+  std::vector<Process> holders;    ///< Who has it open, or locked.
+  bool hidden_from_modem_manager = false;  ///< By a udev rule.
+};
+
+/// Everything about serial ports on this machine.
+struct SerialState {
+  std::vector<SerialPort> ports;
+  std::optional<Process> modem_manager;  ///< It opens new ports and sends AT commands to them.
+};
+
+/// Looks at ttyACM*, ttyUSB* and ttyAMA* of /dev, and what /sys, /proc, /run/udev and /etc/group
+/// below `root` say about them. Changes nothing, opens no port.
+SerialState look_at_serial(const std::filesystem::path& root = "/");
+
+/// One such port, or another terminal, whatever its name. Its device must exist.
+SerialPort look_at_port(const std::string& device, const std::filesystem::path& root = "/");
+
+/// One finding for all ports and one more for each.
+std::vector<Finding> judge_serial(const SerialState& state);
+
+/// The one for `port`.
+Finding judge_port(const SerialPort& port, const SerialState& state);
+
+/// One line about a port: "Interface Board (03eb:2404), driver cdc_acm".
+std::string described(const SerialPort& port);
+
+/// How to be allowed to open `port`: one sentence.
+std::string how_to_be_permitted(const SerialPort& port);
+
+}  // namespace eyebridge::apps

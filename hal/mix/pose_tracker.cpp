@@ -1,0 +1,44 @@
+#include "mix/pose_tracker.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+/// `pose` in the frame `frame`; both in one frame.
+Pose relative(const Pose& frame, const Pose& pose) {
+  const Vec2 away = pose.position() - frame.position();
+  const Vec2 p = Heading::from_angle(-frame.theta).rotate(away);
+  return {p.x, p.y, wrap_angle(pose.theta - frame.theta)};
+}
+
+}  // namespace
+
+Result<void> PoseTracker::begin(Source source, bool is_odometry, const Pose& start) {
+  return source().map([&](const Pose& there) {
+    source_ = std::move(source);
+    is_odometry_ = is_odometry;
+    world_ = start;
+    there_ = there;
+  });
+}
+
+Result<Pose> PoseTracker::pose_now() {
+  return source_().map(
+      [this](const Pose& now) { return transform(world_, relative(there_, now)); });
+}
+
+Result<Pose> PoseTracker::pose() {
+  const std::lock_guard lock(mutex_);
+  return pose_now();
+}
+
+Result<void> PoseTracker::rebase(const Pose& odometry, const std::function<Result<void>()>& set) {
+  const std::lock_guard lock(mutex_);
+  const auto before = pose_now();
+  if (!before) return tl::unexpected(before.error());
+  return set().map([&] {
+    world_ = *before;
+    there_ = odometry;
+  });
+}
+
+}  // namespace eyebridge::hal
