@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <sstream>
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <poll.h>
 #include <sys/syscall.h>
+#include <unistd.h>
 
 #include "../firmware/running_firmware.hpp"
 #include "cortex_rig.hpp"
