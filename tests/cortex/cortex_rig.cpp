@@ -47,6 +47,7 @@ eb_config dialect(bool vw) {
   eb_config config;
   eb_config_default(&config);
   config.io7.letters = vw ? EB_LETTERS_ALL : EB_LETTERS_PAGE;
+  config.silence_us = 10'000'000;
   return config;
 }
 

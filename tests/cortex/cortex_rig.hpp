@@ -62,7 +62,8 @@ class CortexRig {
   std::jthread thread_;
 };
 
-/// The default dialect, with the v-omega letters or without.
+/// The default dialect, with the v-omega letters or without. The watchdog waits for ten seconds: a
+/// busy machine must not look like a program that fell silent.
 eb_config dialect(bool vw);
 
 }  // namespace eyebridge::mps2

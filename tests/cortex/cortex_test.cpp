@@ -102,7 +102,9 @@ INSTANTIATE_TEST_SUITE_P(Both, CortexDrives, ::testing::Bool(),
                          [](const auto& row) { return row.param ? "OnBoard" : "OnHost"; });
 
 TEST(Cortex, TheWatchdogStopsTheMotorsWhenTheProgramFallsSilent) {
-  CortexRig cortex(dialect(true));
+  eb_config config = dialect(true);
+  config.silence_us = 300'000;
+  CortexRig cortex(config);
   const UniqueFd host(::open(cortex.device().c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
   ASSERT_TRUE(host.valid());
   const Pose start = cortex.pose();
