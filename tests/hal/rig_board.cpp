@@ -13,6 +13,7 @@ eb_config config_of(const RigFirmware& firmware) {
   config.io7.letters = firmware.vw_letters ? EB_LETTERS_ALL : EB_LETTERS_PAGE;
   config.node = static_cast<std::uint8_t>(firmware.node);
   config.can_fd = firmware.can_fd;
+  config.silence_us = static_cast<std::uint32_t>(firmware.silence_ms) * 1000U;
   return config;
 }
 
@@ -33,9 +34,10 @@ Time RigBoard::live(Time now) {
   return due;
 }
 
-void RigBoard::unplug() {
+void RigBoard::unplug(bool noticed) {
   const std::lock_guard lock(mutex_);
   port_.reset();
+  if (noticed) eb_board_link_lost(board_);
 }
 
 void RigBoard::start() {

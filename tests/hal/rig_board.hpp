@@ -20,6 +20,7 @@ struct RigFirmware {
   bool vw_letters = true;
   int node = 0;  ///< On a CAN bus; 0: none.
   bool can_fd = false;
+  int silence_ms = 300;  ///< On a serial line, that stop the motors.
 };
 
 /// The robot of the rigs, driven by our firmware on a simulated board, in the same world.
@@ -34,8 +35,8 @@ class RigBoard {
   [[nodiscard]] eb_board& board() { return *board_; }
   void connect(std::unique_ptr<ports::Port> port) { port_ = std::move(port); }
   [[nodiscard]] const ports::Port& port() const { return *port_; }
-  /// The line is gone; the board does not hear of it. Any thread.
-  void unplug();
+  /// The line is gone, which the board notices or not. Any thread.
+  void unplug(bool noticed = false);
 
   /// World, board and line live up to `now`; when they are due again. Only without start().
   Time live(Time now);

@@ -65,7 +65,8 @@ Result<io7::Reply> Io7Session::exchange(const io7::Request& request) {
     if (auto found = resync(); !found) return tl::unexpected(std::move(found.error()));
     if (attempt == 2 || !may_repeat(request.letter)) break;
     ++statistics_.retries;
-    reply = ask(request, *bytes, reply_patience());
+    // A line that was slow once may be so again, and there is no third time.
+    reply = ask(request, *bytes, settings_.reply_timeout);
   }
   return reply;
 }

@@ -11,7 +11,7 @@ namespace eyebridge::bridges {
 /// How patient a client is with its board.
 struct Io7Settings {
   /// The longest wait for a reply. Once replies are known to be faster the client waits ten times
-  /// what they take, but at least `reply_least`.
+  /// what they take, but at least `reply_least`; the whole of it when it asks again.
   Time reply_timeout = std::chrono::milliseconds(50);
   Time reply_least = std::chrono::milliseconds(20);
   Time resync_timeout = std::chrono::milliseconds(200);  ///< For the `v` that ends a resync.
