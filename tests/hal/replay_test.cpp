@@ -169,7 +169,7 @@ TEST_F(Replay, FailuresAreRecordedToo) {
 
 TEST_F(Replay, ARecordingKnowsWhereItCameFrom) {
   const RecordingOrigin origin{"./prog --fast 'a'", "serial:/dev/ttyACM0", "maze.maz"};
-  Rig rig = all_rigs().front().make(1.0);
+  Rig rig = lockstep_rig(facing(1.0));
   with_recording(std::move(rig.backend), file_, *rig.log, origin)->stop();
   EXPECT_EQ(read_recording(file_).origin, origin);
   run_sql("DELETE FROM meta WHERE key<>'version'");
