@@ -75,9 +75,10 @@ struct WheelSpeeds {
 class HostDrive {
  public:
   static constexpr Time kPeriod = std::chrono::milliseconds(10);
-  /// Counts that are farther apart may have wrapped around unseen: at 127 ticks in 10 ms after
-  /// 2.58 s.
-  static constexpr Time kLongestGap = std::chrono::seconds(2);
+  /// Counts that are farther apart do not tell what was driven: whoever was told for so long that
+  /// nothing is known of the robot must command it again. (They may even have wrapped around: at
+  /// 127 ticks in 10 ms after 2.58 s.)
+  static constexpr Time kLongestGap = std::chrono::seconds(1);
 
   /// Settings are asserted to be possible; host_drive_settings() gives such.
   explicit HostDrive(const HostDriveSettings& settings);

@@ -15,9 +15,11 @@ using namespace std::chrono_literals;
 
 // At 127 ticks in 10 ms a 16-bit counter needs 2.5 s for half its range.
 constexpr Time kCountPeriod = 250ms;
-constexpr Time kTrustedGap = 1s;  // beyond, nothing can be said of how far a wheel turned
+constexpr Time kUsualGap =
+    25ms;  // after a longer one, which is a line in trouble, all is asked twice
 constexpr double kFastest = 3.0;  // metres per second
-constexpr int kSlack = 64;        // ticks
+constexpr int kSlack = 16;        // ticks
+constexpr int kCounts = 4;        // that are asked for before none is believed
 constexpr std::string_view kVwLetters = "xXqQyYCZ";
 
 }  // namespace
@@ -87,25 +89,28 @@ Result<std::int32_t> Io7Link::encoder(int id) {
   return counters_[index].feed16(*count, client_->generation());
 }
 
-// Raw replies have no checksum: a flipped bit would be a jump of the robot. What no wheel can have
-// done is asked again, and believed when the board insists.
+// Raw replies have no checksum: a flipped bit would be a jump of the robot. What the wheel can
+// hardly have done is asked again, and believed when the board insists.
 Result<std::uint16_t> Io7Link::plausible_count(int id, Time now) {
   const std::size_t index = static_cast<std::size_t>(id) - 1;
-  const Time gap = now - counted_[index];
-  const int most =
-      gap > kTrustedGap ? 0x10000 : static_cast<int>(fastest_ * to_seconds(gap)) + kSlack;
+  const auto reach = [this](Time gap) {
+    return static_cast<int>(fastest_ * to_seconds(gap)) + kSlack;
+  };
+  const int most = reach(std::min<Time>(now - counted_[index], kUsualGap));
   std::optional<int> before;
-  for (int attempt = 0; attempt < 3; ++attempt) {
+  for (int attempt = 0; attempt < kCounts; ++attempt) {
+    const Time asked = clock_.now();
     const auto count = ask(io7::encoder(id));
     if (!count) return tl::unexpected(count.error());
     const auto bits = static_cast<std::uint16_t>(*count);
     const bool near = std::abs(counters_[index].step_to(bits, client_->generation())) <= most;
-    const bool insists = before && std::abs(static_cast<std::int16_t>(static_cast<std::uint16_t>(
-                                       bits - static_cast<std::uint16_t>(*before)))) <= kSlack;
+    const bool insists =
+        before && std::abs(static_cast<std::int16_t>(static_cast<std::uint16_t>(
+                      bits - static_cast<std::uint16_t>(*before)))) <= reach(clock_.now() - asked);
     if (near || insists) return bits;
     before = *count;
   }
-  return fail(Errc::Corrupt, "encoder " + std::to_string(id) + ": three counts that do not fit");
+  return fail(Errc::Corrupt, "encoder " + std::to_string(id) + ": counts that do not fit");
 }
 
 std::unique_ptr<DriveController> Io7Link::make_drive(const BoardDriveShape& shape) {

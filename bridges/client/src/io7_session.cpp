@@ -125,10 +125,14 @@ Result<io7::Reply> Io7Session::ask(const io7::Request& request, const io7::Reque
 }
 
 Result<std::size_t> Io7Session::drain_until_quiet() {
+  // A text board ends a request in part at the next line end; one that takes bytes must see quiet.
+  const bool ascii = report_.profile.request_form == io7::RequestForm::Ascii;
+  const Time quiet =
+      ascii ? std::min(reply_patience(), settings_.probe.quiet) : settings_.probe.quiet;
   std::size_t drained = 0;
   const Time end = clock_.now() + settings_.probe.longest;
   while (clock_.now() < end) {
-    const auto count = stream_->read_some(buffer_, clock_.now() + settings_.probe.quiet);
+    const auto count = stream_->read_some(buffer_, clock_.now() + quiet);
     if (!count && count.error().code == Errc::Timeout) break;
     if (!count) return tl::unexpected(count.error());
     drained += *count;
@@ -153,7 +157,8 @@ Result<void> Io7Session::resync() {
     auto woken = stream_->write_all(wake_up, clock_.now() + settings_.resync_timeout);
     if (!woken && is_lost(woken.error())) return woken;
     if (auto prompt = drain_until_quiet(); !prompt) return tl::unexpected(prompt.error());
-    const auto reply = ask(version, *bytes, settings_.resync_timeout);
+    const auto reply =
+        ask(version, *bytes, attempt == 0 ? settings_.reply_timeout : settings_.resync_timeout);
     if (!reply && is_lost(reply.error())) return tl::unexpected(reply.error());
     if (reply && std::equal(reply->version.begin(), reply->version.end(), report_.version.begin(),
                             report_.version.end())) {
