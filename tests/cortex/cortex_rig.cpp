@@ -110,6 +110,19 @@ Pose CortexRig::pose() {
   return pose;
 }
 
+hal::Truth CortexRig::truth() {
+  hal::Truth truth;
+  look([&](robot::Simulation& world) {
+    const robot::CameraModel& camera = *world.model(0).camera;
+    const auto angle = [&](unsigned servo, double throw_angle) {
+      return (2 * world.servo(0, servo) - 1) * throw_angle;
+    };
+    truth = {world.pose(0), camera.pan + angle(0, camera.max_pan),
+             camera.tilt + angle(1, camera.max_tilt)};
+  });
+  return truth;
+}
+
 eb_pins CortexRig::pins() {
   eb_pins pins{};
   look([&pins](robot::Simulation& simulation) { pins::read_pins(simulation, 0, pins); });

@@ -42,6 +42,8 @@ class CortexRig {
   void look(const std::function<void(robot::Simulation&)>& show);
   /// Where the robot really is.
   Pose pose();
+  /// That, and where its camera looks; the robot must have one.
+  hal::Truth truth();
   /// What the board's wires carry now, by the plant.
   eb_pins pins();
   /// Waits until the board has ended, and why it did; "" when it does not within a minute.

@@ -1,5 +1,7 @@
 // Rows of the contract whose boards are behind lines of the operating system, opened as programs
 // open them, with all threads, in the computer's time.
+#include <cstdlib>
+
 #include <sys/socket.h>
 
 #include "board/open_board.hpp"
@@ -84,12 +86,30 @@ Rig socketpair_rig(const Pose& start) {
   return rig;
 }
 
+/// An interface of the kernel, by its name. A test may have several robots: each has a number of
+/// its own.
+Rig interface_rig(const std::string& interface, const Pose& start) {
+  static int last = 0;
+  const int node = last = last % 14 + 1;
+  auto board = std::make_shared<RigBoard>(start, RigFirmware{.node = node});
+  board->connect(ports::open_can(ports::frame_line(board->board()), interface, false, node, kHere));
+  return opened(board, "");
+}
+
 }  // namespace
 
 std::vector<RigCase> contract_rows() {
-  return {{"Io7BoardVwOverPty", pty_rig, in_real_time(kIo7BoardVw)},
-          {"Io7HostVwOverTcp", tcp_rig, in_real_time(kIo7HostVw)},
-          {"CanOverSocketPair", socketpair_rig, in_real_time(kCan)}};
+  std::vector<RigCase> rows{{"Io7BoardVwOverPty", pty_rig, in_real_time(kIo7BoardVw)},
+                            {"Io7HostVwOverTcp", tcp_rig, in_real_time(kIo7HostVw)},
+                            {"CanOverSocketPair", socketpair_rig, in_real_time(kCan)}};
+  // Set in the lab, "vcan0,vcan1".
+  if (const char* const named = std::getenv("EYEBRIDGE_TEST_CAN")) {
+    const std::string names(named);
+    const std::string first = names.substr(0, names.find(','));
+    const auto rig = [first](const Pose& start) { return interface_rig(first, start); };
+    rows.push_back({"CanOver_" + first, rig, in_real_time(kCan)});
+  }
+  return rows;
 }
 
 }  // namespace eyebridge::hal
