@@ -135,7 +135,9 @@ inline void url(std::string_view text) {
   }
   try {
     const auto can = bridges::socket_can_settings(parsed, where);
-    require(!can.interface.empty() && can.interface.size() < 16 && can.receive_buffer > 0);
+    const bool is_path = can.interface.find('/') != std::string::npos;
+    require(!can.interface.empty() && can.interface.size() < (is_path ? 108U : 16U));
+    require(can.receive_buffer > 0);
   } catch (const ConfigError&) {  // no CAN interface
   }
 }

@@ -18,9 +18,10 @@ Result<CanSocket> connect_can_path(const SocketCanSettings& settings) {
   const std::string& path = settings.interface;
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
-  if (path.size() >= sizeof address.sun_path) {
+  static_assert(kLongestCanPath < sizeof address.sun_path);
+  if (path.size() > kLongestCanPath) {
     return fail(Errc::OutOfRange, path + ": expected a path of at most " +
-                                      std::to_string(sizeof address.sun_path - 1) + " characters");
+                                      std::to_string(kLongestCanPath) + " characters");
   }
   std::memcpy(address.sun_path, path.data(), path.size());
 

@@ -89,11 +89,12 @@ TcpSettings tcp_settings(const Url& url, const SourceLocation& where) {
 SocketCanSettings socket_can_settings(const Url& url, const SourceLocation& where) {
   allow_options(url, where, {"fd", "receive_buffer"});
   constexpr std::size_t kLongestName = 15;  // of any network interface of Linux
-  const bool is_path = is_can_path(url.rest) && url.rest.find('\0') == std::string::npos;
+  const bool is_path = is_can_path(url.rest) && url.rest.size() <= kLongestCanPath &&
+                       url.rest.find('\0') == std::string::npos;
   if (!is_path && (url.rest.empty() || url.rest.size() > kLongestName || !is_graphic(url.rest))) {
     refuse(where, url.scheme + ":" + url.rest,
            "the name of a CAN interface, 1 to 15 characters, as in can:can0, or the path of a "
-           "bus's socket, as in can:./eyebot.bus");
+           "bus's socket, at most 107, as in can:./eyebot.bus");
   }
   SocketCanSettings settings;
   settings.interface = url.rest;

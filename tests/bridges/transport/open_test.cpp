@@ -83,6 +83,8 @@ TEST(LineUrl, RefusesBadCanInterfaces) {
   }
   EXPECT_EQ(complaint(socket_can_settings, "can:./my robot.bus"), "no complaint")
       << "a bus on a socket";
+  EXPECT_THAT(complaint(socket_can_settings, "can:/" + std::string(107, 'x')),
+              HasSubstr("the path of a bus's socket, at most 107"));
   EXPECT_THAT(complaint(socket_can_settings, "can:can0?fd=2"), HasSubstr("expected 0 … 1"));
   EXPECT_THAT(complaint(socket_can_settings, "can:can0?node=1"),
               HasSubstr("the option 'node', expected one of fd, receive_buffer"));

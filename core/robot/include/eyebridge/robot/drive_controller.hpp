@@ -68,8 +68,8 @@ class DriveController {
   Part angle_;
   bool keeps_heading_ = false;  ///< Goals follow each other, nothing else drove in between.
   double heading_owed_ = 0.0;   ///< Radians that the goals so far wanted and the wheels lack.
-  double linear_top_ = 0.0;   ///< Of the running goal.
-  double angular_top_ = 0.0;  ///< Of the running goal.
+  double linear_top_ = 0.0;     ///< Of the running goal.
+  double angular_top_ = 0.0;    ///< Of the running goal.
   DriveState state_ = DriveState::Idle;
 };
 
