@@ -17,11 +17,16 @@ namespace {
 using namespace std::chrono_literals;
 using bridges::ByteStream;
 
-/// Carries what is there from one to the other; false when either is gone.
-bool carry(ByteStream& from, ByteStream& to, Clock& clock, Time patience) {
+// The list of commands is the most of what is said at first: some 600 bytes.
+constexpr std::size_t kSound = 2000;
+
+/// Carries what is there from one to the other, and counts it; false when either is gone.
+bool carry(ByteStream& from, ByteStream& to, Clock& clock, std::size_t& carried) {
+  constexpr Time kPatience = 200us;
   std::array<std::uint8_t, 512> buffer{};
-  const auto count = from.read_some(buffer, clock.now() + patience);
+  const auto count = from.read_some(buffer, clock.now() + kPatience);
   if (!count) return count.error().code == Errc::Timeout;
+  carried += *count;
   return to.write_all(std::span(buffer).first(*count), clock.now() + 1s).has_value();
 }
 
@@ -71,9 +76,9 @@ void Relay::serve(const std::stop_token& stop) {
   damaged_ = std::make_unique<bridges::FaultyStream>(std::move(program), plan_, clock_);
   connected_ = true;
   while (!stop.stop_requested()) {
-    ByteStream& host = damaging_ ? static_cast<ByteStream&>(*damaged_) : *sound_;
+    ByteStream& host = carried_ > kSound ? static_cast<ByteStream&>(*damaged_) : *sound_;
     // An exchange is one direction at a time, so one thread that looks at both in turn will do.
-    if (!carry(host, *board_, clock_, 200us) || !carry(*board_, host, clock_, 200us)) return;
+    if (!carry(host, *board_, clock_, carried_) || !carry(*board_, host, clock_, carried_)) return;
   }
 }
 

@@ -11,8 +11,8 @@
 
 namespace eyebridge::testing {
 
-/// Stands between a program and the TCP port of its board, and damages what passes once it is told
-/// to. For one program.
+/// Stands between a program and the TCP port of its board, and damages what passes, but for the
+/// beginning, in which the board is found. For one program.
 class Relay {
  public:
   /// `board` is HOST:PORT. Throws std::runtime_error.
@@ -23,7 +23,6 @@ class Relay {
 
   /// What the program's `--hal` must be.
   [[nodiscard]] std::string hal() const;
-  void damage() { damaging_ = true; }
   [[nodiscard]] bridges::FaultCounts counts() const;
 
  private:
@@ -36,7 +35,7 @@ class Relay {
   bridges::ByteStream* sound_ = nullptr;  // what damaged_ damages
   std::unique_ptr<bridges::FaultyStream> damaged_;
   std::atomic<bool> connected_ = false;
-  std::atomic<bool> damaging_ = false;
+  std::size_t carried_ = 0;  // bytes
   std::jthread thread_;
 };
 
