@@ -35,7 +35,7 @@ BoardBackend::BoardBackend(std::unique_ptr<Clock> line_clock, std::unique_ptr<Bo
       controller_(make_controller(*link_, *line_clock_, tables.drive)),
       lidar_(*link_),
       generation_(link_->generation()) {
-  if (controller_) drive_.emplace(*link_, *controller_);
+  if (controller_) drive_.emplace(*controller_);
   for (const BoardPsdTable& psd : tables.psds) {
     if (link_->has_psd(psd.id)) range_sensors_.try_emplace(psd.id, *link_, psd);
   }

@@ -1,15 +1,14 @@
 #pragma once
 
-#include "board/board_device.hpp"
+#include "board/drive_controller.hpp"
 #include "eyebridge/hal/drive.hpp"
 
 namespace eyebridge::hal {
 
 /// The v-omega drive of a board: checks what it is asked for; a controller does it.
-class BoardDrive final : public Drive, private BoardDevice {
+class BoardDrive final : public Drive {
  public:
-  BoardDrive(BoardLink& link, DriveController& controller)
-      : BoardDevice(link, 1), controller_(controller) {}
+  explicit BoardDrive(DriveController& controller) : controller_(controller) {}
 
   Result<void> set_speed(const Twist& twist) override;
   Result<void> start(const DriveGoal& goal) override;

@@ -1,9 +1,9 @@
 #include "board/board_lidar.hpp"
 
 #include <algorithm>
+#include <cmath>
 
-#include <fmt/format.h>
-
+#include "arguments/arguments.hpp"
 #include "eyebridge/base/units.hpp"
 
 namespace eyebridge::hal {
@@ -68,10 +68,7 @@ Result<void> BoardLidar::read(std::span<double> ranges) {
     const std::lock_guard lock(mutex_);
     return shape_.value_or(scan.shape);
   }();
-  if (ranges.size() != static_cast<std::size_t>(wanted.points)) {
-    return fail(Errc::OutOfRange, fmt::format("{}: got room for {} ranges, expected {}", kName,
-                                              ranges.size(), wanted.points));
-  }
+  if (auto good = check_scan_size(ranges.size(), wanted.points); !good) return good;
   for (int i = 0; i < wanted.points; ++i) {
     ranges[static_cast<std::size_t>(i)] =
         std::min(scan.ranges[nearest_ray(scan.shape, bearing(wanted, i))], max_range());

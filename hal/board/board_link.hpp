@@ -43,7 +43,9 @@ class BoardLink {
   virtual Result<int> psd_raw(int id) = 0;
   /// Metres by the board's own table. Unsupported when it has none.
   virtual Result<double> psd_metres(int id) = 0;
-  virtual Result<void> scan(BoardScan& out);
+  virtual Result<void> scan(BoardScan& /*out*/) {
+    return fail(Errc::Unsupported, "this board has no LIDAR");
+  }
 
   /// What drives the wheels if the board can itself; null when the host has to. Lent: the link must
   /// outlive it.

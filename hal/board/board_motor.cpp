@@ -1,37 +1,27 @@
 #include "board/board_motor.hpp"
 
+#include "arguments/arguments.hpp"
 #include "board/board_units.hpp"
 
 namespace eyebridge::hal {
-namespace {
-
-constexpr const char* kName = "motor";
-
-bool is_gain(int gain) { return gain >= 0 && gain <= 255; }
-
-}  // namespace
 
 Result<void> BoardMotor::set_duty(double duty) {
-  return require(duty >= -1.0 && duty <= 1.0, kName, duty, "a duty of -1 … 1").and_then([&] {
+  return check_duty(duty).and_then([&] {
     if (drive_ != nullptr) drive_->release();
     return link_.motor_duty(id_, to_percent(table_, reversed_ ? -duty : duty));
   });
 }
 
 Result<void> BoardMotor::set_speed(double ticks_per_second) {
-  return require(std::isfinite(ticks_per_second), kName, ticks_per_second, "a finite speed")
-      .and_then([&] {
-        if (drive_ != nullptr) drive_->release();
-        return link_.motor_speed(
-            id_, to_ticks_per_10ms(reversed_ ? -ticks_per_second : ticks_per_second));
-      });
+  return check_motor_speed(ticks_per_second).and_then([&] {
+    if (drive_ != nullptr) drive_->release();
+    return link_.motor_speed(id_,
+                             to_ticks_per_10ms(reversed_ ? -ticks_per_second : ticks_per_second));
+  });
 }
 
 Result<void> BoardMotor::set_pid(int p, int i, int d) {
-  for (const int gain : {p, i, d}) {
-    if (!is_gain(gain)) return require(false, kName, gain, "gains of 0 … 255");
-  }
-  return link_.motor_pid(id_, p, i, d);
+  return check_gains(p, i, d).and_then([&] { return link_.motor_pid(id_, p, i, d); });
 }
 
 Result<int> BoardEncoder::read() {

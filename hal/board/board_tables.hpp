@@ -25,7 +25,7 @@ struct BoardServoTable {
 struct BoardPsdTable {
   int id = 1;
   /// Metres by raw value, evenly over 12 bits (a longer one: an entry each); kBoardOutOfRange where
-  /// nothing is seen. Empty: the board's own where it has one, else kDefaultPsd's curve.
+  /// nothing is seen. Empty: the board's own.
   std::vector<double> metres;
 };
 
@@ -34,9 +34,9 @@ inline constexpr double kBoardOutOfRange = 9.999;
 
 /// The wheels as the v-omega controller sees them. The defaults are those of an S4 EyeBot.
 struct BoardDriveShape {
-  double wheel_base = 0.09;             ///< Metres.
-  double left_ticks_per_metre = 6484;   ///< Of encoder 1.
-  double right_ticks_per_metre = 6484;  ///< Of encoder 2.
+  double wheel_base = 0.09;             ///< Metres; > 0.
+  double left_ticks_per_metre = 6484;   ///< Of encoder 1; > 0.
+  double right_ticks_per_metre = 6484;  ///< Of encoder 2; > 0.
   double max_linear = 0.6;              ///< Metres per second.
   double max_angular = 5.2;             ///< Radians per second.
   bool left_reversed = false;           ///< Motor 1 and encoder 1 count backwards as forwards.
@@ -56,7 +56,9 @@ struct BoardTables {
 /// like that of an S4, and every PSD a Sharp GP2Y0A21 at a 12-bit converter of 2.7 V.
 BoardTables default_board_tables();
 
-/// Reads `path`, an HDT file: what it does not list is not there. Throws ConfigError.
+/// Reads `path`, an HDT file: what it does not list is not there, but for the wheels, which without
+/// a DRIVE line count as an S4's, with a warning. Throws ConfigError; also for a DRIVE that is not
+/// differential, lacks an ENCODER, or has others than motor and encoder 1 left and 2 right.
 BoardTables read_board_tables(const std::string& path, std::vector<Warning>& warnings);
 
 }  // namespace eyebridge::hal

@@ -1,7 +1,6 @@
 #include "board/host_controller.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace eyebridge::hal {
 namespace {
@@ -23,14 +22,7 @@ constexpr Time kLongestPair = 50ms;  // beyond, a pair says nothing of what is u
 constexpr int kAttempts = 3;
 
 HostDriveSettings settings_of(const BoardDriveShape& shape) {
-  HostDriveSettings settings;
-  settings.left_reversed = shape.left_reversed;
-  settings.right_reversed = shape.right_reversed;
-  settings.left_ticks_per_metre = shape.left_ticks_per_metre;
-  settings.right_ticks_per_metre = shape.right_ticks_per_metre;
-  settings.wheel_base = shape.wheel_base;
-  settings.max_linear = shape.max_linear;
-  settings.max_angular = shape.max_angular;
+  HostDriveSettings settings{shape};
   settings.motor_lag = kDeadTime;
   return settings;
 }
@@ -52,9 +44,7 @@ Result<WheelCounts> HostController::read_counts() {
     const Time took = clock_.now() - start;
     const bool together = took <= std::max<Time>(kTogether, 2 * usual_pair_);
     usual_pair_ += (std::min(took, kLongestPair) - usual_pair_) / 8;
-    if (together || attempt == kAttempts) {
-      return WheelCounts{static_cast<std::uint16_t>(*left), static_cast<std::uint16_t>(*right)};
-    }
+    if (together || attempt == kAttempts) return WheelCounts{*left, *right};
   }
 }
 
@@ -104,45 +94,42 @@ void HostController::send(const WheelSpeeds& speeds, Time now) {
 
 Result<void> HostController::set_speed(const Twist& twist) {
   const std::lock_guard lock(mutex_);
-  if (auto good = check(); !good) return tl::unexpected(std::move(good.error()));
-  goal_lost_ = false;
-  drive_.set_speed(twist);
-  return {};
+  return check().map([&] {
+    goal_lost_ = false;
+    drive_.set_speed(twist);
+  });
 }
 
 Result<void> HostController::start(const DriveGoal& goal) {
   const std::lock_guard lock(mutex_);
-  if (auto good = check(); !good) return tl::unexpected(std::move(good.error()));
-  goal_lost_ = false;
-  drive_.start(goal);
-  return {};
+  return check().map([&] {
+    goal_lost_ = false;
+    drive_.start(goal);
+  });
 }
 
 Result<DriveStatus> HostController::status() {
   const std::lock_guard lock(mutex_);
-  if (auto good = check(); !good) return tl::unexpected(std::move(good.error()));
-  DriveStatus status = drive_.status();
-  if (goal_lost_) status.progress = DriveProgress::Failed;
-  return status;
+  return check().map([this] {
+    DriveStatus status = drive_.status();
+    if (goal_lost_) status.progress = DriveProgress::Failed;
+    return status;
+  });
 }
 
 Result<Twist> HostController::measured_twist() {
   const std::lock_guard lock(mutex_);
-  if (auto good = check(); !good) return tl::unexpected(std::move(good.error()));
-  return drive_.measured_twist();
+  return check().map([this] { return drive_.measured_twist(); });
 }
 
 Result<Pose> HostController::odometry() {
   const std::lock_guard lock(mutex_);
-  if (auto good = check(); !good) return tl::unexpected(std::move(good.error()));
-  return drive_.odometry();
+  return check().map([this] { return drive_.odometry(); });
 }
 
 Result<void> HostController::set_odometry(const Pose& pose) {
   const std::lock_guard lock(mutex_);
-  if (auto good = check(); !good) return tl::unexpected(std::move(good.error()));
-  drive_.set_odometry(pose);
-  return {};
+  return check().map([&] { drive_.set_odometry(pose); });
 }
 
 void HostController::release() {

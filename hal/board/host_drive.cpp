@@ -5,7 +5,9 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "eyebridge/robot/drive_controller.hpp"
 #include "eyebridge/robot/odometry.hpp"
@@ -45,19 +47,22 @@ robot::DriveLimits limits_of(const HostDriveSettings& s) {
   return limits;
 }
 
-/// One wheel: its counter, the part of a tick that its speed still owes, its stall.
+/// One wheel: its count, the part of a tick that its speed still owes, its stall.
 struct Side {
   bool reversed = false;
   double ticks_per_metre = 0.0;
-  UnwrappedCount count;
+  std::int32_t count = 0;  ///< As read last.
   double carry = 0.0;
   int speed = 0;  ///< Ticks in a period, forward positive.
   int debt = 0;   ///< Ticks asked for, less four times those that came.
   int held = 0;   ///< Periods since the debt began.
 
   /// Metres since the last counts.
-  double travel(std::uint16_t reading, int periods) {
-    const int ticks = (reversed ? -1 : 1) * count.feed(reading);
+  double travel(std::int32_t reading, int periods) {
+    const auto change =
+        static_cast<std::int32_t>(static_cast<std::uint32_t>(reading) -
+                                  static_cast<std::uint32_t>(std::exchange(count, reading)));
+    const int ticks = reversed ? -change : change;
     const int came = speed < 0 ? -ticks : ticks;
     debt = std::clamp(debt + periods * std::abs(speed) - 4 * came, 0, 2 * kStallDebt);
     held = debt == 0 ? 0 : held + periods;
@@ -88,40 +93,6 @@ struct Stretch {
 };
 
 }  // namespace
-
-HostDriveSettings host_drive_settings(const files::Hdt& hdt, const std::string& file) {
-  if (!hdt.drive) throw ConfigError({file}, "no DRIVE line: expected one, for v-omega on the host");
-  const files::HdtDrive& drive = *hdt.drive;
-  if (drive.kind != robot::DriveKind::Differential) {
-    throw ConfigError(drive.where, "expected a DIFFERENTIAL drive, for v-omega on the host");
-  }
-  const auto encoder = [&](std::size_t side) -> const files::HdtEncoder& {
-    for (const files::HdtEncoder& candidate : hdt.encoders) {
-      if (candidate.id == drive.encoders[side]) return candidate;
-    }
-    throw ConfigError(drive.where, "DRIVE without ENCODER " + std::to_string(drive.encoders[side]) +
-                                       ": expected its ticks per metre");
-  };
-  const files::HdtEncoder& left = encoder(0);
-  const files::HdtEncoder& right = encoder(1);
-  HostDriveSettings out;
-  out.left_motor = left.motor;
-  out.right_motor = right.motor;
-  out.left_reversed = drive.left_clockwise;
-  out.right_reversed = drive.right_clockwise;
-  out.left_ticks_per_metre = left.ticks_per_metre;
-  out.right_ticks_per_metre = right.ticks_per_metre;
-  out.wheel_base = drive.wheel_base;
-  if (drive.max_speed > 0.0) out.max_linear = drive.max_speed;
-  return out;
-}
-
-int UnwrappedCount::feed(std::uint16_t count) {
-  const auto change = static_cast<std::int16_t>(last_ ? count - *last_ : 0);
-  last_ = count;
-  total_ += change;
-  return change;
-}
 
 struct HostDrive::Impl {
   explicit Impl(const HostDriveSettings& given)
@@ -214,8 +185,6 @@ struct HostDrive::Impl {
 
 HostDrive::HostDrive(const HostDriveSettings& settings) : impl_(std::make_unique<Impl>(settings)) {}
 HostDrive::~HostDrive() = default;
-HostDrive::HostDrive(HostDrive&&) noexcept = default;
-HostDrive& HostDrive::operator=(HostDrive&&) noexcept = default;
 
 void HostDrive::set_speed(const Twist& twist) {
   const Twist present = impl_->present();
@@ -227,11 +196,6 @@ void HostDrive::start(const DriveGoal& goal) {
   const Twist present = impl_->present();
   impl_->engage();
   impl_->controller.start(goal, present);
-}
-
-void HostDrive::stop() {
-  impl_->engage();
-  impl_->controller.stop();
 }
 
 void HostDrive::release() {
@@ -261,8 +225,8 @@ Result<WheelSpeeds> HostDrive::step(const WheelCounts& counts, Time now) {
     if (periods < 1) return WheelSpeeds{self.left.on_board(), self.right.on_board()};
     self.measure(counts, to_seconds(gap), periods);
   } else {
-    self.left.count.feed(counts.left);
-    self.right.count.feed(counts.right);
+    self.left.count = counts.left;
+    self.right.count = counts.right;
   }
   self.last = now;
   self.command(periods);
@@ -274,8 +238,6 @@ void HostDrive::restart() {
   impl_->stand();
   impl_->measured = impl_->latest = {};
   impl_->recent = {};
-  impl_->left.count.forget();
-  impl_->right.count.forget();
   impl_->last.reset();
 }
 

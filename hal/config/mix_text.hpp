@@ -10,7 +10,7 @@ namespace eyebridge::hal {
 
 /// A kind of device, and the backend that its devices are taken from.
 struct MixEntry {
-  std::string device;  ///< One of mix_devices().
+  std::string device;  ///< One of kDeviceKinds, or "camera".
   std::string url;     ///< As --hal takes it.
 
   friend bool operator==(const MixEntry&, const MixEntry&) = default;
@@ -20,8 +20,5 @@ struct MixEntry {
 /// line. Throws ConfigError at `where`, with the column of the entry where that has none: no such
 /// device, one that is named twice, or what is no URL.
 std::vector<MixEntry> parse_mix(std::string_view text, const SourceLocation& where);
-
-/// The kinds that an entry may name, between commas: those of --faults and camera.
-std::string mix_devices();
 
 }  // namespace eyebridge::hal

@@ -8,13 +8,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "config/entries.hpp"
 #include "eyebridge/base/text.hpp"
 
 namespace eyebridge::hal {
 namespace {
-
-constexpr std::array<std::string_view, 9> kDevices = {
-    "drive", "psd", "proximity", "bumper", "lidar", "compass", "motor", "encoder", "servo"};
 
 struct EffectName {
   std::string_view name;
@@ -61,8 +59,8 @@ void read_device(Words& words, FaultRule& rule) {
   const std::string_view word = words.next();
   const std::size_t colon = word.find(':');
   rule.device = word.substr(0, colon);
-  if (rule.device != "all" && std::ranges::find(kDevices, rule.device) == kDevices.end()) {
-    words.reject(word, "a device: all, " + fault_devices());
+  if (rule.device != "all" && std::ranges::find(kDeviceKinds, rule.device) == kDeviceKinds.end()) {
+    words.reject(word, fmt::format("a device: all, {}", fmt::join(kDeviceKinds, ", ")));
   }
   if (colon == std::string_view::npos) return;
   const auto id = number(word.substr(colon + 1));
@@ -102,8 +100,6 @@ void read_times(Words& words, FaultRule& rule) {
 
 }  // namespace
 
-std::string fault_devices() { return fmt::format("{}", fmt::join(kDevices, ", ")); }
-
 bool FaultRule::holds(std::string_view kind, int number, Time now) const {
   return (device == "all" || device == kind) && (id == 0 || id == number) && now >= from &&
          now < to;
@@ -111,24 +107,14 @@ bool FaultRule::holds(std::string_view kind, int number, Time now) const {
 
 FaultScript parse_fault_script(std::string_view text, const SourceLocation& where) {
   FaultScript script;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(';', begin), text.size());
-    const std::string_view rule_text = text.substr(begin, end - begin);
-    if (!trimmed(rule_text).empty()) {
-      SourceLocation place = where;
-      if (place.line == 0) {
-        place.line = 1;
-        place.column = static_cast<int>(begin + rule_text.find_first_not_of(" \t")) + 1;
-      }
-      Words words(rule_text, place);
-      FaultRule rule;
-      rule.text = trimmed(rule_text);
-      read_device(words, rule);
-      read_effect(words, rule);
-      read_times(words, rule);
-      script.push_back(std::move(rule));
-    }
-    begin = end + 1;
+  for (const Entry& entry : split_entries(text, where)) {
+    Words words(entry.text, entry.where);
+    FaultRule rule;
+    rule.text = entry.text;
+    read_device(words, rule);
+    read_effect(words, rule);
+    read_times(words, rule);
+    script.push_back(std::move(rule));
   }
   return script;
 }

@@ -19,7 +19,7 @@ enum class FaultEffect {
 
 /// What happens to some devices for some time.
 struct FaultRule {
-  std::string device;  ///< One of fault_devices(), or "all".
+  std::string device;  ///< One of kDeviceKinds, or "all".
   int id = 0;          ///< Of that device; 0 is each.
   FaultEffect effect{};
   double value = 0.0;  ///< Of Drop the share, 0 … 1; of Delay seconds.
@@ -40,8 +40,5 @@ using FaultScript = std::vector<FaultRule>;
 /// and delay DURATION; rules are separated by ';'. Throws ConfigError at `where` with the column of
 /// the rule.
 FaultScript parse_fault_script(std::string_view text, const SourceLocation& where);
-
-/// The kinds of devices that a rule may name.
-std::string fault_devices();
 
 }  // namespace eyebridge::hal

@@ -10,7 +10,7 @@ namespace eyebridge::hal {
 
 /// Another backend, and the kinds of devices that are taken from it.
 struct MixPart {
-  std::vector<std::string> devices;  ///< Of mix_devices().
+  std::vector<std::string> devices;  ///< As MixEntry::device.
   std::string url;                   ///< For messages.
   std::unique_ptr<Backend> backend;
 };

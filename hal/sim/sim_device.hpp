@@ -1,8 +1,5 @@
 #pragma once
 
-#include <cmath>
-
-#include "eyebridge/base/result.hpp"
 #include "sim/sim_world.hpp"
 
 namespace eyebridge::hal {
@@ -13,9 +10,6 @@ class SimDevice {
   SimDevice(SimWorld& world, robot::RobotIndex robot) : world_(world), robot_(robot) {}
 
  protected:
-  /// Success when `good`; else what `device` was asked for, as an error.
-  static Result<void> require(bool good, const char* device, double value, const char* expected);
-
   SimWorld& world_;
   const robot::RobotIndex robot_;
 };

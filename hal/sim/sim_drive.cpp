@@ -1,9 +1,9 @@
 #include "sim/sim_drive.hpp"
 
+#include "arguments/arguments.hpp"
+
 namespace eyebridge::hal {
 namespace {
-
-constexpr const char* kName = "drive";
 
 DriveProgress progress_of(robot::DriveState state) {
   switch (state) {
@@ -20,21 +20,12 @@ DriveProgress progress_of(robot::DriveState state) {
 }  // namespace
 
 Result<void> SimDrive::set_speed(const Twist& twist) {
-  // A sum is finite only if its parts are: one check for both.
-  return require(std::isfinite(twist.linear + twist.angular), kName, twist.linear + twist.angular,
-                 "a finite speed")
-      .map([&] { world_.locked([&](auto& sim) { sim.set_speed(robot_, twist); }); });
+  return check_speed(twist).map(
+      [&] { world_.locked([&](auto& sim) { sim.set_speed(robot_, twist); }); });
 }
 
 Result<void> SimDrive::start(const DriveGoal& goal) {
-  return require(std::isfinite(goal.distance), kName, goal.distance, "a finite distance")
-      .and_then(
-          [&] { return require(std::isfinite(goal.angle), kName, goal.angle, "a finite angle"); })
-      .and_then([&] {
-        return require(std::isfinite(goal.speed) && goal.speed >= 0.0, kName, goal.speed,
-                       "a speed of at least 0");
-      })
-      .map([&] { world_.locked([&](auto& sim) { sim.drive(robot_, goal); }); });
+  return check_goal(goal).map([&] { world_.locked([&](auto& sim) { sim.drive(robot_, goal); }); });
 }
 
 Result<DriveStatus> SimDrive::status() {
@@ -54,9 +45,8 @@ Result<Pose> SimDrive::odometry() {
 }
 
 Result<void> SimDrive::set_odometry(const Pose& pose) {
-  return require(std::isfinite(pose.x + pose.y + pose.theta), kName, pose.x + pose.y + pose.theta,
-                 "a finite pose")
-      .map([&] { world_.locked([&](auto& sim) { sim.set_odometry(robot_, pose); }); });
+  return check_pose(pose).map(
+      [&] { world_.locked([&](auto& sim) { sim.set_odometry(robot_, pose); }); });
 }
 
 }  // namespace eyebridge::hal

@@ -2,8 +2,7 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
-
+#include "arguments/arguments.hpp"
 #include "eyebridge/base/units.hpp"
 
 namespace eyebridge::hal {
@@ -37,13 +36,10 @@ LidarShape SimLidar::shape() const {
 }
 
 Result<void> SimLidar::read(std::span<double> ranges) {
-  return world_.locked([&](auto& sim) -> Result<void> {
-    if (ranges.size() != static_cast<std::size_t>(shape_.points)) {
-      return fail(Errc::OutOfRange, fmt::format("{}: got room for {} ranges, expected {}", kName,
-                                                ranges.size(), shape_.points));
-    }
-    sim.read_lidar(robot_, shape_.field_of_view, shape_.tilt, ranges);
-    return {};
+  return world_.locked([&](auto& sim) {
+    return check_scan_size(ranges.size(), shape_.points).map([&] {
+      sim.read_lidar(robot_, shape_.field_of_view, shape_.tilt, ranges);
+    });
   });
 }
 

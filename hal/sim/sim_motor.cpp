@@ -2,37 +2,27 @@
 
 #include <cstdint>
 
+#include "arguments/arguments.hpp"
+
 namespace eyebridge::hal {
-namespace {
-
-constexpr const char* kName = "motor";
-
-bool is_gain(int gain) { return gain >= 0 && gain <= 255; }
-
-}  // namespace
 
 SimMotor::SimMotor(SimWorld& world, robot::RobotIndex robot, unsigned index)
     : SimDevice(world, robot), index_(index) {}
 
 Result<void> SimMotor::set_duty(double duty) {
-  return require(duty >= -1.0 && duty <= 1.0, kName, duty, "a duty of -1 … 1").map([&] {
-    world_.locked([&](auto& sim) { sim.set_motor_duty(robot_, index_, duty); });
-  });
+  return check_duty(duty).map(
+      [&] { world_.locked([&](auto& sim) { sim.set_motor_duty(robot_, index_, duty); }); });
 }
 
 Result<void> SimMotor::set_speed(double ticks_per_second) {
-  return require(std::isfinite(ticks_per_second), kName, ticks_per_second, "a finite speed")
-      .map([&] {
-        world_.locked([&](auto& sim) { sim.set_motor_speed(robot_, index_, ticks_per_second); });
-      });
+  return check_motor_speed(ticks_per_second).map([&] {
+    world_.locked([&](auto& sim) { sim.set_motor_speed(robot_, index_, ticks_per_second); });
+  });
 }
 
 Result<void> SimMotor::set_pid(int p, int i, int d) {
-  for (const int gain : {p, i, d}) {
-    if (!is_gain(gain)) return require(false, kName, gain, "gains of 0 … 255");
-  }
-  world_.locked([&](auto& sim) { sim.set_motor_pid(robot_, index_, p, i, d); });
-  return {};
+  return check_gains(p, i, d).map(
+      [&] { world_.locked([&](auto& sim) { sim.set_motor_pid(robot_, index_, p, i, d); }); });
 }
 
 SimEncoder::SimEncoder(SimWorld& world, robot::RobotIndex robot, unsigned index)

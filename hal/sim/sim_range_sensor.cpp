@@ -1,5 +1,7 @@
 #include "sim/sim_range_sensor.hpp"
 
+#include <cmath>
+
 #include "eyebridge/base/units.hpp"
 
 namespace eyebridge::hal {

@@ -9,11 +9,11 @@
 
 #include "../bridges/client/fake_robot.hpp"
 #include "../bridges/protocol/fake_board.hpp"
-#include "board_rigs.hpp"
+#include "board/open_board.hpp"
 #include "eyebridge/base/unique_fd.hpp"
 #include "eyebridge/bridges/memory.hpp"
 #include "eyebridge/bridges/monotonic_clock.hpp"
-#include "eyebridge/hal/registry.hpp"
+#include "rigs.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -23,28 +23,45 @@ using bridges::ByteStream;
 using bridges::io7::FakeBoard;
 using ::testing::HasSubstr;
 
-/// What opening `url` throws; "" when it opens.
-std::string complaint(const std::string& url, std::map<std::string, std::string> flags = {}) {
-  KeepingLog log;
-  flags["hal"] = url;
-  const Config config = rig_config(flags);
+/// What `open` throws; "" when it does not.
+template <class Open>
+std::string refusal(Open&& open) {
   try {
-    open_backend({config, log});
+    open();
     return "";
   } catch (const ConfigError& error) {
     return error.what();
   }
 }
 
-/// What a rig says that cannot be made.
-template <class Make>
-std::string refusal(Make&& make) {
-  try {
-    make();
-    return "";
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
+/// What opening `url` throws; "" when it opens.
+std::string complaint(const std::string& url, std::map<std::string, std::string> flags = {}) {
+  KeepingLog log;
+  flags["hal"] = url;
+  return refusal([&] { open_backend({rig_config(flags), log}); });
+}
+
+/// A board behind lines that `line` makes: again after a loss.
+Rig io7_rig(const std::string& url,
+            std::function<Result<std::unique_ptr<ByteStream>>(Clock& clock)> line) {
+  Rig rig;
+  rig.log = std::make_unique<KeepingLog>();
+  const Config config = rig_config({{"hal", url}});
+  auto clock = std::make_unique<bridges::MonotonicClock>();
+  auto open = [line = std::move(line), &time = *clock] { return line(time); };
+  rig.backend = open_io7_board(parse_backend_url(url, {"rig"}), {config, *rig.log}, std::move(open),
+                               std::move(clock));
+  return rig;
+}
+
+/// A robot on `bus`.
+Rig can_rig(const std::string& url, bridges::MemoryCan& bus) {
+  Rig rig;
+  rig.log = std::make_unique<KeepingLog>();
+  const Config config = rig_config({{"hal", url}});
+  rig.backend = open_can_board(parse_backend_url(url, {"rig"}), {config, *rig.log},
+                               bus.connect("can0"), std::make_unique<bridges::MonotonicClock>());
+  return rig;
 }
 
 /// A board at the other end of lines in memory, on a thread of its own.
@@ -107,7 +124,7 @@ TEST(BoardOpen, ARobotOnABusIsReadyWhenItIsOpened) {
     for (; !stop.stop_requested(); time.wait_until(time.now() + 5ms)) robot.step();
   });
   {
-    const Rig rig = can_rig("can:test?node=3", [&](Clock&) { return bus.connect("can0"); });
+    const Rig rig = can_rig("can:test?node=3", bus);
     EXPECT_EQ(rig.backend->range_sensor(1)->read().value(), 0.5);
     EXPECT_TRUE(rig.backend->drive()->set_speed({0.1, 0.0}));
   }
@@ -120,10 +137,9 @@ TEST(BoardOpen, SaysThatNoRobotHasThatNumber) {
   bridges::MonotonicClock time;
   bridges::MemoryCan bus(time);
   const auto other = bus.connect("other");
-  EXPECT_THAT(
-      refusal([&] { can_rig("can:test?node=9", [&](Clock&) { return bus.connect("can0"); }); }),
-      HasSubstr("--hal: robot 9 on can0: not heard yet; expected its heartbeat; expected "
-                "that it is switched on"));
+  EXPECT_THAT(refusal([&] { can_rig("can:test?node=9", bus); }),
+              HasSubstr("--hal: robot 9 on can0: not heard yet; expected its heartbeat; expected "
+                        "that it is switched on"));
 }
 
 TEST(BoardOpen, SaysThatTheDeviceIsNoBoard) {

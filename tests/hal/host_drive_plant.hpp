@@ -4,27 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "../core/robot/rig.hpp"
 #include "board/host_drive.hpp"
 #include "eyebridge/base/units.hpp"
-#include "eyebridge/robot/simulation.hpp"
 
 namespace eyebridge::hal {
 
-/// A room of `size` x `size` metres with its lower left at the origin.
-inline std::shared_ptr<const world::WorldModel> plant_room(double size) {
-  auto model = std::make_shared<world::WorldModel>();
-  model->width = size;
-  model->height = size;
-  const Vec2 corners[] = {{0, 0}, {size, 0}, {size, size}, {0, size}};
-  for (std::size_t i = 0; i < 4; ++i) {
-    world::Wall wall;
-    wall.a = corners[i];
-    wall.b = corners[(i + 1) % 4];
-    model->walls.push_back(wall);
-  }
-  return model;
-}
-
+/// Side of the room, which has its lower left at the origin; metres.
 inline constexpr double kPlantRoom = 8.0;
 
 inline robot::RobotModel plant_model(double motor_time_constant = 0.0) {
@@ -51,16 +37,17 @@ class Plant {
   explicit Plant(const robot::RobotModel& model = plant_model())
       : Plant(model, plant_settings(model)) {}
   Plant(const robot::RobotModel& model, const HostDriveSettings& settings)
-      : sim(plant_room(kPlantRoom), {}),
+      : sim(robot::room(kPlantRoom, kPlantRoom), {}),
         robot(sim.add_robot(model, {kPlantRoom / 2, kPlantRoom / 2, 0.0})),
         drive(settings),
         left_sign_(settings.left_reversed ? -1 : 1),
         right_sign_(settings.right_reversed ? -1 : 1) {}
 
-  /// The board's counters: 16 bits, near their wrap-around at the start.
+  /// The board's counters, near their wrap-around at the start.
   [[nodiscard]] WheelCounts counts() const {
     const auto count = [&](unsigned motor, int sign) {
-      return static_cast<std::uint16_t>(32760 + sign * sim.encoder_ticks(robot, motor));
+      return static_cast<std::int32_t>(
+          static_cast<std::uint32_t>(0x7FFFFFF8 + sign * sim.encoder_ticks(robot, motor)));
     };
     return {count(0, left_sign_), count(1, right_sign_)};
   }

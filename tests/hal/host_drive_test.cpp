@@ -9,19 +9,6 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(UnwrappedCount, GoesOnWhereSixteenBitsWrapAround) {
-  UnwrappedCount count;
-  EXPECT_EQ(count.feed(65530), 0) << "the first count is where it starts";
-  EXPECT_EQ(count.feed(4), 10);
-  EXPECT_EQ(count.feed(65534), -6);
-  EXPECT_EQ(count.feed(32766), -32768);
-  EXPECT_EQ(count.feed(32765), -1);
-  EXPECT_EQ(count.total(), -32765);
-  count.forget();
-  EXPECT_EQ(count.feed(100), 0);
-  EXPECT_EQ(count.total(), -32765);
-}
-
 TEST(HostDrive, SpeedsBetweenTwoTicksAreReachedOnAverage) {
   Plant plant;
   const double tick_speed = 100.0 / plant_settings(plant_model()).left_ticks_per_metre;
@@ -121,7 +108,7 @@ TEST(HostDrive, EarlyCallsChangeNothing) {
   }
 }
 
-TEST(HostDrive, AGapInWhichCountsCouldWrapIsAnErrorAndStops) {
+TEST(HostDrive, AGapInWhichNothingWasKnownIsAnErrorAndStops) {
   Plant plant;
   plant.drive.start({3.0, 0.0, 0.3});
   plant.steps(100);
@@ -163,11 +150,11 @@ TEST(HostDrive, AWallStallsBothWheelsAndFailsTheGoal) {
 TEST(HostDrive, OneHeldWheelIsToldFromTheOther) {
   HostDrive drive(plant_settings(plant_model()));
   drive.set_speed({0.2, 0.0});
-  std::uint16_t left = 0;
+  std::int32_t left = 0;
   Time now{0};
   for (int i = 0; i < 60; ++i, now += HostDrive::kPeriod) {
     const auto speeds = drive.step({left, 500}, now);
-    left = static_cast<std::uint16_t>(left + speeds->left);
+    left += speeds->left;
   }
   EXPECT_FALSE(drive.status().stalled_left);
   EXPECT_TRUE(drive.status().stalled_right);
@@ -209,39 +196,6 @@ TEST(HostDrive, RestartForgetsTheCountsButNotThePose) {
   EXPECT_EQ(plant.drive.odometry(), pose);
   plant.drive.set_odometry({1.0, 2.0, 0.5});
   EXPECT_NEAR(plant.drive.odometry().theta, 0.5, 1e-12);
-}
-
-files::Hdt hdt_of(const std::string& text) {
-  std::vector<Warning> warnings;
-  return files::read_hdt(text, "hdt.txt", warnings);
-}
-
-TEST(HostDriveSettings, ComeFromTheHdt) {
-  const auto settings =
-      host_drive_settings(hdt_of("ENCODER 1 10000\nENCODER 2 9900\nDRIVE 95 40 0 1\n"), "hdt.txt");
-  EXPECT_DOUBLE_EQ(settings.wheel_base, 0.095);
-  EXPECT_DOUBLE_EQ(settings.max_linear, 0.4);
-  EXPECT_DOUBLE_EQ(settings.left_ticks_per_metre, 10000);
-  EXPECT_DOUBLE_EQ(settings.right_ticks_per_metre, 9900);
-  EXPECT_FALSE(settings.left_reversed);
-  EXPECT_TRUE(settings.right_reversed);
-}
-
-TEST(HostDriveSettings, WithoutADriveOrItsEncodersTheyAreAnError) {
-  const auto error = [](const std::string& text) {
-    try {
-      host_drive_settings(hdt_of(text), "hdt.txt");
-    } catch (const ConfigError& thrown) {
-      return std::string(thrown.what());
-    }
-    return std::string("none");
-  };
-  EXPECT_THAT(error("LCD 0\n"), HasSubstr("hdt.txt: no DRIVE line"));
-  EXPECT_THAT(error("ENCODER 1 100\nDRIVE 95 40 0 1\n"),
-              HasSubstr("hdt.txt:2:1: DRIVE without ENCODER 2"));
-  EXPECT_THAT(error("MOTOR \"m\" 1 9\nENCODER \"e\" 1 9 9 \"m\"\n"
-                    "DRIVE \"d\" ACKERMANN 9 9 9 \"e\" \"e\"\n"),
-              HasSubstr("hdt.txt:3:1: expected a DIFFERENTIAL drive"));
 }
 
 TEST(HostDrive, WhatTurnsLackDoesNotAddUp) {
