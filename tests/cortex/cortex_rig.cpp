@@ -1,11 +1,9 @@
 #include "cortex_rig.hpp"
 
 #include <chrono>
-#include <utility>
 
 #include <poll.h>
 
-#include "eyebridge/files/readers.hpp"
 #include "eyebridge/hal/registry.hpp"
 #include "eyebridge/pins/psd_table.hpp"
 #include "eyebridge/pins/robot_pins.hpp"
@@ -23,26 +21,6 @@ Time now() { return std::chrono::steady_clock::now().time_since_epoch(); }
 
 }  // namespace
 
-files::Scenario room() {
-  files::Scenario scenario;
-  scenario.world = files::read_world(
-      "floor 4000 2000\n0 0 4000 0\n4000 0 4000 2000\n4000 2000 0 2000\n0 2000 0 0\n", "room.wld",
-      scenario.warnings);
-  robot::RobotModel model = hal::rig_model();
-  model.lidar.reset();
-  scenario.models.push_back(model);
-  files::RobotPlacement robot;
-  robot.pose = {1.5 - hal::kFrontOffset, 1.0, 0.0};
-  scenario.robots.push_back(robot);
-  return scenario;
-}
-
-EmulatorSettings emulator_settings() {
-  EmulatorSettings settings;
-  settings.elf = EYEBRIDGE_CORTEX_ELF;
-  return settings;
-}
-
 eb_config dialect(bool vw) {
   eb_config config;
   eb_config_default(&config);
@@ -51,11 +29,11 @@ eb_config dialect(bool vw) {
   return config;
 }
 
-CortexRig::CortexRig(const eb_config& config, files::Scenario scenario)
-    : scenario_(std::move(scenario)),
-      hdt_(folder_.write("robot.hdt", pins::hdt_text(scenario_.models[0]))),
-      world_(scenario_),
-      board_(std::make_unique<EmulatedBoard>(emulator_settings(), world_, 0, config, now)),
+CortexRig::CortexRig(const eb_config& config, const files::Scenario& scenario)
+    : hdt_(folder_.write("robot.hdt", pins::hdt_text(scenario.models[0]))),
+      world_(scenario),
+      board_(std::make_unique<EmulatedBoard>(EmulatorSettings{.elf = EYEBRIDGE_CORTEX_ELF}, world_,
+                                             0, config, now)),
       port_(ports::open_pty(board_->line(), device(), {"rig"})),
       thread_([this](const std::stop_token& stop) { live(stop); }) {}
 

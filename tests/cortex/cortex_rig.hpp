@@ -13,17 +13,12 @@
 
 namespace eyebridge::mps2 {
 
-/// The emulated board of this build, before it is started.
-EmulatorSettings emulator_settings();
-
-/// A room with one robot that faces a wall 2.5 m ahead of its front sensor.
-files::Scenario room();
-
 /// A board on an emulated Cortex-M3 that drives the first robot of a world, reached over a
 /// pseudo-terminal. It lives on a thread of its own.
 class CortexRig {
  public:
-  explicit CortexRig(const eb_config& config, files::Scenario scenario = room());
+  explicit CortexRig(const eb_config& config,
+                     const files::Scenario& scenario = hal::rig_scenario(2.5));
   ~CortexRig();
   CortexRig(const CortexRig&) = delete;
   CortexRig& operator=(const CortexRig&) = delete;
@@ -53,7 +48,6 @@ class CortexRig {
   void live(const std::stop_token& stop);
 
   eyebridge::testing::ScratchFolder folder_;
-  files::Scenario scenario_;
   std::string hdt_;
   pins::BoardWorld world_;
   std::unique_ptr<EmulatedBoard> board_;

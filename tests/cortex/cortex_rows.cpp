@@ -7,15 +7,10 @@
 namespace eyebridge::hal {
 namespace {
 
-/// Beside what a board of the computer's own has (line_rows.cpp): the emulator is one more process
-/// that has to get its turn.
+/// The emulator is one more process that has to get its turn.
 constexpr RigTraits kEmulated = [] {
-  RigTraits traits = kIo7BoardVw;
-  traits.age += 0.1;
-  traits.way += 3e-3;
-  traits.turn += 0.02;
-  traits.linear += 0.24;
-  traits.angular += 0.4;
+  RigTraits traits = in_real_time(kIo7BoardVw);
+  traits.age += 0.05;
   return traits;
 }();
 

@@ -18,7 +18,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 /// A line of plant.hex.
 struct Golden {
-  std::string kind, why;
+  std::string why;
   std::vector<double> numbers;
   Bytes bytes;
 
@@ -33,7 +33,6 @@ std::vector<Golden> golden(const std::string& kind) {
   for (const auto& words : bridges::test::golden_lines("plant.hex")) {
     if (words[0] != kind) continue;
     Golden line;
-    line.kind = kind;
     line.why = words[1];
     std::size_t i = 1;
     for (; words.at(i) != ":"; ++i) line.numbers.push_back(std::strtod(words[i].c_str(), nullptr));

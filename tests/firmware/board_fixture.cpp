@@ -50,7 +50,7 @@ std::vector<std::string> BoardUnderTest::frames() {
 void BoardUnderTest::enable() {
   frames();
   send("70F#05");
-  send("000#01" + std::string("0123456789ABCDEF").substr(board.node.id, 1).insert(0, "0"));
+  send(std::string("000#010") + "0123456789ABCDEF"[board.node.id]);
   frames();
 }
 

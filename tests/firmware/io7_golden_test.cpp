@@ -12,9 +12,9 @@ namespace {
 using bridges::test::bytes_from_hex;
 using bridges::test::golden_lines;
 
-/// A golden line, taken apart: kind, form, letter, numbers, bytes.
+/// A golden line, taken apart: form, letter, numbers, bytes.
 struct Golden {
-  std::string kind, form;
+  std::string form;
   char letter = 0;
   std::vector<std::string> values;
   std::vector<std::uint8_t> bytes;
@@ -24,7 +24,7 @@ std::vector<Golden> golden(const std::string& kind) {
   std::vector<Golden> found;
   for (const auto& words : golden_lines("io7.hex")) {
     if (words[0] != kind) continue;
-    Golden line{words[0], words[1], words[2][0], {}, {}};
+    Golden line{words[1], words[2][0], {}, {}};
     std::size_t at = 3;
     for (; words[at] != ":"; ++at) line.values.push_back(words[at]);
     std::string hex;

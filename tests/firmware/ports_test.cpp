@@ -190,7 +190,7 @@ TEST(Can, CarriesFramesOverASocket) {
   ASSERT_EQ(::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_NONBLOCK | SOCK_CLOEXEC, 0, pair), 0);
   UniqueFd host(pair[1]);
   BoardUnderTest board(config_with([](eb_config& config) { config.node = 1; }));
-  const auto port = ports::make_can_port(ports::frame_line(board.board), UniqueFd(pair[0]), false);
+  const auto port = ports::make_can_port(ports::frame_line(board.board), UniqueFd(pair[0]));
   port->pump();
   can_frame got{};
   ASSERT_EQ(::read(host.get(), &got, sizeof got), static_cast<ssize_t>(sizeof got));

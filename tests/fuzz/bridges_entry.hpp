@@ -137,7 +137,7 @@ inline void url(std::string_view text) {
     const auto can = bridges::socket_can_settings(parsed, where);
     const bool is_path = can.interface.find('/') != std::string::npos;
     require(!can.interface.empty() && can.interface.size() < (is_path ? 108U : 16U));
-    require(can.receive_buffer > 0);
+    require(can.interface.find('\0') == std::string::npos && can.receive_buffer > 0);
   } catch (const ConfigError&) {  // no CAN interface
   }
 }

@@ -121,7 +121,7 @@ inline void hdt(std::string_view text) {
   }
 }
 
-/// The presses of a script are in order and each is one key or a touch.
+/// The bytes as a file, which is all that the reader takes.
 inline void recording(std::string_view bytes) {
   static const std::string path = "/tmp/eyebridge-fuzz-" + std::to_string(getpid()) + ".ebrec";
   std::ofstream(path, std::ios::binary) << bytes;
@@ -132,6 +132,7 @@ inline void recording(std::string_view bytes) {
   std::remove(path.c_str());
 }
 
+/// What is accepted has a time, a device and an amount that can be.
 inline void faults(std::string_view text) {
   try {
     for (const hal::FaultRule& rule : hal::parse_fault_script(text, {})) {
@@ -143,6 +144,7 @@ inline void faults(std::string_view text) {
   }
 }
 
+/// The presses of a script are in order and each is one key or a touch.
 inline void keys(std::string_view text) {
   try {
     Time last{0};

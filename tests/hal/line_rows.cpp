@@ -19,19 +19,6 @@ using testing::RigFirmware;
 
 const SourceLocation kHere{"rig"};
 
-/// Both ends are on threads that a busy computer lets wait: a reading gets that much older, and the
-/// host takes a count for one of then: 20 ms in the 50 over which it measures a speed are two
-/// fifths of it (of at most 0.6 m/s, 1 rad/s). A host that is late at a goal drives past it, and
-/// back.
-RigTraits in_real_time(RigTraits traits) {
-  traits.age += 0.05;
-  traits.way += 3e-3;
-  traits.turn += 0.02;
-  traits.linear += 0.24;
-  traits.angular += 0.4;
-  return traits;
-}
-
 Rig around(const std::shared_ptr<RigBoard>& board) {
   Rig rig;
   rig.log = std::make_unique<KeepingLog>();
@@ -76,7 +63,7 @@ Rig socketpair_rig(const Pose& start) {
   UniqueFd host(ends[0]);
   UniqueFd robot(ends[1]);
   auto board = std::make_shared<RigBoard>(start, RigFirmware{.node = kNode});
-  board->connect(ports::make_can_port(ports::frame_line(board->board()), std::move(robot), false));
+  board->connect(ports::make_can_port(ports::frame_line(board->board()), std::move(robot)));
   Rig rig = around(board);
   const Config config = rig_config({{"hal", "can:pair?node=5"}, {"hdt", board->hdt()}});
   auto clock = std::make_unique<bridges::MonotonicClock>();

@@ -48,6 +48,7 @@ bool is_near(const can::PoseStatus& status, const can::PoseCommand& wanted) {
 CanClient::CanClient(std::unique_ptr<CanBus> bus, int node, Clock& clock, LogSink& log)
     : bus_(std::move(bus)),
       node_(node),
+      who_(std::string(bus_->name()) + ": robot " + std::to_string(node)),
       clock_(clock),
       log_(log),
       watch_("robot " + std::to_string(node) + " on " + std::string(bus_->name())),
@@ -85,8 +86,7 @@ Result<void> CanClient::check_age(const can::MessageSpec& spec, std::optional<Ti
   if (auto ready = check_ready(); !ready) return ready;
   const Time limit = std::max<Time>(kLeastAge, 4 * std::chrono::milliseconds(spec.period_ms));
   if (at && clock_.now() - *at <= limit) return {};
-  return fail(Errc::Timeout, std::string(bus_->name()) + ": robot " + std::to_string(node_) +
-                                 " sends no " + std::string(spec.name));
+  return fail(Errc::Timeout, who_ + " sends no " + std::string(spec.name));
 }
 
 Result<void> CanClient::send_ready(const Result<CanFrame>& frame) {
@@ -201,7 +201,7 @@ Result<void> CanClient::set_pose(const can::PoseCommand& pose) {
   const bool is_jump = [&] {
     const std::lock_guard lock(mutex_);
     const auto& before = std::get<Latest<can::PoseStatus>>(latest_);
-    return before.seen && jumps(before.value, pose) >= 1.0;
+    return before.at && jumps(before.value, pose) >= 1.0;
   }();
   // One repetition, for a frame that got lost.
   for (const Time until : {start + kPoseTimeout / 2, start + kPoseTimeout}) {
@@ -216,8 +216,7 @@ Result<void> CanClient::set_pose(const can::PoseCommand& pose) {
         until);
     if (taken) return {};
   }
-  return fail(Errc::Timeout, std::string(bus_->name()) + ": robot " + std::to_string(node_) +
-                                 " does not take the pose that it was told");
+  return fail(Errc::Timeout, who_ + " does not take the pose that it was told");
 }
 
 void CanClient::stop() noexcept {
@@ -260,8 +259,7 @@ Result<void> CanClient::latest_scan(can::LidarScan& out) const {
   const std::lock_guard lock(mutex_);
   if (auto ready = check_ready(); !ready) return ready;
   if (!scan_at_ || clock_.now() - *scan_at_ > kScanAge) {
-    return fail(Errc::Timeout, std::string(bus_->name()) + ": robot " + std::to_string(node_) +
-                                   " sends no LIDAR scans");
+    return fail(Errc::Timeout, who_ + " sends no LIDAR scans");
   }
   out = scan_;
   return {};
@@ -274,7 +272,7 @@ bool CanClient::has_lidar() const {
 
 bool CanClient::announces_scans() const {
   const auto& version = std::get<Latest<can::VersionStatus>>(latest_);
-  return version.seen && (version.value.capabilities & EYECAN_CAPABLE_OF_SCANS) != 0;
+  return version.at && (version.value.capabilities & EYECAN_CAPABLE_OF_SCANS) != 0;
 }
 
 RobotWatch::Phase CanClient::phase() const {

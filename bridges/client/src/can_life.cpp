@@ -31,6 +31,8 @@ std::string fault_text(const can::FaultStatus& fault) {
       return "it did not hear this program";
     case EYECAN_FAULT_BUS_OFF_RECOVERED:
       return "it was off the bus, and is back";
+    case EYECAN_FAULT_DUPLICATE_NODE:
+      return "it hears another robot with its number";
     case EYECAN_FAULT_FRAME_LENGTH:
       return "it received a frame that is too short";
     case EYECAN_FAULT_BAD_VALUE:
@@ -97,7 +99,7 @@ Time CanClient::tick() {
     if (now >= next_heartbeat_) {
       next_heartbeat_ = now + kHeartbeatPeriod;
       out.add(can::encode(EYECAN_NODE_HOST, can::Heartbeat{EYECAN_STATE_OPERATIONAL}));
-      const bool is_known = std::get<Latest<can::VersionStatus>>(latest_).seen;
+      const bool is_known = std::get<Latest<can::VersionStatus>>(latest_).at.has_value();
       if (!is_known && watch_.phase() != RobotWatch::Phase::Unheard) out.add(version_request());
       if (emergency_) out.add(can::encode(node_, can::EmergencyStop{*emergency_, next_seq()}));
       if (watch_.wants_enable(now)) {
@@ -120,7 +122,7 @@ Time CanClient::tick() {
     }
     next = std::min({next_heartbeat_, next_point_, next_servo_});
   }
-  (void)send_all(out);  // Counted; that the bus does not work, receive() says too.
+  (void)send_all(out);  // That the bus does not work, receive() says too.
   return next;
 }
 
@@ -184,10 +186,7 @@ void CanClient::add_parameters(Outbox& out) const {
 }
 
 void CanClient::follow_watch(std::uint32_t before) {
-  if (watch_.generation() != before) {
-    command_ = {};
-    ++statistics_.losses;
-  }
+  if (watch_.generation() != before) command_ = {};
   if (const std::string news = watch_.take_news(); !news.empty()) {
     const bool good = watch_.phase() == RobotWatch::Phase::Ready ||
                       (watch_.phase() == RobotWatch::Phase::Waking && watch_.generation() == 0);
@@ -203,16 +202,15 @@ void CanClient::take(const CanFrame& frame) {
     const std::lock_guard lock(mutex_);
     const Time now = clock_.now();
     if (!message) {
-      const bool corrupt = message.error().code == Errc::Corrupt;
-      ++(corrupt ? statistics_.corrupt : statistics_.foreign);
-      if (!corrupt || now < next_report_) return;
+      if (message.error().code != Errc::Corrupt) return;  // none of the protocol
+      ++statistics_.corrupt;
+      if (now < next_report_) return;
       next_report_ = now + kReportPeriod;
       log_.write(Severity::Warning,
                  std::string(bus_->name()) + ": ignored a frame: " + message.error().what);
       return;
     }
     if (message->node != node_) return;
-    ++statistics_.received;
     const bool ready = check_ready().has_value();
     const std::uint32_t before = watch_.generation();
     take_message(message->message, now);
@@ -229,7 +227,7 @@ void CanClient::take_message(const can::AnyMessage& message, Time now) {
       [&](const auto& status) {
         using Status = std::remove_cvref_t<decltype(status)>;
         if constexpr (IsKept<Status, Statuses>::value) {
-          std::get<Latest<Status>>(latest_) = {status, now, true};
+          std::get<Latest<Status>>(latest_) = {status, now};
         }
       },
       message);
@@ -267,15 +265,11 @@ void CanClient::note_fault(const can::FaultStatus& fault) {
   const Time now = clock_.now();
   if (fault.code == EYECAN_FAULT_NONE || now < next_report_) return;
   next_report_ = now + kReportPeriod;
-  log_.write(Severity::Warning, std::string(bus_->name()) + ": robot " + std::to_string(node_) +
-                                    " reports: " + fault_text(fault));
+  log_.write(Severity::Warning, who_ + " reports: " + fault_text(fault));
 }
 
 Result<void> CanClient::send(const CanFrame& frame) {
-  auto sent = bus_->send(frame, clock_.now() + kSendTime);
-  const std::lock_guard lock(mutex_);
-  ++(sent ? statistics_.sent : statistics_.not_sent);
-  return sent;
+  return bus_->send(frame, clock_.now() + kSendTime);
 }
 
 Result<void> CanClient::send_all(const Outbox& out) {
@@ -305,7 +299,6 @@ bool CanClient::wait_for(const std::function<bool()>& done, Time deadline) {
 
 std::string CanClient::missing() const {
   constexpr int kCyclic = 100;  // ms; what comes less often comes on events, too
-  const bool is_known = std::get<Latest<can::VersionStatus>>(latest_).seen;
   if (auto ready = check_ready(); !ready) return ready.error().what;
   std::string names;
   const auto add = [&](std::string_view name) {
@@ -313,12 +306,13 @@ std::string CanClient::missing() const {
   };
   const auto look = [&]<class Status>(const Latest<Status>& entry) {
     const can::MessageSpec& spec = can::spec_of<Status>();
-    if (!entry.seen && spec.period_ms > 0 && spec.period_ms <= kCyclic) add(spec.name);
+    if (!entry.at && spec.period_ms > 0 && spec.period_ms <= kCyclic) add(spec.name);
   };
   std::apply([&](const auto&... entries) { (look(entries), ...); }, latest_);
-  if (!is_known) add(can::spec_of<can::VersionStatus>().name);
+  const auto& version = std::get<Latest<can::VersionStatus>>(latest_);
+  if (!version.at) add(can::spec_of<can::VersionStatus>().name);
   if (announces_scans() && !scan_at_) add("a whole scan of its LIDAR");
-  return names.empty() ? "" : "robot " + std::to_string(node_) + " does not send " + names;
+  return names.empty() ? "" : who_ + " does not send " + names;
 }
 
 Result<void> CanClient::wait_ready(Time patience) {
@@ -327,7 +321,7 @@ Result<void> CanClient::wait_ready(Time patience) {
   if (ready) return {};
   const std::lock_guard lock(mutex_);
   if (auto not_ready = check_ready(); !not_ready) return not_ready;
-  return fail(Errc::Timeout, std::string(bus_->name()) + ": " + left);
+  return fail(Errc::Timeout, left);
 }
 
 }  // namespace eyebridge::bridges

@@ -44,6 +44,10 @@ Time Io7Session::reply_patience() const {
   return std::clamp(10 * smoothed_latency_, settings_.reply_least, settings_.reply_timeout);
 }
 
+bool Io7Session::speaks_lines() const {
+  return report_.profile.request_form == io7::RequestForm::Ascii;
+}
+
 void Io7Session::note_latency(Time latency) {
   ++statistics_.answered;
   statistics_.latency_min = std::min(statistics_.latency_min, latency);
@@ -126,9 +130,8 @@ Result<io7::Reply> Io7Session::ask(const io7::Request& request, const io7::Reque
 
 Result<std::size_t> Io7Session::drain_until_quiet() {
   // A text board ends a request in part at the next line end; one that takes bytes must see quiet.
-  const bool ascii = report_.profile.request_form == io7::RequestForm::Ascii;
   const Time quiet =
-      ascii ? std::min(reply_patience(), settings_.probe.quiet) : settings_.probe.quiet;
+      speaks_lines() ? std::min(reply_patience(), settings_.probe.quiet) : settings_.probe.quiet;
   std::size_t drained = 0;
   const Time end = clock_.now() + settings_.probe.longest;
   while (clock_.now() < end) {
@@ -142,9 +145,8 @@ Result<std::size_t> Io7Session::drain_until_quiet() {
 
 Result<void> Io7Session::resync() {
   ++statistics_.resyncs;
-  const bool ascii = report_.profile.request_form == io7::RequestForm::Ascii;
-  const auto wake_up = ascii ? io7::bytes_of(report_.profile.terminator)
-                             : std::span<const std::uint8_t>(kCompletion);
+  const auto wake_up = speaks_lines() ? io7::bytes_of(report_.profile.terminator)
+                                      : std::span<const std::uint8_t>(kCompletion);
   const auto version = io7::request(IO7_VERSION);
   const auto bytes = io7::encode(version, report_.profile);
   if (!bytes) return tl::unexpected(bytes.error());
@@ -157,6 +159,7 @@ Result<void> Io7Session::resync() {
     auto woken = stream_->write_all(wake_up, clock_.now() + settings_.resync_timeout);
     if (!woken && is_lost(woken.error())) return woken;
     if (auto prompt = drain_until_quiet(); !prompt) return tl::unexpected(prompt.error());
+    // Mostly a byte was lost and the board is well: it answers as soon as ever.
     const auto reply =
         ask(version, *bytes, attempt == 0 ? settings_.reply_timeout : settings_.resync_timeout);
     if (!reply && is_lost(reply.error())) return tl::unexpected(reply.error());

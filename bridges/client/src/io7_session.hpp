@@ -40,6 +40,7 @@ class Io7Session {
   /// Bytes that came until the line was quiet, for so long that a board gives up a request that it
   /// has in part.
   Result<std::size_t> drain_until_quiet();
+  [[nodiscard]] bool speaks_lines() const;
   void note_latency(Time latency);
   [[nodiscard]] Time reply_patience() const;
 

@@ -67,10 +67,6 @@ void RobotWatch::heartbeat(std::uint8_t state, Time now) {
   }
 }
 
-void RobotWatch::note_step(bool back) {
-  steps_back_ = (steps_back_ << 1U | (back ? 1U : 0U)) & kRecentSteps;
-}
-
 // Both checks go by the robot's own time, so that frames which were read late do not matter.
 void RobotWatch::uptime(std::uint32_t ds, Time now) {
   if (!uptime_) {
@@ -80,7 +76,7 @@ void RobotWatch::uptime(std::uint32_t ds, Time now) {
   const std::uint32_t step = (ds - uptime_.value_or(ds)) & kUptimeMask;
   const bool back = step > kUptimeMask / 2;
   uptime_ = ds;
-  note_step(back);
+  steps_back_ = (steps_back_ << 1U | (back ? 1U : 0U)) & kRecentSteps;
   const std::uint32_t span = (ds - window_start_) & kUptimeMask;
   const bool crowded = span < 2 * kWindow && span >= kWindow && window_heartbeats_ >= kTooMany;
   if (back || span >= kWindow) {
@@ -101,10 +97,7 @@ void RobotWatch::fault(std::uint16_t code) {
   if (code == EYECAN_FAULT_DUPLICATE_NODE && phase_ != Phase::Twice) {
     return enter(Phase::Twice, Errc::Corrupt, kTwice);
   }
-  if (code != EYECAN_FAULT_ESTOP || phase_ == Phase::Twice || phase_ == Phase::EmergencyStopped) {
-    return;
-  }
-  if (phase_ != Phase::Ready && phase_ != Phase::Waking) return;
+  if (code != EYECAN_FAULT_ESTOP || (phase_ != Phase::Ready && phase_ != Phase::Waking)) return;
   // What another one stopped before we came is released by starting: that is what a person means.
   if (phase_ == Phase::Waking && generation_ == 0) return;
   enter(Phase::EmergencyStopped, Errc::Disconnected,

@@ -93,8 +93,9 @@ SocketCanSettings socket_can_settings(const Url& url, const SourceLocation& wher
                        url.rest.find('\0') == std::string::npos;
   if (!is_path && (url.rest.empty() || url.rest.size() > kLongestName || !is_graphic(url.rest))) {
     refuse(where, url.scheme + ":" + url.rest,
-           "the name of a CAN interface, 1 to 15 characters, as in can:can0, or the path of a "
-           "bus's socket, at most 107, as in can:./eyebot.bus");
+           "the name of a CAN interface, 1 to " + std::to_string(kLongestName) +
+               " characters, as in can:can0, or the path of a bus's socket, at most " +
+               std::to_string(kLongestCanPath) + ", as in can:./eyebot.bus");
   }
   SocketCanSettings settings;
   settings.interface = url.rest;

@@ -67,6 +67,7 @@ void eb_board_stop_motors(struct eb_board* board);
 void eb_board_servo(struct eb_board* board, int index, uint8_t position);
 void eb_board_port(struct eb_board* board, int port, int mode);
 uint16_t eb_board_levels(const struct eb_board* board);
+void eb_board_levels_out(struct eb_board* board, uint16_t ports, uint16_t levels);
 void eb_node_init(struct eb_node* node, const struct eb_config* config);
 void eb_node_time(struct eb_board* board, uint32_t elapsed_us);
 bool eb_node_frame(struct eb_board* board, int due, struct eb_can_frame* frame);

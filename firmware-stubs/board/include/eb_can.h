@@ -113,7 +113,6 @@ struct eb_node {
   uint8_t scan_id;
   uint16_t scan_time_ms;
   uint16_t next_chunk, chunks;
-  uint32_t refused; /* frames that had no effect, since the start */
 };
 
 #ifdef __cplusplus

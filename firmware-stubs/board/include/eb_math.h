@@ -9,6 +9,8 @@ extern "C" {
 
 /* Small replacements for math.h, which a bare board may lack. */
 
+#define EB_DEGREE 0.017453292519943295F /* radians */
+
 static inline int32_t eb_clamp(int32_t value, int32_t low, int32_t high) {
   return value < low ? low : value > high ? high : value;
 }

@@ -82,6 +82,11 @@ uint16_t eb_board_levels(const struct eb_board* board) {
                     (in & (uint16_t)~board->digital_outputs));
 }
 
+void eb_board_levels_out(struct eb_board* board, uint16_t ports, uint16_t levels) {
+  board->digital_out = (uint16_t)((board->digital_out & ~ports) | (levels & ports));
+  board->pins.digital_out = board->digital_out & board->digital_outputs;
+}
+
 static bool motors_run(const struct eb_board* board) {
   int i;
   for (i = 0; i < EB_MOTORS; ++i) {

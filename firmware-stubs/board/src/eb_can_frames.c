@@ -2,7 +2,6 @@
 #include "eb_math.h"
 #include "opcodes.h"
 
-#define DEGREE 0.017453292519943295F
 #define HARDWARE_EYEBOT_IO 1
 
 static int32_t to_word(int32_t value) { return eb_clamp(value, -32768, 32767); }
@@ -48,7 +47,7 @@ static void fill_speed(const struct eb_board* board, int32_t* v) {
   const struct eb_drive* drive = &board->drive;
   const struct eb_node* node = &board->node;
   v[0] = to_word(eb_round(eb_drive_linear(drive) * 1000.0F));
-  v[1] = to_word(eb_round(eb_drive_angular(drive) / DEGREE * 100.0F));
+  v[1] = to_word(eb_round(eb_drive_angular(drive) / EB_DEGREE * 100.0F));
   v[2] = drive->move_state;
   v[3] = drive->stalled[0] ? 1 : 0;
   v[4] = drive->stalled[1] ? 1 : 0;

@@ -11,7 +11,6 @@
 #define FAULT_GAP_US 20000U
 #define FAULT_REPEAT_US 1000000U
 #define LONG_AGO_US 0x7FFFFFFFU
-#define DEGREE 0.017453292519943295F
 
 static const uint32_t period_us[EB_DUE_COUNT] = {0,      /* EB_DUE_FAULT */
                                                  20000,  /* EB_DUE_POSE */
@@ -76,10 +75,7 @@ static void command_state(struct eb_board* board, const int32_t* v) {
   if (v[1] != EYECAN_NODE_ALL && v[1] != node->id) return;
   switch (v[0]) {
     case EYECAN_NMT_ENABLE:
-      if (node->estop_us < ESTOP_LIMIT_US || node->twin_us < TWIN_LIMIT_US) {
-        ++node->refused;
-        return;
-      }
+      if (node->estop_us < ESTOP_LIMIT_US || node->twin_us < TWIN_LIMIT_US) return;
       if (node->state != EYECAN_STATE_OPERATIONAL) {
         leave_operation(board, EYECAN_STATE_OPERATIONAL);
         node->host_us = 0;
@@ -114,19 +110,19 @@ static void take_motors(struct eb_board* board, bool raw, bool repeated) {
 
 static void command_speed(struct eb_board* board, const int32_t* v) {
   take_motors(board, false, true);
-  eb_drive_speed(&board->drive, (float)v[0] * 0.001F, (float)v[1] * 0.01F * DEGREE);
+  eb_drive_speed(&board->drive, (float)v[0] * 0.001F, (float)v[1] * 0.01F * EB_DEGREE);
 }
 
 static void command_move(struct eb_board* board, const int32_t* v) {
   struct eb_node* node = &board->node;
   const float distance = v[0] == EYECAN_VW_TURN ? 0.0F : (float)v[2] * 0.001F;
-  const float angle = v[0] == EYECAN_VW_STRAIGHT ? 0.0F : (float)v[3] * 0.1F * DEGREE;
+  const float angle = v[0] == EYECAN_VW_STRAIGHT ? 0.0F : (float)v[3] * 0.1F * EB_DEGREE;
   const bool on_the_spot = distance == 0.0F;
   /* Repeated until its number is echoed: it is executed once. */
   if (node->move_known && node->move_seq == v[1]) return;
   take_motors(board, false, false);
   eb_drive_move(&board->drive, distance, angle,
-                on_the_spot ? (float)v[4] * DEGREE : (float)v[4] * 0.001F);
+                on_the_spot ? (float)v[4] * EB_DEGREE : (float)v[4] * 0.001F);
   node->move_known = true;
   node->move_seq = (uint8_t)v[1];
   node->due |= bit_of(EB_DUE_SPEED);
@@ -152,36 +148,31 @@ static void command_port(struct eb_board* board, const int32_t* v) {
   eb_board_port(board, (int)v[0], modes[v[1]]);
 }
 
-static void command_levels(struct eb_board* board, const int32_t* v) {
-  board->digital_out = (uint16_t)((board->digital_out & ~v[0]) | (v[1] & v[0]));
-  board->pins.digital_out = board->digital_out & board->digital_outputs;
-}
-
 static void command_servos(struct eb_board* board, const int32_t* v) {
   int i;
   for (i = 0; i < 7; ++i) eb_board_servo(board, (int)v[0] * 7 + i, (uint8_t)v[1 + i]);
 }
 
 /* Commands that move something: only in operation. */
-static bool command_action(struct eb_board* board, int function, const int32_t* v) {
+static void command_action(struct eb_board* board, int function, const int32_t* v) {
   switch (function) {
     case EYECAN_C_VW_SPEED:
       command_speed(board, v);
-      return true;
+      return;
     case EYECAN_C_VW_MOVE:
       command_move(board, v);
-      return true;
+      return;
     case EYECAN_C_MOTOR:
       command_motors(board, v);
-      return true;
+      return;
     case EYECAN_C_SERVO:
       command_servos(board, v);
-      return true;
+      return;
     case EYECAN_C_DIGITAL:
-      command_levels(board, v);
-      return true;
+      eb_board_levels_out(board, (uint16_t)v[0], (uint16_t)v[1]);
+      return;
     default:
-      return false;
+      return;
   }
 }
 
@@ -208,9 +199,7 @@ static void command(struct eb_board* board, int function, const int32_t* v) {
       command_port(board, v);
       return;
     default:
-      if (node->state != EYECAN_STATE_OPERATIONAL || !command_action(board, function, v)) {
-        ++node->refused;
-      }
+      if (node->state == EYECAN_STATE_OPERATIONAL) command_action(board, function, v);
       return;
   }
 }
@@ -257,11 +246,9 @@ void eb_board_can_receive(struct eb_board* board, const struct eb_can_frame* fra
       break;
     case EB_CAN_SHORT:
       event(node, EYECAN_FAULT_FRAME_LENGTH, frame->id | (uint32_t)frame->length << 16U);
-      ++node->refused;
       break;
     case EB_CAN_BAD_VALUE:
       event(node, EYECAN_FAULT_BAD_VALUE, frame->id);
-      ++node->refused;
       break;
     case EB_CAN_NOT_OURS:
       break;

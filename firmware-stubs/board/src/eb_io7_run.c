@@ -2,8 +2,6 @@
 #include "eb_math.h"
 #include "opcodes.h"
 
-#define DEGREE 0.017453292519943295F
-
 static void one(struct eb_board* board, int32_t value, int width) {
   eb_io7_numbers(&board->io7, &value, 1, width);
 }
@@ -43,11 +41,11 @@ static int32_t metres_to_mm(float metres) {
 }
 
 static int32_t radians_to_deg(float radians) {
-  return eb_clamp(eb_round(radians / DEGREE), IO7_WORD_FIRST, IO7_WORD_LAST);
+  return eb_clamp(eb_round(radians / EB_DEGREE), IO7_WORD_FIRST, IO7_WORD_LAST);
 }
 
 static float metres(int32_t mm) { return (float)mm * 0.001F; }
-static float radians(int32_t deg) { return (float)deg * DEGREE; }
+static float radians(int32_t deg) { return (float)deg * EB_DEGREE; }
 
 static void send_pose(struct eb_board* board) {
   const int32_t cdeg = eb_drive_heading_cdeg(&board->drive);
@@ -132,9 +130,7 @@ static void run_ports(struct eb_board* board, char letter, const int32_t* a) {
       one(board, (eb_board_levels(board) & bit) != 0 ? 1 : 0, 1);
       break;
     case IO7_DIGITAL_OUT:
-      board->digital_out =
-          a[1] != 0 ? (uint16_t)(board->digital_out | bit) : (uint16_t)(board->digital_out & ~bit);
-      board->pins.digital_out = board->digital_out & board->digital_outputs;
+      eb_board_levels_out(board, bit, a[1] != 0 ? bit : 0);
       break;
     default:
       eb_board_port(board, (int)a[0], (int)a[1]);

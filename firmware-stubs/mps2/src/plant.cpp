@@ -19,8 +19,8 @@ void append(std::vector<std::uint8_t>& bytes, const std::vector<std::uint8_t>& m
 
 Plant::Plant(pins::BoardWorld& world, robot::RobotIndex robot, const eb_config& config)
     : world_(world), robot_(robot), config_(config) {
-  config_.drive = pins::drive_config(world.simulation().model(robot).drive);
-  config_.drive.stall_timeout_us = config.drive.stall_timeout_us;
+  config_.drive =
+      pins::drive_config(world.simulation().model(robot).drive, config.drive.stall_timeout_us);
 }
 
 std::vector<std::uint8_t> Plant::receive(std::span<const std::uint8_t> bytes) {

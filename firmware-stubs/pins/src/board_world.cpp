@@ -39,8 +39,7 @@ eb_board& BoardWorld::add_board(robot::RobotIndex index, const eb_config& config
   Seat& seat = old != seats_.end() ? **old : *seats_.emplace_back(std::make_unique<Seat>());
   seat.robot = index;
   eb_config complete = config;
-  complete.drive = drive_config(simulation_.model(index).drive);
-  complete.drive.stall_timeout_us = config.drive.stall_timeout_us;
+  complete.drive = drive_config(simulation_.model(index).drive, config.drive.stall_timeout_us);
   complete.psd_mm = psd_table().data();
   complete.lidar = simulation_.model(index).lidar.has_value();
   read_pins(simulation_, seat.robot, seat.board.pins);

@@ -17,11 +17,9 @@ constexpr double kPulseRange = 1000;
 
 }  // namespace
 
-eb_drive_config drive_config(const robot::DriveModel& model) {
+eb_drive_config drive_config(const robot::DriveModel& model, std::uint32_t stall_timeout_us) {
   const double ticks_per_metre = model.ticks_per_revolution / (kPi * model.wheel_diameter);
-  eb_config config;
-  eb_config_default(&config);
-  eb_drive_config drive = config.drive;
+  eb_drive_config drive{};
   drive.ticks_per_metre = static_cast<float>(ticks_per_metre);
   drive.wheel_base = static_cast<float>(model.wheel_base);
   drive.max_linear = static_cast<float>(model.max_linear);
@@ -31,6 +29,7 @@ eb_drive_config drive_config(const robot::DriveModel& model) {
   drive.motor_lag = static_cast<float>(model.motor_time_constant);
   drive.full_ticks =
       static_cast<float>(model.max_wheel_speed / (2 * kPi) * model.ticks_per_revolution * 0.01);
+  drive.stall_timeout_us = stall_timeout_us;
   return drive;
 }
 

@@ -165,8 +165,8 @@ std::unique_ptr<Port> open_can(FrameLine line, const std::string& interface, boo
   return std::make_unique<CanPort>(std::move(line), std::move(opened.socket), fd, interface, node);
 }
 
-std::unique_ptr<Port> make_can_port(FrameLine line, UniqueFd socket, bool fd) {
-  return std::make_unique<CanPort>(std::move(line), std::move(socket), fd, "", 0);
+std::unique_ptr<Port> make_can_port(FrameLine line, UniqueFd socket) {
+  return std::make_unique<CanPort>(std::move(line), std::move(socket), false, "", 0);
 }
 
 }  // namespace eyebridge::ports

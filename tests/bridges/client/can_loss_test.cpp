@@ -1,4 +1,6 @@
 // Robots that go away, restart, are stopped or are two; buses that fail; noise.
+#include <random>
+
 #include "can_bench.hpp"
 
 namespace eyebridge::bridges::testing {
@@ -207,13 +209,7 @@ TEST_F(CanLoss, RandomFramesNeitherCrashNorMoveAnything) {
   live(50ms);
   robot.clear();
   clock.live = {};
-  std::uint64_t seed = 1;
-  const auto next = [&seed] {  // xorshift64
-    seed ^= seed << 13U;
-    seed ^= seed >> 7U;
-    seed ^= seed << 17U;
-    return seed;
-  };
+  std::mt19937_64 next(1);
   for (int i = 0; i < kNoise; ++i) {
     CanFrame frame;
     frame.id = static_cast<std::uint32_t>(next() >> 20U) & 0x7FFU;

@@ -35,7 +35,6 @@ class EmulatedBoard {
   /// What to poll() for, so that the next pump() finds something.
   [[nodiscard]] std::array<pollfd, 2> descriptors() const;
 
-  [[nodiscard]] const Plant& plant() const { return plant_; }
   [[nodiscard]] const Emulator& emulator() const { return emulator_; }
 
  private:

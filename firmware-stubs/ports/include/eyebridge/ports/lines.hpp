@@ -30,6 +30,6 @@ std::unique_ptr<Port> open_can(FrameLine line, const std::string& interface, boo
                                const SourceLocation& where);
 
 /// A node on a socket that carries frames as SocketCAN does; a loss is final.
-std::unique_ptr<Port> make_can_port(FrameLine line, UniqueFd socket, bool fd);
+std::unique_ptr<Port> make_can_port(FrameLine line, UniqueFd socket);
 
 }  // namespace eyebridge::ports

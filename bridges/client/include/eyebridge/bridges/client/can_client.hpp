@@ -22,14 +22,9 @@ namespace eyebridge::bridges {
 
 /// What happened between a client and its robot since the client was made.
 struct CanClientStatistics {
-  std::uint64_t received = 0;      ///< Messages of our robot.
-  std::uint64_t foreign = 0;       ///< Frames that are none of the protocol.
-  std::uint64_t corrupt = 0;       ///< Of the protocol, but too short or with impossible values.
-  std::uint64_t sent = 0;          ///< Frames that the bus took.
-  std::uint64_t not_sent = 0;      ///< Frames that it did not take.
+  std::uint64_t corrupt = 0;       ///< Frames that are too short or have impossible values.
   std::uint64_t enables = 0;       ///< Enable commands.
   std::uint64_t move_repeats = 0;  ///< Moves that were sent again for want of an echo.
-  std::uint64_t losses = 0;        ///< The robot stopped being ready.
   CanStatistics bus{};
 };
 
@@ -70,8 +65,7 @@ class CanClient {
   Result<Status> latest() const {
     const std::lock_guard lock(mutex_);
     const auto& entry = std::get<Latest<Status>>(latest_);
-    return check_age(can::spec_of<Status>(), entry.seen ? std::optional(entry.at) : std::nullopt)
-        .map([&] { return entry.value; });
+    return check_age(can::spec_of<Status>(), entry.at).map([&] { return entry.value; });
   }
   /// The last complete scan, copied into `out`. Fails as latest() does; Timeout: none in a second.
   Result<void> latest_scan(can::LidarScan& out) const;
@@ -111,14 +105,12 @@ class CanClient {
   /// Grows whenever the robot's commands were dropped.
   [[nodiscard]] std::uint32_t generation() const;
   [[nodiscard]] CanClientStatistics statistics() const;
-  [[nodiscard]] std::string_view bus_name() const { return bus_->name(); }
 
  private:
   template <class Status>
   struct Latest {
     Status value{};
-    Time at{0};
-    bool seen = false;
+    std::optional<Time> at;  ///< None: it has never come.
   };
   using Statuses =
       std::tuple<Latest<can::PoseStatus>, Latest<can::SpeedStatus>, Latest<can::Encoder12Status>,
@@ -178,6 +170,7 @@ class CanClient {
 
   const std::unique_ptr<CanBus> bus_;
   const int node_;
+  const std::string who_;  ///< "can0: robot 1"
   Clock& clock_;
   LogSink& log_;
   std::thread thread_;

@@ -14,7 +14,8 @@ struct Io7Settings {
   /// what they take, but at least `reply_least`; the whole of it when it asks again.
   Time reply_timeout = std::chrono::milliseconds(50);
   Time reply_least = std::chrono::milliseconds(20);
-  Time resync_timeout = std::chrono::milliseconds(200);  ///< For the `v` that ends a resync.
+  /// For what a resync sends, and for the `v` that ends it from the second attempt on.
+  Time resync_timeout = std::chrono::milliseconds(200);
   ProbeTiming probe{};
   Time boot_patience = std::chrono::seconds(3);  ///< Opening a port resets some boards: they are
                                                  ///< deaf for a while.

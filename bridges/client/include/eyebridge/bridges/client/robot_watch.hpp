@@ -65,7 +65,6 @@ class RobotWatch {
 
  private:
   void enter(Phase phase, Errc code, const std::string& what);
-  void note_step(bool back);
 
   const std::string name_;
   Phase phase_ = Phase::Unheard;
