@@ -7,8 +7,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "../tests/firmware/running_firmware.hpp"
-#include "../tests/support/run_program.hpp"
+#include "../tests/support/running_firmware.hpp"
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/log.hpp"
 #include "eyebridge/hal/registry.hpp"
@@ -26,7 +25,7 @@ void psd_read(benchmark::State& state, const std::vector<std::string>& more) {
   std::vector<std::string> arguments{"--world", EYEBRIDGE_SOURCE_DIR "/worlds/maze-5.maz", "--pty",
                                      "./eyebot.tty"};
   arguments.insert(arguments.end(), more.begin(), more.end());
-  firmware::RunningFirmware firmware(arguments, folder.path());
+  testing::RunningFirmware firmware(arguments, folder.path());
   if (firmware.wait_for("Ctrl-C ends\n").find("Ctrl-C ends\n") == std::string::npos) {
     state.SkipWithError("the firmware did not start");
     return;
