@@ -1,6 +1,7 @@
 #include "firmware_parts.hpp"
 
 #include <csignal>
+#include <cstdio>
 #include <ctime>
 
 #include <CLI/CLI.hpp>
@@ -78,12 +79,7 @@ eb_config board_config(const FirmwareOptions& options, const WantedBoard& wanted
 }
 
 FirmwareTrace::FirmwareTrace(const std::string& path)
-    : file_(nullptr, &std::fclose), start_(monotonic_now()) {
-  if (path.empty()) return;
-  file_.reset(std::fopen(path.c_str(), "we"));
-  if (file_ == nullptr) throw ConfigError({"--trace"}, "cannot write " + path);
-  std::setvbuf(file_.get(), nullptr, _IOLBF, BUFSIZ);
-}
+    : file_(open_output(path, "--trace")), start_(monotonic_now()) {}
 
 ports::TraceSink FirmwareTrace::sink() const {
   return [file = file_.get()](std::string_view line) {

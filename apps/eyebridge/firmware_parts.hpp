@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdio>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -12,6 +11,7 @@
 #include "eyebridge/pins/board_world.hpp"
 #include "eyebridge/ports/lines.hpp"
 #include "eyebridge/ports/trace.hpp"
+#include "output_file.hpp"
 
 namespace CLI {
 class App;
@@ -33,7 +33,7 @@ struct FirmwareOptions {
   std::string elf;  ///< "" is our own.
   bool cortex_m3 = false;
   bool hdt = false, fd = false;
-  bool verbose = false, raw = false, msb = false, lsb = false, binary = false;
+  bool verbose = false, lsb = false, binary = false;
   bool vw = true, prompt = false;
   int silence_ms = 300;
 };
@@ -67,7 +67,7 @@ class FirmwareTrace {
  private:
   [[nodiscard]] ports::TraceSink sink() const;
   [[nodiscard]] ports::Now clock() const;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  OutputFile file_;
   Time start_;
 };
 

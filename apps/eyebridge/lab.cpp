@@ -52,14 +52,10 @@ void add_lab(CLI::App& root, int& /*code*/) {
   command->add_flag("--time-travel", flags->time_travel, "Simulated time: waiting takes none");
   command->add_flag("--vivid", flags->vivid, "With a simulated camera, /dev/video0");
   command->add_option("--rw", flags->shares, "What is written below FOLDER reaches the host")
-      ->expected(1)
       ->allow_extra_args(false)  // else it would eat the --
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("FOLDER");
   command->add_option("--module", flags->modules, "Loads a kernel module: v4l2loopback")
-      ->expected(1)
       ->allow_extra_args(false)  // else it would eat the --
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->type_name("\"NAME OPTION=VALUE...\"");
   command->add_option("--timeout", flags->timeout, "Ends it after so long (120)")
       ->type_name("SECONDS");

@@ -1,17 +1,12 @@
 #include "path_file.hpp"
 
 #include <chrono>
-
-#include "eyebridge/base/config_error.hpp"
+#include <cstdio>
 
 namespace eyebridge::apps {
 
-PathFile::PathFile(const std::string& path) : file_(nullptr, &std::fclose) {
-  if (path.empty()) return;
-  file_.reset(std::fopen(path.c_str(), "we"));
-  if (file_ == nullptr) throw ConfigError({"--path"}, "cannot write " + path);
-  std::setvbuf(file_.get(), nullptr, _IOLBF, BUFSIZ);  // complete even when the process is killed
-  std::fputs("t,robot,x,y,theta\n", file_.get());
+PathFile::PathFile(const std::string& path) : file_(open_output(path, "--path")) {
+  if (file_ != nullptr) std::fputs("t,robot,x,y,theta\n", file_.get());
 }
 
 void PathFile::note(Time now, const robot::Simulation& simulation, std::size_t robots) {

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <cstdio>
-#include <memory>
 #include <string>
 
 #include "eyebridge/base/clock.hpp"
 #include "eyebridge/robot/simulation.hpp"
+#include "output_file.hpp"
 
 namespace eyebridge::apps {
 
@@ -20,7 +19,7 @@ class PathFile {
   void note(Time now, const robot::Simulation& simulation, std::size_t robots);
 
  private:
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  OutputFile file_;
   Time due_{0};
 };
 

@@ -14,6 +14,7 @@
 #include "eyebridge/bridges/trace.hpp"
 #include "machine/can_state.hpp"
 #include "machine/serial_ports.hpp"
+#include "output_file.hpp"
 #include "probe/can_census.hpp"
 #include "probe/io7_board.hpp"
 #include "probe/target.hpp"
@@ -28,14 +29,6 @@ struct ProbeFlags {
   std::string patience = "3s";
   std::string trace;
 };
-
-using ProbeTrace = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-
-ProbeTrace open_trace(const std::string& path) {
-  ProbeTrace file(path.empty() ? nullptr : std::fopen(path.c_str(), "we"), &std::fclose);
-  if (file == nullptr && !path.empty()) throw ConfigError({"--trace"}, "cannot write " + path);
-  return file;
-}
 
 template <class Line>
 std::unique_ptr<Line> traced(std::unique_ptr<Line> line, Clock& clock, std::FILE* file) {
@@ -79,7 +72,7 @@ int probe_io7(const ProbeTarget& target, const ProbeFlags& flags) {
   const Time patience = from_seconds(parse_duration(flags.patience, {"--patience"}));
   const bool is_serial = target.line.scheme == "serial";
   const unsigned baud = is_serial ? bridges::serial_settings(target.line, where).baud : 0;
-  const ProbeTrace trace = open_trace(flags.trace);
+  const OutputFile trace = open_output(flags.trace, "--trace");
   bridges::MonotonicClock clock;
   auto stream = bridges::open_stream(target.line, where, clock);
   if (!stream) {
@@ -107,7 +100,7 @@ int probe_can(const ProbeTarget& target, const ProbeFlags& flags) {
     if (candidate.name == name) interface = &candidate;
   }
   settings.fd = settings.fd || (interface != nullptr && interface->takes_fd);
-  const ProbeTrace trace = open_trace(flags.trace);
+  const OutputFile trace = open_output(flags.trace, "--trace");
   bridges::MonotonicClock clock;
   auto bus = bridges::open_socket_can(settings, clock);
   if (!bus) throw ConfigError({}, why_not_opened(state, name, bus.error()));

@@ -33,13 +33,11 @@ std::set<int> lockers_of(const std::string& device, const fs::path& root) {
   std::set<int> out;
   std::ifstream locks(below(root, "/proc/locks"));
   for (std::string line; std::getline(locks, line);) {
+    if (line.find("->") != std::string::npos) continue;  // who waits for a lock holds nothing
     std::istringstream words(line);
     std::string number, kind, advisory, access, where;
     int process = 0;
-    words >> number >> kind;
-    if (kind == "->") words >> kind;  // who waits for the lock holds nothing
-    if (words >> advisory >> access >> process >> where && where == wanted &&
-        line.find("->") == std::string::npos) {
+    if (words >> number >> kind >> advisory >> access >> process >> where && where == wanted) {
       out.insert(process);
     }
   }

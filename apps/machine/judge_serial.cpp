@@ -42,9 +42,8 @@ Finding judge_port(const SerialPort& port, const SerialState& state) {
 
 std::string how_to_be_permitted(const SerialPort& port) {
   if (!port.group_may || port.group == "root") {
-    return fmt::format(
-        "only root may use it: install the rule of eyebridge doctor --udev, then "
-        "plug it in again");
+    return "only root may use it: install the rule of eyebridge doctor --udev, then plug it in "
+           "again";
   }
   if (port.in_group) {
     return fmt::format("you are in the group {}, but this session is older: log out and in again",

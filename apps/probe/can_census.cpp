@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "eyebridge/bridges/can/table.hpp"
 #include "opcodes.h"
 
 namespace eyebridge::apps {
@@ -37,9 +38,8 @@ void CensusTaker::take(const CanFrame& frame, Time now) {
   }
   const int node = received->node;
   if (node == EYECAN_NODE_HOST) counts_.has_host = true;
-  const int function = can::function_of(frame.id);
-  const bool is_command = function <= EYECAN_C_ESTOP ||
-                          (function >= EYECAN_C_VW_SPEED && function <= EYECAN_C_DIGITAL_CFG);
+  const auto* message = can::find_message(can::function_of(frame.id), frame.fd);
+  const bool is_command = message->direction == can::Direction::HostToRobot;
   if (is_command) counts_.has_host = true;
   if (is_command || node < EYECAN_NODE_FIRST || node > EYECAN_NODE_LAST) return;
   take_message(seen_[node], received->message, now);

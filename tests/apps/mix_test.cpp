@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "command.hpp"
-#include "running_program.hpp"
+#include "running_firmware.hpp"
 
 namespace eyebridge {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 using ::testing::HasSubstr;
 using testing::ProgramRun;
 using testing::run_shell;
-using testing::RunningProgram;
+using testing::RunningFirmware;
 using testing::ScratchFolder;
 
 TEST(MixCommand, SimulatedSensorsSeeWhatABoardsWheelsDo) {
@@ -28,11 +28,8 @@ TEST(MixCommand, SimulatedSensorsSeeWhatABoardsWheelsDo) {
                "#include \"eyebot.h\"\n#include <stdio.h>\n"
                "int main(void) {\n  printf(\"%d \", PSDGet(1));\n  VWStraight(300, 300);\n"
                "  VWWait();\n  printf(\"%d\\n\", PSDGet(1));\n  return 0;\n}\n");
-  RunningProgram board(
-      {{EYEBRIDGE_BIN "/eyebridge", "firmware", "--world", open_field, "--pty", "./eyebot.tty"},
-       {},
-       folder.path()});
-  board.wait_for("Ctrl-C ends\n");
+  RunningFirmware board({"--world", open_field, "--pty", "./eyebot.tty"}, folder.path());
+  EXPECT_EQ(board.hal(), "serial:./eyebot.tty");
   const ProgramRun r = run_shell(
       "eyebridge-cc prog.c -o prog\nunset EYEBRIDGE_FAST\neyebridge run ./prog\n", folder.path());
   ASSERT_EQ(r.exit_code, 0) << r.err;

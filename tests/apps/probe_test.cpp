@@ -12,7 +12,7 @@
 #include "command.hpp"
 #include "eyebridge/base/unique_fd.hpp"
 #include "fake_machine.hpp"
-#include "running_program.hpp"
+#include "running_firmware.hpp"
 
 namespace eyebridge {
 namespace {
@@ -23,8 +23,10 @@ using testing::FakeMachine;
 using ::testing::HasSubstr;
 using testing::ProgramRun;
 using testing::run_command;
-using testing::RunningProgram;
+using testing::RunningFirmware;
 using testing::ScratchFolder;
+
+const std::string kMaze = EYEBRIDGE_SOURCE_DIR "/worlds/maze-5.maz";
 
 class Probe : public ::testing::Test {
  protected:
@@ -39,18 +41,14 @@ class Probe : public ::testing::Test {
     EXPECT_THAT(r.err, HasSubstr(message));
     EXPECT_EQ(std::count(r.err.begin(), r.err.end(), '\n'), 1) << r.err;
   }
-  testing::ProgramStart firmware(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {EYEBRIDGE_BIN "/eyebridge", "firmware", "--world",
-                                         EYEBRIDGE_SOURCE_DIR "/worlds/maze-5.maz"});
-    return {arguments, {}, folder_.path()};
-  }
 
   ScratchFolder folder_;
 };
 
 TEST_F(Probe, TellsWhatABoardOnASerialPortIs) {
-  RunningProgram board(firmware({"--pty", "./eyebot.tty", "--verbose", "--prompt"}));
-  board.wait_for("Ctrl-C ends\n");
+  RunningFirmware board({"--world", kMaze, "--pty", "./eyebot.tty", "--verbose", "--prompt"},
+                        folder_.path());
+  EXPECT_EQ(board.hal(), "serial:./eyebot.tty");
   const ProgramRun r = probe({"./eyebot.tty", "--trace", "trace.txt"});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.out, AllOf(HasSubstr("./eyebot.tty: an EyeBot I/O board (IO7), version 1.04\n"),
@@ -68,12 +66,8 @@ TEST_F(Probe, TellsWhatABoardOnASerialPortIs) {
 }
 
 TEST_F(Probe, TellsWhatABoardBehindATcpPortIs) {
-  RunningProgram board(firmware({"--tcp", "0", "--lsb", "--no-vw", "--binary"}));
-  const std::string said = board.wait_for("Ctrl-C ends\n");
-  const std::size_t at = said.find("tcp:");
-  ASSERT_NE(at, std::string::npos) << said;
-  const std::string url = said.substr(at, said.find(' ', at) - at);
-  const ProgramRun r = probe({url});
+  RunningFirmware board({"--world", kMaze, "--tcp", "0", "--lsb", "--no-vw", "--binary"});
+  const ProgramRun r = probe({board.hal()});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.out, AllOf(HasSubstr("least significant byte first"),
                            ContainsRegex("requests +letters and bytes\n"),

@@ -10,21 +10,22 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include "../firmware/running_firmware.hpp"
 #include "cortex_rig.hpp"
 #include "eyebridge/base/config_error.hpp"
+#include "running_firmware.hpp"
 
 namespace eyebridge::mps2 {
 namespace {
 
 namespace fs = std::filesystem;
 using eyebridge::testing::file_text;
+using eyebridge::testing::kCommand;
 using eyebridge::testing::run_program;
+using eyebridge::testing::RunningFirmware;
 using eyebridge::testing::ScratchFolder;
-using firmware::kCommand;
-using firmware::RunningFirmware;
 using ::testing::HasSubstr;
 
+constexpr int kPatience_ms = 60'000;
 const std::string kMaze = EYEBRIDGE_SOURCE_DIR "/worlds/maze-5.maz";
 
 /// The process that `parent` has started; 0 when there is none.
@@ -50,7 +51,7 @@ int process_fd(pid_t pid) { return static_cast<int>(::syscall(SYS_pidfd_open, pi
 /// Waits until a process is over.
 bool is_over(const UniqueFd& process) {
   pollfd over{process.get(), POLLIN, 0};
-  return ::poll(&over, 1, firmware::kPatience_ms) == 1;
+  return ::poll(&over, 1, kPatience_ms) == 1;
 }
 
 TEST(CortexCommand, DrivesTheRobotOfAWorldAndSaysAtTheEndWhereItIs) {
@@ -66,7 +67,7 @@ TEST(CortexCommand, DrivesTheRobotOfAWorldAndSaysAtTheEndWhereItIs) {
   ASSERT_EQ(::write(host.get(), "v\r", 2), 2);
   std::string version;
   pollfd ready{host.get(), POLLIN, 0};
-  while (version.size() < 4 && ::poll(&ready, 1, firmware::kPatience_ms) > 0) {
+  while (version.size() < 4 && ::poll(&ready, 1, kPatience_ms) > 0) {
     char byte = 0;
     if (::read(host.get(), &byte, 1) == 1) version += byte;
   }

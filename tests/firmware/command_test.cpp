@@ -15,9 +15,12 @@
 namespace eyebridge::firmware {
 namespace {
 
+using eyebridge::testing::firmware_command;
 using eyebridge::testing::run_program;
+using eyebridge::testing::RunningFirmware;
 using ::testing::HasSubstr;
 
+constexpr int kPatience_ms = 60'000;
 const std::string kWorlds = EYEBRIDGE_SOURCE_DIR "/worlds/";
 
 std::string ask(int host, const std::string& request, std::size_t size) {
@@ -69,7 +72,7 @@ TEST(FirmwareCommand, ServesTcpAndSpeaksAsTold) {
 
 TEST(FirmwareCommand, PrintsAnHdtFile) {
   const auto run =
-      run_program({{kCommand, "firmware", "--world", kWorlds + "maze-5.maz", "--hdt"}, {}, {}});
+      run_program({firmware_command({"--world", kWorlds + "maze-5.maz", "--hdt"}), {}, {}});
   EXPECT_EQ(run.exit_code, 0);
   EXPECT_THAT(run.out, HasSubstr("TABLE PSD_Table\n"));
 }
@@ -96,9 +99,7 @@ TEST(FirmwareCommand, SaysInOneLineWhatIsWrong) {
       {{"--world", maze, "--tcp", "0", "--trace", "/no/such/file"}, "--trace"},
   };
   for (const Wrong& wrong : all) {
-    std::vector<std::string> command{kCommand, "firmware"};
-    command.insert(command.end(), wrong.arguments.begin(), wrong.arguments.end());
-    const auto run = run_program({command, {}, {}});
+    const auto run = run_program({firmware_command(wrong.arguments), {}, {}});
     EXPECT_EQ(run.exit_code, 2) << wrong.message;
     EXPECT_THAT(run.err, HasSubstr(wrong.message));
     EXPECT_EQ(run.out, "");

@@ -1,5 +1,6 @@
 // One binary in the simulation and on firmware that speaks the protocols, in other processes and in
 // real time: the robot must end at the same place.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <future>
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "eyebridge/base/units.hpp"
+#include "running_firmware.hpp"
 #include "simulated_robot.hpp"
 
 namespace eyebridge::testing {
@@ -19,36 +21,30 @@ using ::testing::Not;
 /// A kind of board behind a kind of line.
 struct Board {
   std::string name;
-  std::vector<std::string> options;  ///< Of the firmware; FOLDER and NODE are filled in.
-  std::string url_options;           ///< Of --hal; HDT is filled in.
+  std::vector<std::string> options;  ///< Of the firmware; NODE is filled in.
+  std::string url_options;           ///< Of --hal.
   std::size_t at_once = 13;          ///< So many boards; they wait for real time nearly always.
 };
 void PrintTo(const Board& board, std::ostream* out) { *out << board.name; }
 
-std::string filled_in(std::string text, const std::string& what, const std::string& with) {
-  const std::size_t at = text.find(what);
-  return at == std::string::npos ? text : text.replace(at, what.size(), with);
-}
-
-/// The program on a board of its own. Where its robot ends, and what the program said.
+/// The program on a board of its own: where its robot ends, and what the program said.
 struct BoardRun {
   Pose end;
-  ProgramRun program;
+  int exit_code = -1;
+  std::string said;
 };
 BoardRun run_on(const Board& board, const Task& task, int node) {
   const ScratchFolder folder;
-  std::vector<std::string> options = board.options;
-  for (std::string& word : options) {
-    word = filled_in(filled_in(word, "FOLDER", folder.path()), "NODE", std::to_string(node));
-  }
-  FirmwareProcess firmware(task, options);
-  const std::string url =
-      firmware.hal() + filled_in(board.url_options, "HDT", hdt_file(task, folder));
-  RunningProgram program({task.program, {{"EYEBRIDGE_HAL", url}}, folder.path()});
-  ProgramRun run;
-  run.exit_code = program.wait();
-  run.out = program.said();
-  return {firmware.stop(), run};
+  std::vector<std::string> options = firmware_arguments(task);
+  // As a lecturer would keep it beside the robot.
+  folder.write("robot.hdt", firmware_hdt(options));
+  options.insert(options.end(), board.options.begin(), board.options.end());
+  std::ranges::replace(options, "NODE", std::to_string(node));
+  RunningFirmware firmware(options, folder.path());
+  RunningProgram program(
+      {task.program, {{"EYEBRIDGE_HAL", firmware.hal() + board.url_options}}, folder.path()});
+  const int exit_code = program.wait();
+  return {firmware.stop(), exit_code, program.said()};
 }
 
 /// A row of the table that docs/parity.md keeps; into a file for whoever collects them.
@@ -80,9 +76,9 @@ TEST_P(Parity, TheRobotEndsWhereTheSimulatedOneDoes) {
     SCOPED_TRACE(all[i].name);
     const Course expected = simulated(all[i]);
     const BoardRun run = runs[i].get();
-    EXPECT_EQ(run.program.exit_code, 0) << run.program.out;
-    EXPECT_THAT(run.program.out, Not(HasSubstr("eyebridge:"))) << "a missed command, or a warning";
-    EXPECT_THAT(run.program.out, Not(HasSubstr("missed")));
+    EXPECT_EQ(run.exit_code, 0) << run.said;
+    EXPECT_THAT(run.said, Not(HasSubstr("eyebridge:"))) << "a missed command, or a warning";
+    EXPECT_THAT(run.said, Not(HasSubstr("missed")));
     const double off = norm(run.end.position() - expected.end.position());
     const double turned = rad_to_deg(std::abs(wrap_angle(run.end.theta - expected.end.theta)));
     report(board, all[i], expected.length, off, turned);
@@ -94,15 +90,15 @@ TEST_P(Parity, TheRobotEndsWhereTheSimulatedOneDoes) {
 
 std::vector<Board> boards() {
   std::vector<Board> all{
-      {"Io7PtyHostVw", {"--no-vw", "--pty", "FOLDER/eyebot.tty"}, "?hdt=HDT"},
+      {"Io7PtyHostVw", {"--no-vw", "--pty", "./eyebot.tty"}, "?hdt=robot.hdt"},
       {"Io7PtyBoardVw",
-       {"--verbose", "--prompt", "--pty", "FOLDER/eyebot.tty"},
-       "?hdt=HDT&profile=io7vw"},
-      {"Io7PtyBinary", {"--no-vw", "--binary", "--lsb", "--pty", "FOLDER/eyebot.tty"}, "?hdt=HDT"},
-      {"Io7Tcp", {"--no-vw", "--tcp", "0"}, "?hdt=HDT"},
-      {"CanSocket", {"--can", "FOLDER/eyebot.bus", "--node", "NODE"}, ""},
+       {"--verbose", "--prompt", "--pty", "./eyebot.tty"},
+       "?hdt=robot.hdt&profile=io7vw"},
+      {"Io7PtyBinary", {"--no-vw", "--binary", "--lsb", "--pty", "./eyebot.tty"}, "?hdt=robot.hdt"},
+      {"Io7Tcp", {"--no-vw", "--tcp", "0"}, "?hdt=robot.hdt"},
+      {"CanSocket", {"--can", "./eyebot.bus", "--node", "NODE"}, ""},
       // An emulated processor is work for a real one.
-      {"CortexM3", {"--cortex-m3", "--no-vw", "--pty", "FOLDER/eyebot.tty"}, "?hdt=HDT", 2},
+      {"CortexM3", {"--cortex-m3", "--no-vw", "--pty", "./eyebot.tty"}, "?hdt=robot.hdt", 2},
   };
   // On the lab's kernel: robots of their own, with all numbers, on one bus.
   if (const char* const can = std::getenv("EYEBRIDGE_TEST_CAN")) {

@@ -1,30 +1,14 @@
 #include "simulated_robot.hpp"
 
-#include <csignal>
 #include <cstdio>
 #include <stdexcept>
 
-#include "eyebridge/base/units.hpp"
+#include "run_program.hpp"
 
 namespace eyebridge::testing {
 namespace {
 
-const std::string kEyebridge = EYEBRIDGE_BIN "/eyebridge";
-
 std::string world_file(const Task& task) { return EYEBRIDGE_SOURCE_DIR "/worlds/" + task.world; }
-
-std::vector<std::string> firmware_command(const Task& task, const std::vector<std::string>& more) {
-  std::vector<std::string> words{kEyebridge,       "firmware", "--world",
-                                 world_file(task), "--robot",  task.robot};
-  words.insert(words.end(), more.begin(), more.end());
-  return words;
-}
-
-std::string text_after(const std::string& text, const std::string& before) {
-  const std::size_t begin = text.find(before);
-  if (begin == std::string::npos) throw std::runtime_error("expected '" + before + "' in " + text);
-  return text.substr(begin + before.size());
-}
 
 Course course_of(const std::string& trace) {
   Course course;
@@ -73,29 +57,8 @@ Course simulated(const Task& task) {
   return course_of(file_text(folder.path() + "/trace.csv"));
 }
 
-FirmwareProcess::FirmwareProcess(const Task& task, const std::vector<std::string>& options)
-    : program_({firmware_command(task, options), {}, ""}) {
-  // "robot 1: eyebridge run --hal URL PROGRAM", then one line about all.
-  hal_ = text_after(program_.wait_for("Ctrl-C ends\n"), "--hal ");
-  hal_ = hal_.substr(0, hal_.find(' '));
-}
-
-Pose FirmwareProcess::stop() {
-  program_.finish(SIGTERM);
-  const std::string place = text_after(program_.said(), "robot 1 at ");
-  double x = 0;
-  double y = 0;
-  double degrees = 0;
-  if (std::sscanf(place.c_str(), "%lf mm %lf mm %lf degrees", &x, &y, &degrees) != 3) {
-    throw std::runtime_error("expected the robot's place: " + place);
-  }
-  return {mm_to_m(x), mm_to_m(y), deg_to_rad(degrees)};
-}
-
-std::string hdt_file(const Task& task, const ScratchFolder& folder) {
-  const ProgramRun run = run_program({firmware_command(task, {"--hdt"}), {}, ""});
-  if (run.exit_code != 0) throw std::runtime_error(run.err);
-  return folder.write("robot.hdt", run.out);
+std::vector<std::string> firmware_arguments(const Task& task) {
+  return {"--world", world_file(task), "--robot", task.robot};
 }
 
 }  // namespace eyebridge::testing

@@ -26,30 +26,16 @@ bool wait_for(const Done& done) {
   return true;
 }
 
-std::string filled_in(std::string text, const std::string& folder) {
-  const std::string what = "FOLDER";
-  const std::size_t at = text.find(what);
-  return at == std::string::npos ? text : text.replace(at, what.size(), folder);
-}
-
 }  // namespace
 
 Loop::Loop(const Line& line) : line_(line) { start_firmware(); }
 
 void Loop::start_firmware() {
-  std::vector<std::string> words{EYEBRIDGE_BIN "/eyebridge",
-                                 "firmware",
-                                 "--world",
-                                 EYEBRIDGE_SOURCE_DIR "/worlds/soccer-field.wld",
-                                 "--path",
-                                 path_file_};
-  for (const std::string& word : line_.options) words.push_back(filled_in(word, folder_.path()));
-  firmware_.emplace(ProgramStart{words, {}, folder_.path()});
-  const std::string said = firmware_->wait_for("Ctrl-C ends\n");
-  const std::size_t begin = said.find("--hal ");
-  if (begin == std::string::npos) throw std::runtime_error("firmware: " + said);
-  url_ = said.substr(begin + 6);
-  url_ = url_.substr(0, url_.find(' '));
+  std::vector<std::string> arguments{"--world", EYEBRIDGE_SOURCE_DIR "/worlds/soccer-field.wld",
+                                     "--path", "path.csv"};
+  arguments.insert(arguments.end(), line_.options.begin(), line_.options.end());
+  firmware_.emplace(arguments, folder_.path());
+  url_ = firmware_->hal();
 }
 
 void Loop::start_program() {
@@ -61,7 +47,7 @@ void Loop::start_program() {
 
 std::vector<Loop::Row> Loop::path() const {
   std::vector<Row> rows;
-  const std::string text = file_text(path_file_);
+  const std::string text = file_text(folder_.path() + "/path.csv");
   for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1)) {
     Row row;
     if (text.find('\n', at + 1) == std::string::npos ||

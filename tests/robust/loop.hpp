@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "running_program.hpp"
+#include "running_firmware.hpp"
 
 namespace eyebridge::testing {
 
 /// A kind of line between a program and its board.
 struct Line {
   std::string name;
-  std::vector<std::string> options;  ///< Of the firmware; FOLDER is filled in.
+  std::vector<std::string> options;  ///< Of the firmware.
 };
 
 inline void PrintTo(const Line& line, std::ostream* out) { *out << line.name; }
@@ -48,9 +48,8 @@ class Loop {
 
   Line line_;
   ScratchFolder folder_;
-  std::string path_file_ = folder_.path() + "/path.csv";
   std::string url_;
-  std::optional<RunningProgram> firmware_;
+  std::optional<RunningFirmware> firmware_;
   std::optional<RunningProgram> program_;
 };
 

@@ -1,7 +1,6 @@
 // What happens to a robot that drives when its program, its board or its line goes away: processes
 // of their own, killed and unplugged.
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 
 #include <gmock/gmock.h>
@@ -70,10 +69,10 @@ TEST_P(Robust, ABoardThatHangsIsAnErrorAndGoesOnStanding) {
 }
 
 std::vector<Line> lines() {
-  std::vector<Line> all{{"PtyHostVw", {"--no-vw", "--pty", "FOLDER/eyebot.tty"}},
-                        {"PtyBinary", {"--no-vw", "--binary", "--pty", "FOLDER/eyebot.tty"}},
+  std::vector<Line> all{{"PtyHostVw", {"--no-vw", "--pty", "./eyebot.tty"}},
+                        {"PtyBinary", {"--no-vw", "--binary", "--pty", "./eyebot.tty"}},
                         {"Tcp", {"--no-vw", "--tcp", "47115"}},
-                        {"CanSocket", {"--can", "FOLDER/eyebot.bus", "--node", "3"}}};
+                        {"CanSocket", {"--can", "./eyebot.bus", "--node", "3"}}};
   if (const char* const can = std::getenv("EYEBRIDGE_TEST_CAN")) {
     const std::string name(can);
     all.push_back({"Vcan", {"--can", name.substr(0, name.find(',')), "--node", "3"}});
@@ -143,27 +142,23 @@ class RobustLine : public ::testing::Test {
     plan.seed = 7;
     plan.incoming.drop = plan.outgoing.drop = drop;
     plan.incoming.flip = plan.outgoing.flip = flip;
-    const std::string from = firmware.wait_for("PROGRAM\n");
-    const std::size_t begin = from.find("tcp:") + 4;
-    Relay relay(from.substr(begin, from.find(' ', begin) - begin), plan);
+    Relay relay(firmware.hal().substr(std::string("tcp:").size()), plan);
     RunningProgram program(
         {{command}, {{"EYEBRIDGE_HAL", relay.hal() + "?hdt=" + hdt}}, folder.path()});
     exit_code = program.wait();
     output = program.said();
     counts = relay.counts();
-    firmware.finish(SIGTERM);
+    end = firmware.stop();
   }
 
-  const std::string eyebridge = EYEBRIDGE_BIN "/eyebridge";
   const std::string world = EYEBRIDGE_SOURCE_DIR "/worlds/corridor.wld";
   ScratchFolder folder;
-  const std::string hdt = folder.write(
-      "robot.hdt", run_program({{eyebridge, "firmware", "--world", world, "--hdt"}, {}, ""}).out);
-  RunningProgram firmware{
-      {{eyebridge, "firmware", "--world", world, "--no-vw", "--tcp", "0"}, {}, ""}};
+  const std::string hdt = folder.write("robot.hdt", firmware_hdt({"--world", world}));
+  RunningFirmware firmware{{"--world", world, "--no-vw", "--tcp", "0"}};
   int exit_code = -1;
   std::string output;
   bridges::FaultCounts counts;
+  Pose end;  // of the robot, really
 };
 
 TEST_F(RobustLine, TheWallFollowerEndsItsCourseThoughOneByteInAHundredIsLost) {
@@ -172,13 +167,8 @@ TEST_F(RobustLine, TheWallFollowerEndsItsCourseThoughOneByteInAHundredIsLost) {
   EXPECT_THAT(output, HasSubstr("three corners after "));
   EXPECT_GT(counts.dropped, 50U);
   EXPECT_GT(counts.flipped, 10U);
-  double x = 0;
-  double y = 0;
-  const std::size_t place = firmware.said().find("robot 1 at ");
-  ASSERT_NE(place, std::string::npos);
-  ASSERT_EQ(std::sscanf(firmware.said().c_str() + place, "robot 1 at %lf mm %lf mm", &x, &y), 2);
-  EXPECT_NEAR(x, 300, 150) << "before the third corner";
-  EXPECT_NEAR(y, 2100, 150);
+  EXPECT_NEAR(end.x, 0.3, 0.15) << "before the third corner";
+  EXPECT_NEAR(end.y, 2.1, 0.15);
 }
 
 TEST_F(RobustLine, AProgramRunsToItsEndThoughOneByteInAHundredIsFlippedToo) {

@@ -271,5 +271,14 @@ TEST(HdtReading, ATableMayNotGrowForEver) {
   EXPECT_THAT(error(table("t", 65537)), HasSubstr("table 't' is too long: expected at most 65536"));
 }
 
+TEST(ServoLimits, AreInTensOfMicrosecondsAndAtMost255) {
+  HdtServo servo;
+  servo.shortest_pulse = 704e-6;
+  servo.longest_pulse = 2300e-6;
+  EXPECT_EQ(servo_limits(servo), (ServoLimits{70, 230}));
+  servo.longest_pulse = 3000e-6;
+  EXPECT_EQ(servo_limits(servo).upper, 255);
+}
+
 }  // namespace
 }  // namespace eyebridge::files

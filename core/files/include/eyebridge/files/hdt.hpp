@@ -127,22 +127,6 @@ struct Hdt {
 /// twice, not closed or of the wrong length or range for what uses it, and for every bad number.
 Hdt read_hdt(std::string_view text, const std::string& file, std::vector<Warning>& warnings);
 
-/// What PSDGet() reads where the sensor sees nothing: 9999 mm.
-inline constexpr double kHdtOutOfRange = 9.999;
-
-/// Duty for a wanted speed, both -1 … 1: the table's 101 percentages, between them linear, with the
-/// sign of `speed`. Without a table (null) the speed itself. Clamps `speed`; NaN gives 0.
-double motor_duty(const HdtTable* table, double speed);
-
-/// Position for the board, 0 … 255, of a wanted one, 0 … 1 (clamped; NaN gives the middle): one of
-/// the table's 256 entries, or without a table (null) the nearest position.
-int servo_position(const HdtTable* table, double position);
-
-/// Range of a raw reading, metres. A table of n < 4096 entries spans readings of 12 bits, between
-/// its entries linear; a longer one has an entry for each. kHdtOutOfRange for readings beyond the
-/// table and where it says 9999; there the nearest entry counts instead of a mean.
-double psd_range(const HdtTable& table, int raw);
-
 /// Pulse widths for the board's `S` request, 10 us each: the HDT's, to the nearest, at most 255.
 struct ServoLimits {
   int lower = 0;
