@@ -157,9 +157,9 @@ void add_firmware(CLI::App& root, int& code) {
   command->add_option("--node", o->nodes, "A board with this number on the CAN bus, 1 to 14")
       ->check(CLI::Range(1, 14))
       ->allow_extra_args(false);
-  auto* raw = command->add_flag("--raw", "Replies as bytes from the start [default]");
+  auto* raw = command->add_flag("--raw")->description("Replies as bytes from the start [default]");
   command->add_flag("--verbose", o->verbose, "Replies as text until O 0")->excludes(raw);
-  auto* msb = command->add_flag("--msb", "Most significant byte first [default]");
+  auto* msb = command->add_flag("--msb")->description("Most significant byte first [default]");
   command->add_flag("--lsb", o->lsb, "Least significant byte first")->excludes(msb);
   command->add_flag("--binary", o->binary, "Requests are a letter and bytes, not lines of text");
   command->add_flag("--prompt", o->prompt, "Shows > after text");
