@@ -22,6 +22,7 @@ int run(int argc, char** argv) {
   add_probe(app, code);
   add_firmware(app, code);
   add_world(app, code);
+  add_camera(app, code);
   add_config(app, code);
   add_doctor(app, code);
   add_lab(app, code);

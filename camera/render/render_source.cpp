@@ -27,6 +27,8 @@ class RenderSource final : public Source {
     });
   }
 
+  [[nodiscard]] Size natural_size() const override { return {width_, height_}; }
+
   Result<FramePtr> next(Time deadline) override {
     const Result<FrameSlot> slot = schedule_.next(clock_, deadline);
     if (!slot) return tl::unexpected(slot.error());

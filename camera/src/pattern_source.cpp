@@ -42,6 +42,8 @@ class PatternSource final : public Source {
     });
   }
 
+  [[nodiscard]] Size natural_size() const override { return {width_, height_}; }
+
   Result<FramePtr> next(Time deadline) override {
     const Result<FrameSlot> slot = schedule_.next(clock_, deadline);
     if (!slot) return tl::unexpected(slot.error());

@@ -15,7 +15,7 @@ LONGEST_README = 29
 SKIPPED = {"build", "out", ".git", "__pycache__", ".cache"}
 
 CORE = ["core/base", "core/world", "core/robot", "core/files", "core/mapping"]
-BACKENDS = ["hal/sim", "hal/board"]
+BACKENDS = ["hal/sim", "hal/board", "hal/replay", "hal/hand"]
 FIRMWARE = ["firmware-stubs/board", "firmware-stubs/ports", "firmware-stubs/pins", "firmware-stubs/mps2"]
 EVERYTHING = [*CORE, "hal", *BACKENDS, "camera", "robios", "bridges", *FIRMWARE, "apps", "tests"]
 
@@ -31,6 +31,8 @@ ALLOWED = {
     "hal": [*CORE, "camera:view.hpp"],
     "hal/registry": [*CORE, "hal", "camera:view.hpp", *BACKENDS],
     "hal/sim": [*CORE, "hal", "camera"],
+    "hal/replay": [*CORE, "hal", "camera"],
+    "hal/hand": [*CORE, "hal", "camera"],
     "hal/board": [*CORE, "hal", "bridges"],
     "robios": [*CORE, "hal", "camera"],
     "firmware-stubs/board": ["bridges:opcodes.h"],
@@ -39,7 +41,7 @@ ALLOWED = {
     "firmware-stubs/mps2": [*CORE, "firmware-stubs/board", "firmware-stubs/ports", "firmware-stubs/pins"],
     "gui": [*CORE, "camera", "robios"],
     "python": [*CORE, "robios"],
-    "apps": [*CORE, "hal", "camera", "robios", "bridges", *FIRMWARE],
+    "apps": [*CORE, "hal", "hal/replay", "camera", "robios", "bridges", *FIRMWARE],
     "examples": ["robios:eyebot.h", "robios:eyebot++.h"],
     "tests": EVERYTHING,
     "bench": EVERYTHING,

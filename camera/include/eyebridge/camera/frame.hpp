@@ -9,6 +9,14 @@
 
 namespace eyebridge::camera {
 
+/// Of a picture, pixels.
+struct Size {
+  int width = 0;
+  int height = 0;
+
+  friend bool operator==(const Size&, const Size&) = default;
+};
+
 /// How the bytes of a frame are to be read. All are row-major, top-left first.
 enum class PixelFormat {
   Rgb24,   ///< R, G, B.

@@ -22,6 +22,10 @@ class Source {
   /// OutOfRange.
   virtual Result<void> set_size(int width, int height) = 0;
 
+  /// The size that costs nothing: a live camera's own, a recording's; the one asked for where
+  /// pictures are made to measure.
+  [[nodiscard]] virtual Size natural_size() const = 0;
+
   /// The next frame that has not been given out yet; waits for it, at most until `deadline` on the
   /// robot's clock. Fails with Timeout or Disconnected; an old frame is never given twice.
   virtual Result<FramePtr> next(Time deadline) = 0;

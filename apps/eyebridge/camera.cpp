@@ -1,0 +1,13 @@
+#include <CLI/CLI.hpp>
+
+#include "camera_commands.hpp"
+#include "command.hpp"
+
+namespace eyebridge::apps {
+
+void add_camera(CLI::App& root, int& /*code*/) {
+  CLI::App* command = root.add_subcommand("camera", "Cameras: what there is, what they see");
+  command->require_subcommand(1);
+}
+
+}  // namespace eyebridge::apps

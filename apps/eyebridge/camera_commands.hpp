@@ -1,0 +1,12 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace eyebridge::apps {
+
+// One function per subcommand of `eyebridge camera`, each in the source of its name: as in
+// command.hpp.
+
+}  // namespace eyebridge::apps
