@@ -30,6 +30,7 @@ class TapBackend final : public Backend {
 
   WorldControl* world() override { return inner_->world(); }
   camera::View* camera_view() override { return inner_->camera_view(); }
+  camera::Source* camera_source() override { return inner_->camera_source(); }
   void trace_to(TraceSink* sink) override { inner_->trace_to(sink); }
   void stop() noexcept override {
     inner_->stop();

@@ -94,7 +94,8 @@ struct Session::Impl {
         clock(backend->clock()),
         lcd(make_lcd(config)),
         keys(make_keys(config, clock, *lcd)),
-        camera(config.text("camera"), {&clock, backend->camera_view(), &log}),
+        camera(config.text("camera"), {&clock, backend->camera_view(), &log},
+               backend->camera_source()),
         timers(clock),
         cost_scale(config.number("cost_scale")) {
     check_camera(config, {&clock, backend->camera_view(), &log});

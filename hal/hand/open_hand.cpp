@@ -1,0 +1,153 @@
+#include "hand/open_hand.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "config/mix_text.hpp"
+#include "eyebridge/base/text.hpp"
+#include "eyebridge/base/units.hpp"
+#include "eyebridge/base/url.hpp"
+#include "eyebridge/camera/source.hpp"
+#include "eyebridge/hal/hand.hpp"
+#include "hand/display.hpp"
+#include "hand/free_tap.hpp"
+#include "hand/hand_backend.hpp"
+#include "hand/hand_text.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+constexpr const char* kCameras = "v4l2:/dev/video0 or frames:FILE";
+
+/// What `use` makes of the setting `name`; a mistake in it is reported where the setting was made.
+template <class Use>
+auto from_setting(const Config& config, const char* name, Use&& use) {
+  const ConfigValue& value = config.value(name);
+  try {
+    return use(value.text);
+  } catch (const ConfigError& error) {
+    throw error_in(value, error);
+  }
+}
+
+HandSetting hand_of(const Config& config) {
+  return from_setting(config, "drive",
+                      [](const std::string& text) { return parse_hand(text, {}); });
+}
+
+std::vector<camera::Fiducial> fiducials_of(Backend& backend, const HandSetting& setting) {
+  const auto scene = backend.camera_view()->scene();
+  return camera::place_fiducials(*scene.model, setting.layout);
+}
+
+void check_free(const Config& config, Backend& backend) {
+  if (backend.drive() != nullptr) return;
+  throw ConfigError(config.value("drive").where,
+                    "found hand:free with a robot that has no drive, expected one that moves");
+}
+
+void check_mix(const Config& config) {
+  for (const MixEntry& entry : parse_mix(config.text("mix"), {})) {
+    if (entry.device != "drive" && entry.device != "motor" && entry.device != "encoder") continue;
+    throw ConfigError(
+        config.value("drive").where,
+        fmt::format("found both a {} under mix and a person, expected one to drive", entry.device));
+  }
+}
+
+void check_robot(const Config& config, Backend& backend) {
+  const SourceLocation& where = config.value("drive").where;
+  if (backend.world() == nullptr) {
+    throw ConfigError(where, fmt::format("found a person to drive {}, expected a simulated robot: "
+                                         "--hal sim",
+                                         in_quotes(config.text("hal"))));
+  }
+  if (!config.is_set("world")) {
+    throw ConfigError(where,
+                      "found no world, expected --world with the maze that you walk in: the "
+                      "places of its markers come from there");
+  }
+  if (backend.camera_view() == nullptr) {
+    throw ConfigError(where,
+                      "found a robot without a camera, expected one with: its camera is the "
+                      "one in your hand");
+  }
+}
+
+void check_camera(const BackendContext& context, Backend& backend) {
+  from_setting(context.config, "camera", [&](const std::string& url) {
+    const std::string scheme = url.substr(0, url.find_first_of(":?"));
+    if (scheme == "render" || scheme == "none") {
+      throw ConfigError({}, fmt::format("found {} with --drive hand, expected a camera that sees "
+                                        "the real maze: {}",
+                                        in_quotes(url), kCameras));
+    }
+    camera::check_source(url, {&backend.clock(), nullptr, &context.log});
+  });
+}
+
+/// Of the pictures that the source gives. With a calibration they are without distortion.
+camera::Calibration lens_of(const BackendContext& context, const HandSetting& setting,
+                            camera::Size size, double field_of_view_of_model) {
+  const Config& config = context.config;
+  const Url url = parse_url(config.text("camera"), config.value("camera").where);
+  if (const auto file = url.options.find("calibration"); file != url.options.end()) {
+    camera::Calibration lens = camera::read_calibration(file->second);
+    lens.distortion = {};
+    return lens;
+  }
+  if (setting.field_of_view) return camera::pinhole(size, *setting.field_of_view);
+  context.log.write(
+      Severity::Warning,
+      fmt::format("the camera is not calibrated: its angle of view is taken to be {:.0f} degrees, "
+                  "as the robot's; places are as wrong as that is (eyebridge camera calibrate)",
+                  rad_to_deg(field_of_view_of_model)));
+  return camera::pinhole(size, field_of_view_of_model);
+}
+
+std::unique_ptr<InstructionSink> make_display(const BackendContext& context) {
+  const Config& config = context.config;
+  return std::make_unique<HandDisplay>(
+      config.is_set("out") ? config.path("out") : std::filesystem::path{}, standard_error(),
+      context.log);
+}
+
+}  // namespace
+
+void check_hand(const BackendContext& context, Backend& backend) {
+  const Config& config = context.config;
+  if (!config.is_set("drive")) return;
+  const HandSetting setting = hand_of(config);
+  if (setting.is_free) return check_free(config, backend);
+  check_mix(config);
+  check_robot(config, backend);
+  check_camera(context, backend);
+  from_setting(config, "drive", [&](const std::string&) {
+    if (!fiducials_of(backend, setting).empty()) return;
+    throw ConfigError({}, fmt::format("found no wall in {} that a marker fits on, expected walls "
+                                      "to put markers up on (without markers: hand:free)",
+                                      config.text("world")));
+  });
+}
+
+std::unique_ptr<Backend> with_hand(std::unique_ptr<Backend> backend,
+                                   const BackendContext& context) {
+  const Config& config = context.config;
+  if (!config.is_set("drive")) return backend;
+  check_hand(context, *backend);
+  const HandSetting setting = hand_of(config);
+  if (setting.is_free) return with_shown_drive(std::move(backend), make_display(context));
+  HandParts parts;
+  parts.camera = from_setting(config, "camera", [&](const std::string& url) {
+    return camera::open_source(url, {&backend->clock(), nullptr, &context.log});
+  });
+  const double field_of_view = backend->camera_view()->eye().horizontal_field_of_view;
+  const camera::Calibration lens =
+      lens_of(context, setting, parts.camera->natural_size(), field_of_view);
+  parts.finder = camera::make_fiducial_finder(fiducials_of(*backend, setting), lens, context.log);
+  parts.display = make_display(context);
+  return make_hand(std::move(backend), std::move(parts));
+}
+
+}  // namespace eyebridge::hal
