@@ -98,7 +98,8 @@ std::unique_ptr<Backend> recorded(std::unique_ptr<Backend> backend, const Backen
   try {
     const Config& config = context.config;
     return with_recording(std::move(backend), config.path("record"), context.log,
-                          {command_line(), config.text("hal"), config.text("world")});
+                          {command_line(), config.text("hal"), config.text("world")},
+                          camera::find_frame_codec(config.text("record_frames")));
   } catch (const ConfigError& error) {
     throw error_in(record, error);
   }

@@ -15,6 +15,7 @@
 
 #include "camera_port.hpp"
 #include "costs.hpp"
+#include "eyebridge/camera/frame_sink.hpp"
 #include "eyebridge/camera/prepare_process.hpp"
 #include "eyebridge/camera/view.hpp"
 #include "eyebridge/hal/registry.hpp"
@@ -106,8 +107,11 @@ struct Session::Impl {
         output.emplace(config.path("out"), config.integer("save_frames"));
       });
       backend->trace_to(&*output);
-      camera.on_frame([this](const camera::Frame& frame) { output->frame(frame); });
     }
+    camera.on_frame([this, sink = backend->frame_sink()](const camera::Frame& frame) {
+      if (output) output->frame(frame);
+      if (sink != nullptr) sink->take(frame);
+    });
   }
 
   hal::Config config;
