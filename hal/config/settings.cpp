@@ -16,6 +16,7 @@ constexpr auto kSettings = std::to_array<Setting>({
     {"robot", Kind::Text, "S4", "type of the robot where the world places none"},
     {"hdt", Kind::Path, "", "hardware description of a real board; unset: that of an S4"},
     {"camera", Kind::Text, "render", "where frames come from: a source's URL, or none"},
+    {"drive", Kind::Text, "", "hand or hand:free: a person with the camera drives; unset: the robot"},
     {"faults", Kind::Text, "", "devices that fail: psd:1 lose @2s..4s; all delay 20ms"},
     {"fast", Kind::Boolean, "false", "virtual time: run as fast as the machine can"},
     {"factor", Kind::Number, "1", "simulated seconds per second of real time", 0.001, 1e6},

@@ -18,8 +18,6 @@
 namespace eyebridge::hal {
 namespace {
 
-constexpr const char* kCameras = "v4l2:/dev/video0 or frames:FILE";
-
 /// What `use` makes of the setting `name`; a mistake in it is reported where the setting was made.
 template <class Use>
 auto from_setting(const Config& config, const char* name, Use&& use) {
@@ -41,48 +39,21 @@ std::vector<camera::Fiducial> fiducials_of(Backend& backend, const HandSetting& 
   return camera::place_fiducials(*scene.model, setting.layout);
 }
 
-void check_free(const Config& config, Backend& backend) {
-  if (backend.drive() != nullptr) return;
-  throw ConfigError(config.value("drive").where,
-                    "found hand:free with a robot that has no drive, expected one that moves");
-}
-
 void check_mix(const Config& config) {
   for (const MixEntry& entry : parse_mix(config.text("mix"), {})) {
     if (entry.device != "drive" && entry.device != "motor" && entry.device != "encoder") continue;
     throw ConfigError(
-        config.value("drive").where,
-        fmt::format("found both a {} under mix and a person, expected one to drive", entry.device));
+        {}, fmt::format("found a person and a {} under mix, expected one to drive", entry.device));
   }
 }
 
-void check_robot(const Config& config, Backend& backend) {
-  const SourceLocation& where = config.value("drive").where;
-  if (backend.world() == nullptr) {
-    throw ConfigError(where, fmt::format("found a person to drive {}, expected a simulated robot: "
-                                         "--hal sim",
-                                         in_quotes(config.text("hal"))));
-  }
-  if (!config.is_set("world")) {
-    throw ConfigError(where,
-                      "found no world, expected --world with the maze that you walk in: the "
-                      "places of its markers come from there");
-  }
-  if (backend.camera_view() == nullptr) {
-    throw ConfigError(where,
-                      "found a robot without a camera, expected one with: its camera is the "
-                      "one in your hand");
-  }
+/// Fits `found` and `expected` into one message.
+[[noreturn]] void refuse(std::string_view found, std::string_view expected) {
+  throw ConfigError({}, fmt::format("found {}, expected {}", found, expected));
 }
 
 void check_camera(const BackendContext& context, Backend& backend) {
   from_setting(context.config, "camera", [&](const std::string& url) {
-    const std::string scheme = url.substr(0, url.find_first_of(":?"));
-    if (scheme == "render" || scheme == "none") {
-      throw ConfigError({}, fmt::format("found {} with --drive hand, expected a camera that sees "
-                                        "the real maze: {}",
-                                        in_quotes(url), kCameras));
-    }
     camera::check_source(url, {&backend.clock(), nullptr, &context.log});
   });
 }
@@ -115,19 +86,44 @@ std::unique_ptr<InstructionSink> make_display(const BackendContext& context) {
 
 }  // namespace
 
+void check_drive(const Config& config) {
+  if (!config.is_set("drive") || hand_of(config).is_free) return;
+  from_setting(config, "drive", [&](const std::string&) {
+    const std::string hal = config.text("hal");
+    if (hal != "sim") {
+      refuse("a person to drive " + in_quotes(hal), "a simulated robot: --hal sim");
+    }
+    if (!config.is_set("world")) {
+      refuse("no world", "--world with the maze that you walk in: its markers' places are from it");
+    }
+    check_mix(config);
+  });
+  from_setting(config, "camera", [](const std::string& url) {
+    const std::string scheme = url.substr(0, url.find_first_of(":?"));
+    if (scheme != "render" && scheme != "none") return;
+    refuse(in_quotes(url) + " with --drive hand",
+           "a camera that sees the real maze: v4l2:/dev/video0 or frames:FILE");
+  });
+}
+
 void check_hand(const BackendContext& context, Backend& backend) {
   const Config& config = context.config;
   if (!config.is_set("drive")) return;
+  check_drive(config);
   const HandSetting setting = hand_of(config);
-  if (setting.is_free) return check_free(config, backend);
-  check_mix(config);
-  check_robot(config, backend);
-  check_camera(context, backend);
+  if (!setting.is_free) check_camera(context, backend);
   from_setting(config, "drive", [&](const std::string&) {
-    if (!fiducials_of(backend, setting).empty()) return;
-    throw ConfigError({}, fmt::format("found no wall in {} that a marker fits on, expected walls "
-                                      "to put markers up on (without markers: hand:free)",
-                                      config.text("world")));
+    if (setting.is_free) {
+      if (backend.drive() == nullptr) refuse("a robot without a drive", "one that moves");
+      return;
+    }
+    if (backend.camera_view() == nullptr) {
+      refuse("a robot without a camera", "one with: its camera is the one in your hand");
+    }
+    if (fiducials_of(backend, setting).empty()) {
+      refuse(fmt::format("no wall in {} that a marker fits on", config.text("world")),
+             "walls to put markers up on (without markers: hand:free)");
+    }
   });
 }
 
