@@ -3,6 +3,7 @@
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/camera/source.hpp"
 #include "src/sources.hpp"
+#include "src/undistorted_source.hpp"
 
 namespace eyebridge::camera {
 namespace {
@@ -41,14 +42,18 @@ Found find_source(std::string_view url) {
 std::span<const SourceFactory> source_table() { return kSources; }
 
 void check_source(const std::string& url, const SourceContext& context) {
-  const Found found = find_source(url);
+  const CalibratedUrl calibrated = take_calibration(url);
+  const Found found = find_source(calibrated.url);
   found.factory.check(found.rest, context);
+  if (calibrated.file) read_calibration(*calibrated.file);
 }
 
 std::unique_ptr<Source> open_source(const std::string& url, const SourceContext& context) {
-  const Found found = find_source(url);
+  const CalibratedUrl calibrated = take_calibration(url);
+  const Found found = find_source(calibrated.url);
   found.factory.check(found.rest, context);
-  return found.factory.open(found.rest, context);
+  auto source = found.factory.open(found.rest, context);
+  return calibrated.file ? undistort(std::move(source), *calibrated.file) : std::move(source);
 }
 
 }  // namespace eyebridge::camera

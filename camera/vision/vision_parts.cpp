@@ -2,7 +2,9 @@
 
 #include <opencv2/core.hpp>
 
+#include "vision/calibrator.hpp"
 #include "vision/dictionary.hpp"
+#include "vision/fiducial_detector.hpp"
 
 namespace eyebridge::camera {
 namespace {
@@ -13,6 +15,19 @@ class OpenCvVision final : public Vision {
   OpenCvVision() { cv::setNumThreads(1); }
 
   [[nodiscard]] FiducialBits fiducial_bits(int id) const override { return bits_of(id); }
+
+  [[nodiscard]] std::vector<SeenFiducial> find_fiducials(const Frame& frame) const override {
+    return camera::find_fiducials(frame);
+  }
+
+  [[nodiscard]] std::vector<SquarePose> square_poses(const Corners& corners,
+                                                     double size) const override {
+    return camera::square_poses(corners, size);
+  }
+
+  [[nodiscard]] std::unique_ptr<Calibrator> make_calibrator(const Board& board) const override {
+    return make_opencv_calibrator(board);
+  }
 };
 
 }  // namespace

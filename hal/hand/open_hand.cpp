@@ -141,7 +141,8 @@ std::unique_ptr<Backend> with_hand(std::unique_ptr<Backend> backend,
   const double field_of_view = backend->camera_view()->eye().horizontal_field_of_view;
   const camera::Calibration lens =
       lens_of(context, setting, parts.camera->natural_size(), field_of_view);
-  parts.finder = camera::make_fiducial_finder(fiducials_of(*backend, setting), lens, context.log);
+  parts.finder = camera::make_fiducial_finder(fiducials_of(*backend, setting), lens, context.log,
+                                              config.text("world"));
   parts.display = make_display(context);
   return make_hand(std::move(backend), std::move(parts));
 }
