@@ -13,6 +13,7 @@
 #include "eyebridge/base/log.hpp"
 #include "eyebridge/camera/source.hpp"
 #include "eyebridge/files/load.hpp"
+#include "eyebridge/hal/hand.hpp"
 #include "eyebridge/hal/registry.hpp"
 #include "key_script.hpp"
 
@@ -65,7 +66,12 @@ void check_settings(const hal::Config& config) {
   check_keys(config.value("keys"));
   std::unique_ptr<hal::Backend> backend;
   // The program opens it again, which is free for a world but not for a board.
-  if (!hal::opening_has_effects(config)) backend = hal::open_backend({config, log});
+  // Without the person: that camera would be opened, too.
+  const hal::Config alone = config.with("drive", {{}, config.value("drive").where});
+  if (!hal::opening_has_effects(config)) {
+    backend = hal::open_backend({alone, log});
+    hal::check_hand({config, log}, *backend);
+  }
   check_camera(config.value("camera"), backend.get(), log);
   if (config.is_set("out")) check_out(config.path("out"), config.value("out").where);
 }

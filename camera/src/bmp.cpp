@@ -1,4 +1,5 @@
 #include <cstddef>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 
@@ -88,6 +89,13 @@ void copy_colour(const std::uint8_t* from, std::uint8_t* to) {
 }
 
 }  // namespace
+
+Size bmp_size(std::span<const std::uint8_t> bytes) {
+  const Header header = read_header(Bytes(bytes));
+  if (header.width < 1 || header.height == 0) bmp_failed("no picture in it");
+  // Both are of at most 32 bits.
+  return {static_cast<int>(header.width), static_cast<int>(std::abs(header.height))};
+}
 
 Frame decode_bmp(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels) {
   const Bytes file(bytes);

@@ -16,6 +16,12 @@ Frame decode_jpeg(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels
 /// Uncompressed, 8 bits with a palette or 24 bits, either row order, Windows' or OS/2's header.
 Frame decode_bmp(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels);
 
+// The sizes of their pictures, from the headers alone. Each throws likewise.
+
+Size png_size(std::span<const std::uint8_t> bytes);
+Size jpeg_size(std::span<const std::uint8_t> bytes);
+Size bmp_size(std::span<const std::uint8_t> bytes);
+
 /// An empty Rgb24 picture for the pixels. Throws when a side is less than 1, or when there are more
 /// than `most_pixels`.
 Frame frame_to_decode(std::int64_t width, std::int64_t height, std::uint64_t most_pixels);

@@ -18,21 +18,32 @@ using Decoder = std::unique_ptr<void, Destroy>;
   throw std::runtime_error(std::string("JPEG: ") + tjGetErrorStr2(decoder.get()));
 }
 
-}  // namespace
-
-Frame decode_jpeg(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels) {
-  const Decoder decoder(tjInitDecompress());
+Decoder make_decoder() {
+  Decoder decoder(tjInitDecompress());
   if (!decoder) jpeg_failed(decoder);
-  int width = 0;
-  int height = 0;
+  return decoder;
+}
+
+Size read_size(const Decoder& decoder, std::span<const std::uint8_t> bytes) {
+  Size size;
   int subsampling = 0;
   int colours = 0;
-  if (tjDecompressHeader3(decoder.get(), bytes.data(), bytes.size(), &width, &height, &subsampling,
-                          &colours) != 0) {
+  if (tjDecompressHeader3(decoder.get(), bytes.data(), bytes.size(), &size.width, &size.height,
+                          &subsampling, &colours) != 0) {
     jpeg_failed(decoder);
   }
   // Cut before its picture begins, a file still passes as one of tables alone.
-  if (width == 0) throw std::runtime_error("JPEG: no picture in it");
+  if (size.width == 0) throw std::runtime_error("JPEG: no picture in it");
+  return size;
+}
+
+}  // namespace
+
+Size jpeg_size(std::span<const std::uint8_t> bytes) { return read_size(make_decoder(), bytes); }
+
+Frame decode_jpeg(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels) {
+  const Decoder decoder = make_decoder();
+  const auto [width, height] = read_size(decoder, bytes);
   Frame frame = frame_to_decode(width, height, most_pixels);
   // A small file of very many scans takes minutes otherwise.
   constexpr int kFlags = TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS | TJFLAG_ACCURATEDCT;

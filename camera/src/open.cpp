@@ -3,13 +3,16 @@
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/camera/source.hpp"
 #include "src/sources.hpp"
+#include "src/undistorted_source.hpp"
 
 namespace eyebridge::camera {
 namespace {
 
-constexpr std::array<SourceFactory, 2> kSources{{
+constexpr std::array<SourceFactory, 3> kSources{{
     {"render", "pictures of the simulated world (render:osmesa, render:egl)", &check_render_source,
      &open_render_source},
+    {"frames", "a folder of pictures, a video or a recording: frames:PATH?end=loop|hold|end&fps=30",
+     &check_frames_source, &open_frames_source},
     {"pattern", "colour bars with the frame's number, needs no world", &check_pattern_source,
      &open_pattern_source},
 }};
@@ -39,14 +42,18 @@ Found find_source(std::string_view url) {
 std::span<const SourceFactory> source_table() { return kSources; }
 
 void check_source(const std::string& url, const SourceContext& context) {
-  const Found found = find_source(url);
+  const CalibratedUrl calibrated = take_calibration(url);
+  const Found found = find_source(calibrated.url);
   found.factory.check(found.rest, context);
+  if (calibrated.file) read_calibration(*calibrated.file);
 }
 
 std::unique_ptr<Source> open_source(const std::string& url, const SourceContext& context) {
-  const Found found = find_source(url);
+  const CalibratedUrl calibrated = take_calibration(url);
+  const Found found = find_source(calibrated.url);
   found.factory.check(found.rest, context);
-  return found.factory.open(found.rest, context);
+  auto source = found.factory.open(found.rest, context);
+  return calibrated.file ? undistort(std::move(source), *calibrated.file) : std::move(source);
 }
 
 }  // namespace eyebridge::camera

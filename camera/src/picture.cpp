@@ -17,12 +17,13 @@ namespace {
 struct Format {
   std::string_view first_bytes;
   Frame (*decode)(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels);
+  Size (*size)(std::span<const std::uint8_t> bytes);
 };
 
 constexpr std::array<Format, 3> kFormats{{
-    {"\x89PNG\r\n\x1A\n", &decode_png},
-    {"\xFF\xD8\xFF", &decode_jpeg},
-    {"BM", &decode_bmp},
+    {"\x89PNG\r\n\x1A\n", &decode_png, &png_size},
+    {"\xFF\xD8\xFF", &decode_jpeg, &jpeg_size},
+    {"BM", &decode_bmp, &bmp_size},
 }};
 
 /// The largest picture, uncompressed, with room for a header.
@@ -41,6 +42,25 @@ std::vector<std::uint8_t> read_bytes(const std::filesystem::path& path) {
   return bytes;
 }
 
+/// The format that `bytes` are in. Throws when it is none of ours.
+const Format& format_of(std::span<const std::uint8_t> bytes) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  for (const Format& format : kFormats) {
+    if (text.starts_with(format.first_bytes)) return format;
+  }
+  throw std::runtime_error("neither a PNG nor a JPEG nor a BMP");
+}
+
+/// What `read` makes of the file's bytes; its failure names the file.
+template <class Read>
+auto read_file(const std::filesystem::path& path, const Read& read) {
+  try {
+    return read(read_bytes(path));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(path.string() + ": cannot read picture: " + error.what());
+  }
+}
+
 }  // namespace
 
 Frame frame_to_decode(std::int64_t width, std::int64_t height, std::uint64_t most_pixels) {
@@ -54,19 +74,15 @@ Frame frame_to_decode(std::int64_t width, std::int64_t height, std::uint64_t mos
 }
 
 Frame decode_picture(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels) {
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  for (const Format& format : kFormats) {
-    if (text.starts_with(format.first_bytes)) return format.decode(bytes, most_pixels);
-  }
-  throw std::runtime_error("neither a PNG nor a JPEG nor a BMP");
+  return format_of(bytes).decode(bytes, most_pixels);
 }
 
 Frame read_picture(const std::filesystem::path& path) {
-  try {
-    return decode_picture(read_bytes(path));
-  } catch (const std::runtime_error& error) {
-    throw std::runtime_error(path.string() + ": cannot read picture: " + error.what());
-  }
+  return read_file(path, [](const auto& bytes) { return decode_picture(bytes); });
+}
+
+Size picture_size(const std::filesystem::path& path) {
+  return read_file(path, [](const auto& bytes) { return format_of(bytes).size(bytes); });
 }
 
 }  // namespace eyebridge::camera

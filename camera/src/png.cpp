@@ -79,4 +79,10 @@ Frame decode_png(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels)
   return finish_reading(image, most_pixels);
 }
 
+Size png_size(std::span<const std::uint8_t> bytes) {
+  Image image;
+  if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) fail_with(image);
+  return {static_cast<int>(image.width), static_cast<int>(image.height)};
+}
+
 }  // namespace eyebridge::camera

@@ -18,4 +18,8 @@ std::unique_ptr<Source> open_render_source(std::string_view rest, const SourceCo
 void check_pattern_source(std::string_view rest, const SourceContext& context);
 std::unique_ptr<Source> open_pattern_source(std::string_view rest, const SourceContext& context);
 
+/// Pictures of a folder, a video or a recording; `rest` is PATH?end=…&fps=…&pick=….
+void check_frames_source(std::string_view rest, const SourceContext& context);
+std::unique_ptr<Source> open_frames_source(std::string_view rest, const SourceContext& context);
+
 }  // namespace eyebridge::camera

@@ -48,6 +48,7 @@ class BoardBackend final : public Backend {
   Servo* servo(int id) override;
   WorldControl* world() override { return nullptr; }
   camera::View* camera_view() override { return nullptr; }
+  camera::Source* camera_source() override { return nullptr; }
   /// A point every 100 ms: each costs readings that the program does not get. Points that cannot be
   /// read are left out.
   void trace_to(TraceSink* sink) override;

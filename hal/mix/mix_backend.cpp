@@ -72,6 +72,7 @@ class MixBackend final : public Backend {
     const auto view = views_.find(&backend);
     return view == views_.end() ? backend.camera_view() : view->second.get();
   }
+  camera::Source* camera_source() override { return of("camera").camera_source(); }
   void trace_to(TraceSink* sink) override { main_->trace_to(sink); }
   void stop() noexcept override {
     for (const auto& backend : backends_) backend->stop();

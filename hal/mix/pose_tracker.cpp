@@ -1,17 +1,6 @@
 #include "mix/pose_tracker.hpp"
 
 namespace eyebridge::hal {
-namespace {
-
-/// `pose` in the frame `frame`; both in one frame.
-Pose relative(const Pose& frame, const Pose& pose) {
-  const Vec2 away = pose.position() - frame.position();
-  const Vec2 p = Heading::from_angle(-frame.theta).rotate(away);
-  return {p.x, p.y, wrap_angle(pose.theta - frame.theta)};
-}
-
-}  // namespace
-
 Result<void> PoseTracker::begin(Source source, bool is_odometry, const Pose& start) {
   return source().map([&](const Pose& there) {
     source_ = std::move(source);
@@ -21,9 +10,11 @@ Result<void> PoseTracker::begin(Source source, bool is_odometry, const Pose& sta
   });
 }
 
+void PoseTracker::follow(Source source) { source_ = std::move(source); }
+
 Result<Pose> PoseTracker::pose_now() {
   return source_().map(
-      [this](const Pose& now) { return transform(world_, relative(there_, now)); });
+      [this](const Pose& now) { return transform(world_, relative_to(there_, now)); });
 }
 
 Result<Pose> PoseTracker::pose() {

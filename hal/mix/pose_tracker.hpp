@@ -18,6 +18,9 @@ class PoseTracker {
   /// From now on follows `source`, whose robot stands where `start` is in the world. To be called
   /// once, before anything else but follows_odometry(). Fails as `source`.
   Result<void> begin(Source source, bool is_odometry, const Pose& start);
+  /// From now on the robot is where `source` says, in the world. Asks nothing yet; to be called
+  /// once, in the place of begin().
+  void follow(Source source);
   /// Whether what is followed is a drive's odometry, which programs may set.
   [[nodiscard]] bool follows_odometry() const { return is_odometry_; }
 
@@ -33,7 +36,7 @@ class PoseTracker {
   Source source_;
   bool is_odometry_ = false;
   Pose world_;  ///< Pose in the world …
-  Pose there_;  ///< … when the source said this.
+  Pose there_;  ///< … when the source said this. Both are the origin of a source in the world.
 };
 
 }  // namespace eyebridge::hal

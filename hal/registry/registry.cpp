@@ -10,6 +10,7 @@
 #include "config/mix_text.hpp"
 #include "eyebridge/base/text.hpp"
 #include "fault/fault_tap.hpp"
+#include "hand/open_hand.hpp"
 #include "mix/mix_backend.hpp"
 #include "replay/open_replay.hpp"
 #include "replay/record_tap.hpp"
@@ -98,7 +99,8 @@ std::unique_ptr<Backend> recorded(std::unique_ptr<Backend> backend, const Backen
   try {
     const Config& config = context.config;
     return with_recording(std::move(backend), config.path("record"), context.log,
-                          {command_line(), config.text("hal"), config.text("world")});
+                          {command_line(), config.text("hal"), config.text("world")},
+                          camera::find_frame_codec(config.text("record_frames")));
   } catch (const ConfigError& error) {
     throw error_in(record, error);
   }
@@ -113,6 +115,7 @@ const BackendFactory& find_backend(const Config& config) {
   const BackendFactory& row = row_of(hal.text, hal.where);
   static_cast<void>(faults_of(config));
   static_cast<void>(mix_of(config));
+  check_drive(config);
   return row;
 }
 
@@ -130,6 +133,7 @@ std::unique_ptr<Backend> open_backend(const BackendContext& context) {
   FaultScript script = faults_of(config);
   auto backend = find_backend(config).open(parse_backend_url(hal.text, hal.where), context);
   if (config.is_set("mix")) backend = mixed(std::move(backend), context);
+  backend = with_hand(std::move(backend), context);
   if (!script.empty()) {
     const auto seed = static_cast<std::uint64_t>(config.integer("seed"));
     backend = with_faults(std::move(backend), std::move(script), seed);

@@ -1,16 +1,12 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "eyebridge/base/clock.hpp"
+#include "eyebridge/camera/recording/recording_file.hpp"
 #include "tap/tap.hpp"
-
-struct sqlite3;
-struct sqlite3_stmt;
 
 namespace eyebridge::hal {
 
@@ -41,34 +37,25 @@ struct RecordingOrigin {
   friend bool operator==(const RecordingOrigin&, const RecordingOrigin&) = default;
 };
 
-/// A recording: one SQLite 3 file (`.ebrec`) that any SQLite tool opens. Tables: `meta` (key,
-/// value: version, program, hal, world), `device` (kind, id, facts), `exchange` (seq, t in ns,
-/// device, id, call, request, reply, error, what); numbers of a request or reply are decimals with
-/// blanks between, in SI units. Written ahead (WAL), so that a program that is killed leaves what
-/// it did up to the last second. One thread at a time.
+/// Writes the tables `device` (kind, id, facts) and `exchange` (seq, t in ns, device, id, call,
+/// request, reply, error, what) of a recording; numbers of a request or reply are decimals with
+/// blanks between, in SI units. Any thread.
 class EbrecWriter {
  public:
   /// Replaces `path`. Throws ConfigError without a place when it cannot be written.
   EbrecWriter(const std::filesystem::path& path, const std::vector<RecordedDevice>& devices,
               const RecordingOrigin& origin = {});
-  ~EbrecWriter();
-  EbrecWriter(const EbrecWriter&) = delete;
-  EbrecWriter& operator=(const EbrecWriter&) = delete;
 
   /// Throws std::runtime_error when the disk does not take it.
   void add(Time time, const Call& call, const Result<Values>& reply);
   /// Hands all that was added to the system. Throws likewise.
-  void commit();
+  void commit() { file_.commit(); }
+  /// Where the frames of the same run go.
+  [[nodiscard]] camera::RecordingFile& file() { return file_; }
 
  private:
-  struct Close {
-    void operator()(sqlite3* database) const;
-    void operator()(sqlite3_stmt* statement) const;
-  };
-  std::unique_ptr<sqlite3, Close> database_;
-  std::unique_ptr<sqlite3_stmt, Close> insert_;
-  Time committed_{0};
-  bool pending_ = false;
+  camera::RecordingFile file_;
+  camera::sqlite::Statement insert_;
 };
 
 /// All of a recording.

@@ -1,9 +1,12 @@
 #include "replay/record_tap.hpp"
 
 #include <mutex>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include "eyebridge/camera/frame_sink.hpp"
+#include "eyebridge/camera/recording/frame_table.hpp"
 #include "replay/ebrec.hpp"
 
 namespace eyebridge::hal {
@@ -36,54 +39,76 @@ std::vector<RecordedDevice> devices_of(Backend& backend) {
   return devices;
 }
 
-class RecordTap final : public Tap {
+/// What is open while a run is recorded.
+struct OpenRecording {
+  OpenRecording(const std::filesystem::path& path, const std::vector<RecordedDevice>& devices,
+                const RecordingOrigin& origin, std::optional<camera::FrameCodec> codec)
+      : exchanges(path, devices, origin) {
+    if (codec) frames.emplace(exchanges.file(), *codec);
+  }
+
+  EbrecWriter exchanges;
+  std::optional<camera::FrameWriter> frames;
+};
+
+class RecordTap final : public Tap, public camera::FrameSink {
  public:
-  RecordTap(Backend& backend, const std::filesystem::path& path, LogSink& log,
-            const RecordingOrigin& origin)
+  RecordTap(Backend& backend, LogSink& log, std::unique_ptr<OpenRecording> recording)
       : clock_(backend.clock()),
         log_(log),
-        writer_(std::make_unique<EbrecWriter>(path, devices_of(backend), origin)) {}
+        keeps_frames_(recording->frames.has_value()),
+        recording_(std::move(recording)) {}
 
   Result<Values> exchange(const Call& call,
                           const std::function<Result<Values>()>& device) override {
     const Time began = clock_.now();
     Result<Values> reply = device();
-    write([&](EbrecWriter& writer) { writer.add(began, call, reply); });
+    write([&](OpenRecording& recording) { recording.exchanges.add(began, call, reply); });
     return reply;
   }
 
+  camera::FrameSink* frame_sink() override { return keeps_frames_ ? this : nullptr; }
+
+  void take(const camera::Frame& frame) noexcept override {
+    const Time now = clock_.now();
+    write([&](OpenRecording& recording) { recording.frames->add(frame, now); });
+  }
+
   void finish() noexcept override {
-    write([](EbrecWriter& writer) { writer.commit(); });
+    write([](OpenRecording& recording) { recording.exchanges.commit(); });
     const std::lock_guard lock(mutex_);
-    writer_.reset();  // closed, it is one file instead of three
+    recording_.reset();  // closed, it is one file instead of three
   }
 
  private:
   template <class Write>
   void write(Write&& act) {
     const std::lock_guard lock(mutex_);
-    if (writer_ == nullptr) return;
+    if (recording_ == nullptr) return;
     try {
-      act(*writer_);
+      act(*recording_);
     } catch (const std::runtime_error& error) {
       log_.write(Severity::Error, fmt::format("the recording ends here: {}", error.what()));
-      writer_.reset();
+      recording_.reset();
     }
   }
 
   Clock& clock_;
   LogSink& log_;
+  const bool keeps_frames_;
   std::mutex mutex_;
-  std::unique_ptr<EbrecWriter> writer_;
+  std::unique_ptr<OpenRecording> recording_;
 };
 
 }  // namespace
 
 std::unique_ptr<Backend> with_recording(std::unique_ptr<Backend> inner,
                                         const std::filesystem::path& path, LogSink& log,
-                                        const RecordingOrigin& origin) {
+                                        const RecordingOrigin& origin,
+                                        std::optional<camera::FrameCodec> frames) {
   return make_tapped(std::move(inner), [&](Backend& backend) {
-    return std::make_unique<RecordTap>(backend, path, log, origin);
+    auto recording = std::make_unique<OpenRecording>(path, devices_of(backend), origin, frames);
+    return std::make_unique<RecordTap>(backend, log, std::move(recording));
   });
 }
 

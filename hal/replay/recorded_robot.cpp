@@ -115,6 +115,7 @@ class RecordedRobot final : public Backend {
   Servo* servo(int id) override { return servos_.find(id); }
   WorldControl* world() override { return nullptr; }
   camera::View* camera_view() override { return nullptr; }
+  camera::Source* camera_source() override { return nullptr; }
   void trace_to(TraceSink*) override {}  // nobody knows where the robot was
   void stop() noexcept override {}
 

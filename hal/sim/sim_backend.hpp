@@ -39,6 +39,7 @@ class SimBackend final : public Backend {
   Servo* servo(int id) override;
   WorldControl* world() override { return &control_; }
   camera::View* camera_view() override { return view_ ? &*view_ : nullptr; }
+  camera::Source* camera_source() override { return nullptr; }
   void trace_to(TraceSink* sink) override { world_->trace_to(sink, robot_); }
   void stop() noexcept override;
 

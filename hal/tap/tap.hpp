@@ -28,6 +28,8 @@ class Tap {
   /// Answers `call`, perhaps by asking `device`, which may be called at most once. Any thread.
   virtual Result<Values> exchange(const Call& call,
                                   const std::function<Result<Values>()>& device) = 0;
+  /// As Backend::frame_sink().
+  virtual camera::FrameSink* frame_sink() { return nullptr; }
   /// The program has ended: what is in hand must be put away now. May come more than once.
   virtual void finish() noexcept {}
 };

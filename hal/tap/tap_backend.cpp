@@ -30,6 +30,11 @@ class TapBackend final : public Backend {
 
   WorldControl* world() override { return inner_->world(); }
   camera::View* camera_view() override { return inner_->camera_view(); }
+  camera::Source* camera_source() override { return inner_->camera_source(); }
+  camera::FrameSink* frame_sink() override {
+    camera::FrameSink* own = tap_->frame_sink();
+    return own != nullptr ? own : inner_->frame_sink();
+  }
   void trace_to(TraceSink* sink) override { inner_->trace_to(sink); }
   void stop() noexcept override {
     inner_->stop();

@@ -8,8 +8,8 @@ constexpr Time kPatience = std::chrono::seconds(2);
 
 }  // namespace
 
-CameraPort::CameraPort(std::string url, camera::SourceContext context)
-    : url_(std::move(url)), context_(context) {}
+CameraPort::CameraPort(std::string url, camera::SourceContext context, camera::Source* given)
+    : url_(std::move(url)), context_(context), given_(given) {}
 
 CameraPort::~CameraPort() = default;
 
@@ -18,7 +18,8 @@ Result<void> CameraPort::init(int width, int height) {
   if (url_ == "none") {
     return fail(Errc::Unsupported, "this robot has no camera (--camera none)");
   }
-  if (!source_) source_ = camera::open_source(url_, context_);
+  if (given_ == nullptr && !opened_) opened_ = camera::open_source(url_, context_);
+  source_ = given_ != nullptr ? given_ : opened_.get();
   open_ = false;
   if (Result<void> sized = source_->set_size(width, height); !sized) return sized;
   open_ = true;
@@ -27,7 +28,8 @@ Result<void> CameraPort::init(int width, int height) {
 
 void CameraPort::release() {
   const std::lock_guard lock(mutex_);
-  source_.reset();
+  opened_.reset();
+  source_ = nullptr;
   open_ = false;
 }
 

@@ -17,8 +17,9 @@ namespace eyebridge::robios {
 /// Any thread; one at a time gets a frame.
 class CameraPort {
  public:
-  /// `url` as in --camera; "none" means that the robot has no camera.
-  CameraPort(std::string url, camera::SourceContext context);
+  /// `url` as in --camera; "none" means that the robot has no camera. `given`, when not null, is
+  /// lent and used in its place.
+  CameraPort(std::string url, camera::SourceContext context, camera::Source* given = nullptr);
   ~CameraPort();
 
   /// Frames of `width` x `height` pixels from now on; opens the source. Throws ConfigError when the
@@ -37,7 +38,9 @@ class CameraPort {
   std::string url_;
   camera::SourceContext context_;
   mutable std::mutex mutex_;
-  std::unique_ptr<camera::Source> source_;
+  camera::Source* const given_;
+  std::unique_ptr<camera::Source> opened_;
+  camera::Source* source_ = nullptr;  ///< The one that is used, if any.
   bool open_ = false;
   std::function<void(const camera::Frame&)> listener_;
 };

@@ -15,6 +15,7 @@
 
 #include "camera_port.hpp"
 #include "costs.hpp"
+#include "eyebridge/camera/frame_sink.hpp"
 #include "eyebridge/camera/prepare_process.hpp"
 #include "eyebridge/camera/view.hpp"
 #include "eyebridge/hal/registry.hpp"
@@ -94,7 +95,8 @@ struct Session::Impl {
         clock(backend->clock()),
         lcd(make_lcd(config)),
         keys(make_keys(config, clock, *lcd)),
-        camera(config.text("camera"), {&clock, backend->camera_view(), &log}),
+        camera(config.text("camera"), {&clock, backend->camera_view(), &log},
+               backend->camera_source()),
         timers(clock),
         cost_scale(config.number("cost_scale")) {
     check_camera(config, {&clock, backend->camera_view(), &log});
@@ -105,8 +107,11 @@ struct Session::Impl {
         output.emplace(config.path("out"), config.integer("save_frames"));
       });
       backend->trace_to(&*output);
-      camera.on_frame([this](const camera::Frame& frame) { output->frame(frame); });
     }
+    camera.on_frame([this, sink = backend->frame_sink()](const camera::Frame& frame) {
+      if (output) output->frame(frame);
+      if (sink != nullptr) sink->take(frame);
+    });
   }
 
   hal::Config config;

@@ -19,6 +19,7 @@
 #include "eyebridge/files/readers.hpp"
 #include "eyebridge/hal/url.hpp"
 #include "fault/fault_script.hpp"
+#include "hand/hand_text.hpp"
 #include "key_script.hpp"
 #include "pnm.hpp"
 #include "replay/ebrec.hpp"
@@ -147,6 +148,19 @@ inline void faults(std::string_view text) {
       if (!sane) found();
     }
   } catch (const ConfigError&) {  // the input is no script
+  }
+}
+
+/// What is accepted has lengths and an angle that can be.
+inline void hand(std::string_view text) {
+  try {
+    const hal::HandSetting setting = hal::parse_hand(text, {});
+    const camera::FiducialLayout& layout = setting.layout;
+    const bool sane = layout.size > 0.0 && layout.spacing > 0.0 && layout.height >= 0.0 &&
+                      layout.size + layout.spacing + layout.height <= 300.0;
+    const double angle = setting.field_of_view.value_or(1.0);
+    if (!sane || !(angle > 0.0 && angle < 3.0)) found();
+  } catch (const ConfigError&) {  // the input is no setting
   }
 }
 

@@ -34,6 +34,7 @@ class Worldless final : public Backend {
   Servo* servo(int id) override { return inner_->servo(id); }
   WorldControl* world() override { return nullptr; }
   camera::View* camera_view() override { return nullptr; }
+  camera::Source* camera_source() override { return nullptr; }
   void trace_to(TraceSink* sink) override { inner_->trace_to(sink); }
   void stop() noexcept override { inner_->stop(); }
 

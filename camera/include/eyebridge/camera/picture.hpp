@@ -17,8 +17,12 @@ inline constexpr std::uint64_t kMostPicturePixels = 100'000'000;
 /// for what cannot be opened, is none of these, is cut, damaged or too large. Any thread.
 Frame read_picture(const std::filesystem::path& path);
 
-/// The same for the bytes of such a file; pictures of more than `most_pixels` are refused. Throws
-/// std::runtime_error with the reason alone.
+/// The size that read_picture() would give, without decoding it. Throws likewise for what cannot be
+/// opened, is none of these, or has no complete header. Any thread.
+Size picture_size(const std::filesystem::path& path);
+
+/// read_picture() for the bytes of such a file; pictures of more than `most_pixels` are refused.
+/// Throws std::runtime_error with the reason alone.
 Frame decode_picture(std::span<const std::uint8_t> bytes,
                      std::uint64_t most_pixels = kMostPicturePixels);
 

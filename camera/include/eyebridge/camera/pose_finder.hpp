@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "eyebridge/base/log.hpp"
@@ -20,7 +21,7 @@ struct FoundPose {
   double pitch = 0.0;                  ///< Of its axis, radians, up positive.
   double roll = 0.0;                   ///< About its axis, radians, clockwise positive.
   std::array<double, 9> covariance{};  ///< Of x, y and heading, row by row; m^2, m rad, rad^2.
-  int fiducials = 0;                   ///< How many it was found by.
+  int fiducials = 0;                   ///< How many it was found by; 0: carried on from before.
 };
 
 /// Finds a camera's pose in the world from what it sees. One thread at a time.
@@ -33,10 +34,14 @@ class PoseFinder {
   virtual std::optional<FoundPose> take(const Frame& frame) = 0;
 };
 
-/// By the fiducials `map`, seen through `lens` (scaled to each frame's size). Loads the vision
-/// library. Fiducials that do not fit together (of another world, or moved) are said once to `log`,
-/// which outlives the finder. Throws ConfigError.
+/// By the fiducials `map`, seen through `lens` (scaled to each frame's size; a pinhole for frames
+/// that are undistorted already). Loads the vision library. The camera is held about upright, and
+/// is lost when no usable fiducial was seen for 0.3 s; until then its motion is carried on.
+/// Fiducials that do not fit together (of another world, or moved) are said once to `log`, which
+/// outlives the finder; `world` is what they should fit, as messages name it. Throws ConfigError
+/// for an empty map or lens.
 std::unique_ptr<PoseFinder> make_fiducial_finder(std::vector<Fiducial> map, const Calibration& lens,
-                                                 LogSink& log);
+                                                 LogSink& log,
+                                                 std::string_view world = "this world");
 
 }  // namespace eyebridge::camera

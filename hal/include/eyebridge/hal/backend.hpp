@@ -12,8 +12,10 @@
 #include "eyebridge/hal/world_control.hpp"
 
 namespace eyebridge::camera {
+class FrameSink;
+class Source;
 class View;
-}
+}  // namespace eyebridge::camera
 
 namespace eyebridge::hal {
 
@@ -49,6 +51,13 @@ class Backend {
   virtual WorldControl* world() = 0;
   /// What a rendered camera on this robot looks at; null when nothing here can be rendered.
   virtual camera::View* camera_view() = 0;
+  /// The camera that is part of this robot and open already (a person carries both); null when
+  /// frames come from wherever --camera says. For one reader.
+  virtual camera::Source* camera_source() = 0;
+
+  /// Where every frame that the program is given is to be handed, until stop(); null when this run
+  /// is not recorded. Owned by the backend.
+  virtual camera::FrameSink* frame_sink() { return nullptr; }
 
   /// Tells `sink` of every step from now on, in the place of an earlier sink; null ends it. The
   /// sink is lent until then: once this returns, the old one is not called any more. Any thread,

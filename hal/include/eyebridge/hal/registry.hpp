@@ -33,7 +33,8 @@ struct BackendFactory {
 std::span<const BackendFactory> backend_table();
 
 /// The row of the backend that `config` names under "hal". Throws ConfigError for a bad URL, or an
-/// unknown scheme (naming the known ones), and for a bad text under "faults" or "mix".
+/// unknown scheme (naming the known ones), and for a bad text under "faults", "mix" or
+/// "drive".
 const BackendFactory& find_backend(const Config& config);
 
 /// Whether opening what `config` names has effects outside: that of "hal", or one under "mix".
@@ -41,9 +42,10 @@ const BackendFactory& find_backend(const Config& config);
 bool opening_has_effects(const Config& config);
 
 /// Opens the backend that `config` names under "hal", e.g. "sim"; with the devices of other
-/// backends that it names under "mix"; behind the faults that it names under "faults"; recorded to
-/// the file under "record". Throws ConfigError as find_backend(), and for a world that cannot be
-/// loaded, a board that is not there, and devices that a backend lacks.
+/// backends that it names under "mix"; driven by a person under "drive", who carries the camera
+/// that it names under "camera", which is opened then; behind the faults that it names under
+/// "faults"; recorded to the file under "record". Throws ConfigError as find_backend(), and for a
+/// world that cannot be loaded, a board that is not there, and devices that a backend lacks.
 std::unique_ptr<Backend> open_backend(const BackendContext& context);
 
 }  // namespace eyebridge::hal

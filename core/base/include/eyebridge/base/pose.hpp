@@ -63,6 +63,13 @@ inline Pose transform(const Pose& frame, const Pose& local) {
   return {p.x, p.y, wrap_angle(frame.theta + local.theta)};
 }
 
+/// `pose` as seen from `frame`; both are given in the same frame. Undoes transform().
+inline Pose relative_to(const Pose& frame, const Pose& pose) {
+  const Vec2 away = pose.position() - frame.position();
+  const Vec2 p = Heading::from_angle(-frame.theta).rotate(away);
+  return {p.x, p.y, wrap_angle(pose.theta - frame.theta)};
+}
+
 /// Speed of a robot: metres per second forward, radians per second counter-clockwise.
 struct Twist {
   double linear = 0.0;

@@ -1,0 +1,101 @@
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <system_error>
+#include <vector>
+
+#include "eyebridge/base/config_error.hpp"
+#include "eyebridge/camera/picture.hpp"
+#include "frames/frame_series.hpp"
+
+namespace eyebridge::camera {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_picture_name(const fs::path& path) {
+  std::string ending = path.extension().string();
+  for (char& c : ending) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  constexpr std::array kEndings{".png", ".jpg", ".jpeg", ".bmp"};
+  return std::ranges::find(kEndings, ending) != kEndings.end();
+}
+
+std::string text_of(Size size) {
+  return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
+class FolderSeries final : public FrameSeries {
+ public:
+  FolderSeries(std::vector<fs::path> files, Size size, Time period)
+      : files_(std::move(files)), size_(size), period_(period) {}
+
+  [[nodiscard]] Size size() const override { return size_; }
+  [[nodiscard]] Time period() const override { return period_; }
+  [[nodiscard]] bool is_on_robots_clock() const override { return false; }
+
+  std::optional<SeriesEntry> entry(int ahead) override {
+    const std::size_t index = at_ + static_cast<std::size_t>(ahead);
+    if (index >= files_.size()) return std::nullopt;
+    const Time due = period_ * static_cast<Time::rep>(index);
+    return SeriesEntry{due, due, index};
+  }
+  Result<Frame> picture() override {
+    try {
+      Frame frame = read_picture(files_[at_]);
+      if (Size{frame.width, frame.height} == size_) return frame;
+      return fail(Errc::Corrupt, "camera: " + files_[at_].string() + " is of another size now");
+    } catch (const std::runtime_error& error) {
+      return fail(Errc::Corrupt, std::string("camera: ") + error.what());
+    }
+  }
+  void advance() override { ++at_; }
+  void rewind() override { at_ = 0; }
+
+ private:
+  std::vector<fs::path> files_;
+  Size size_;
+  Time period_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+std::vector<fs::path> pictures_in(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error)) {
+    if (is_picture_name(entry->path())) files.push_back(entry->path());
+  }
+  if (error) throw ConfigError({folder.string()}, "cannot be read: " + error.message());
+  if (files.empty()) {
+    throw ConfigError({folder.string()},
+                      "found no pictures in this folder, expected .png, .jpg or .bmp");
+  }
+  std::ranges::sort(files, natural_less,
+                    [](const fs::path& path) { return path.filename().string(); });
+  return files;
+}
+
+std::unique_ptr<FrameSeries> open_folder_series(const fs::path& folder, Time period) {
+  std::vector<fs::path> files = pictures_in(folder);
+  Size size;
+  for (const fs::path& file : files) {
+    Size here;
+    try {
+      here = picture_size(file);
+    } catch (const std::runtime_error& error) {
+      throw ConfigError({}, error.what());
+    }
+    if (&file == &files.front()) size = here;
+    if (here == size) continue;
+    throw ConfigError({file.string()}, "found " + text_of(here) + " pixels, expected " +
+                                           text_of(size) + " as " + files.front().string() +
+                                           ": pictures of one camera are of one size");
+  }
+  return std::make_unique<FolderSeries>(std::move(files), size, period);
+}
+
+}  // namespace eyebridge::camera

@@ -1,0 +1,138 @@
+#include "eyebridge/camera/recording/recording_file.hpp"
+
+#include <csignal>
+#include <system_error>
+
+#include <pthread.h>
+
+#include "eyebridge/base/config_error.hpp"
+
+namespace eyebridge::camera {
+namespace {
+
+constexpr Time kCommitPeriod = std::chrono::seconds(1);
+constexpr auto kRealCommitPeriod = std::chrono::milliseconds(500);
+
+constexpr const char* kSchema =
+    "PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; PRAGMA application_id=0x45425243;"
+    "CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL);"
+    "CREATE TABLE device(kind TEXT NOT NULL, id INTEGER NOT NULL, facts TEXT NOT NULL);"
+    "CREATE TABLE exchange(seq INTEGER PRIMARY KEY, t INTEGER NOT NULL, device TEXT NOT NULL,"
+    " id INTEGER NOT NULL, call TEXT NOT NULL, request TEXT NOT NULL, reply TEXT, error INTEGER,"
+    " what TEXT);"
+    "CREATE TABLE frame(seq INTEGER PRIMARY KEY, t INTEGER NOT NULL, taken INTEGER NOT NULL,"
+    " sequence INTEGER NOT NULL, width INTEGER NOT NULL, height INTEGER NOT NULL,"
+    " format TEXT NOT NULL, codec TEXT NOT NULL, data BLOB NOT NULL);"
+    "INSERT INTO meta VALUES('version','1');";
+
+sqlite::Database make_database(const std::filesystem::path& path, const RecordingFacts& facts) {
+  sqlite3* opened = nullptr;
+  const int code = sqlite3_open(path.c_str(), &opened);
+  sqlite::Database database(opened);
+  if (code != SQLITE_OK) throw std::runtime_error(sqlite3_errmsg(opened));
+  sqlite::run(opened, kSchema);
+  const sqlite::Statement add = sqlite::prepare(opened, "INSERT INTO meta VALUES(?,?)");
+  for (const auto& [key, value] : facts) {
+    sqlite::reset(add);
+    sqlite::bind(add, 1, key);
+    sqlite::bind(add, 2, value);
+    sqlite::step(add);
+  }
+  return database;
+}
+
+/// A thread that takes no signal: handlers of a program run on the program's threads.
+std::thread deaf_thread(const std::function<void()>& body) {
+  sigset_t all;
+  sigset_t before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  std::thread thread(body);
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return thread;
+}
+
+}  // namespace
+
+RecordingFile::RecordingFile(const std::filesystem::path& path, const RecordingFacts& facts) {
+  for (const char* end : {"", "-wal", "-shm"}) {
+    std::error_code ignored;  // what cannot be removed cannot be written either: SQLite will say so
+    std::filesystem::remove(path.string() + end, ignored);
+  }
+  try {
+    database_ = make_database(path, facts);
+  } catch (const std::runtime_error& error) {
+    throw ConfigError({}, "cannot write " + path.string() + ": " + error.what());
+  }
+  committer_ = deaf_thread([this] { keep_committing(); });
+}
+
+RecordingFile::~RecordingFile() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  ended_.notify_all();
+  committer_.join();
+  try {
+    commit();
+  } catch (const std::runtime_error&) {  // write() has met it, or will not come any more
+  }
+}
+
+sqlite::Statement RecordingFile::prepare(const char* sql) {
+  const std::lock_guard lock(mutex_);
+  return sqlite::prepare(database_.get(), sql);
+}
+
+void RecordingFile::write(Time time, const std::function<void()>& add_rows) {
+  const std::lock_guard lock(mutex_);
+  if (!failure_.empty()) throw std::runtime_error(failure_);
+  if (pending_ && time - begun_ >= kCommitPeriod) commit_pending();
+  if (!pending_) {
+    sqlite::run(database_.get(), "BEGIN");
+    pending_ = true;
+    begun_ = time;
+  }
+  add_rows();
+}
+
+void RecordingFile::commit() {
+  const std::lock_guard lock(mutex_);
+  if (!failure_.empty()) throw std::runtime_error(failure_);
+  commit_pending();
+}
+
+void RecordingFile::commit_pending() {
+  if (std::exchange(pending_, false)) sqlite::run(database_.get(), "COMMIT");
+}
+
+// Real time on purpose: what is lost when a process is killed is lost in real time.
+void RecordingFile::keep_committing() {
+  // By this name robios knows that it is none of the program's own threads.
+  pthread_setname_np(pthread_self(), "eb:recording");
+  std::unique_lock lock(mutex_);
+  while (!ended_.wait_for(lock, kRealCommitPeriod, [this] { return ending_; })) {
+    try {
+      commit_pending();
+    } catch (const std::runtime_error& error) {
+      failure_ = error.what();
+      return;
+    }
+  }
+}
+
+sqlite::Database open_recording(const std::filesystem::path& path) {
+  sqlite3* opened = nullptr;
+  const int code = sqlite3_open_v2(path.c_str(), &opened, SQLITE_OPEN_READONLY, nullptr);
+  sqlite::Database database(opened);
+  if (code != SQLITE_OK) throw std::runtime_error(sqlite3_errmsg(opened));
+  const auto row = sqlite::prepare(opened, "SELECT value FROM meta WHERE key='version'");
+  if (!sqlite::step(row)) throw std::runtime_error("it has no version, expected 1");
+  if (const std::string found = sqlite::text(row, 0); found != "1") {
+    throw std::runtime_error("its version is " + found.substr(0, 40) + ", expected 1");
+  }
+  return database;
+}
+
+}  // namespace eyebridge::camera

@@ -1,0 +1,95 @@
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include <opencv2/core.hpp>
+#include <opencv2/core/utils/logger.hpp>
+#include <opencv2/videoio.hpp>
+#include <opencv2/videoio/registry.hpp>
+
+#include "frames/video_reader.hpp"
+
+namespace eyebridge::camera {
+namespace {
+
+class OpencvVideo final : public VideoReader {
+ public:
+  explicit OpencvVideo(const char* path) : path_(path) {
+    rewind();
+    size_ = {static_cast<int>(video_.get(cv::CAP_PROP_FRAME_WIDTH)),
+             static_cast<int>(video_.get(cv::CAP_PROP_FRAME_HEIGHT))};
+    const double rate = video_.get(cv::CAP_PROP_FPS);
+    rate_ = std::isfinite(rate) && rate > 0.0 ? rate : 0.0;
+    // Absurd where the container does not know: FFmpeg's "no value" times a rate.
+    const double count = video_.get(cv::CAP_PROP_FRAME_COUNT);
+    count_ = count > 0.0 && count < 1e9 ? std::llround(count) : 0;
+  }
+
+  [[nodiscard]] Size size() const override { return size_; }
+  [[nodiscard]] double rate() const override { return rate_; }
+  [[nodiscard]] std::int64_t count() const override { return count_; }
+
+  std::optional<Time> grab() override {
+    try {
+      if (!video_.grab()) return std::nullopt;
+      return from_seconds(video_.get(cv::CAP_PROP_POS_MSEC) / 1000.0);
+    } catch (const cv::Exception&) {
+      return std::nullopt;
+    }
+  }
+
+  Frame retrieve() override {
+    cv::Mat picture;
+    if (!video_.retrieve(picture) || picture.empty()) {
+      throw std::runtime_error("it cannot be decoded");
+    }
+    if (picture.type() != CV_8UC3) throw std::runtime_error("its pixels are not of 24 bits");
+    Frame frame;
+    frame.width = picture.cols;
+    frame.height = picture.rows;
+    frame.stride = 3 * picture.cols;
+    frame.bytes.resize(static_cast<std::size_t>(frame.stride) *
+                       static_cast<std::size_t>(frame.height));
+    std::uint8_t* out = frame.bytes.data();
+    for (int y = 0; y < picture.rows; ++y) {
+      const std::uint8_t* in = picture.ptr(y);
+      for (int x = 0; x < picture.cols; ++x, in += 3, out += 3) {
+        out[0] = in[2];
+        out[1] = in[1];
+        out[2] = in[0];
+      }
+    }
+    return frame;
+  }
+
+  // Opened again: not every container can be sought in.
+  void rewind() override {
+    try {
+      if (!video_.open(path_, cv::CAP_FFMPEG))
+        throw std::runtime_error("no video that can be read");
+    } catch (const cv::Exception& error) {
+      throw std::runtime_error(error.err);
+    }
+  }
+
+ private:
+  std::string path_;
+  cv::VideoCapture video_;
+  Size size_;
+  double rate_ = 0.0;
+  std::int64_t count_ = 0;
+};
+
+}  // namespace
+}  // namespace eyebridge::camera
+
+extern "C" __attribute__((visibility("default"))) eyebridge::camera::VideoReader*
+eyebridge_open_video(const char* path) {
+  // What goes wrong is said once, by us.
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  if (!cv::videoio_registry::hasBackend(cv::CAP_FFMPEG)) {
+    throw std::runtime_error("this OpenCV was built without FFmpeg, which reads videos");
+  }
+  return std::make_unique<eyebridge::camera::OpencvVideo>(path).release();
+}

@@ -1,0 +1,80 @@
+#include "hand/hand_backend.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "eyebridge/camera/view.hpp"
+#include "hand/hand_drive.hpp"
+#include "hand/pulling_clock.hpp"
+#include "mix/follow.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+/// Where the camera sits on the robot now.
+Pose camera_in_robot(Backend& backend) {
+  const camera::Eye eye = backend.camera_view()->eye();
+  return relative_to(backend.world()->robot_pose(0).value(), {eye.x, eye.y, eye.heading});
+}
+
+class HandBackend final : public Backend {
+ public:
+  HandBackend(std::unique_ptr<Backend> inner, HandParts parts)
+      : world_(*inner->world()),
+        display_(std::move(parts.display)),
+        robot_({std::move(parts.finder), camera_in_robot(*inner), inner->clock(),
+                [this](const Pose& pose) { (void)world_.set_robot_pose(0, pose); }, *display_}),
+        inner_clock_(inner->clock()),
+        camera_(std::move(parts.camera), inner_clock_, robot_),
+        pulling_(inner_clock_, camera_),
+        drive_(robot_, clock()) {
+    tracker_.follow([this] { return wait_for_pose(robot_, clock()); });
+    inner_ = make_following(std::move(inner), {nullptr, &world_, &tracker_, false});
+  }
+
+  Clock& clock() override {
+    if (inner_clock_.is_virtual()) return pulling_;
+    return inner_clock_;
+  }
+  [[nodiscard]] int robot_id() const override { return inner_->robot_id(); }
+  Drive* drive() override { return &drive_; }
+  RangeSensor* range_sensor(int id) override { return inner_->range_sensor(id); }
+  SwitchSensor* proximity(int id) override { return inner_->proximity(id); }
+  SwitchSensor* bumper(int id) override { return inner_->bumper(id); }
+  Lidar* lidar() override { return inner_->lidar(); }
+  Compass* compass() override { return inner_->compass(); }
+  Motor* motor(int) override { return nullptr; }
+  Encoder* encoder(int) override { return nullptr; }
+  Servo* servo(int id) override { return inner_->servo(id); }
+  WorldControl* world() override { return inner_->world(); }
+  camera::View* camera_view() override { return inner_->camera_view(); }
+  camera::Source* camera_source() override { return &camera_; }
+  void trace_to(TraceSink* sink) override { inner_->trace_to(sink); }
+  void stop() noexcept override {
+    try {
+      robot_.set_speed({});
+    } catch (...) {
+      // A display that has no memory left: there is no motor that could run on.
+    }
+    inner_->stop();
+  }
+
+ private:
+  WorldControl& world_;
+  std::unique_ptr<InstructionSink> display_;
+  CarriedRobot robot_;
+  Clock& inner_clock_;
+  std::unique_ptr<Backend> inner_;  ///< Outlives the camera, which lives on its clock.
+  PoseTracker tracker_;
+  camera::SharedSource camera_;  ///< Calls the robot from a thread of its own: ends before it.
+  PullingClock pulling_;
+  HandDrive drive_;
+};
+
+}  // namespace
+
+std::unique_ptr<Backend> make_hand(std::unique_ptr<Backend> inner, HandParts parts) {
+  return std::make_unique<HandBackend>(std::move(inner), std::move(parts));
+}
+
+}  // namespace eyebridge::hal
