@@ -18,4 +18,9 @@ std::unique_ptr<Source> open_render_source(std::string_view rest, const SourceCo
 void check_pattern_source(std::string_view rest, const SourceContext& context);
 std::unique_ptr<Source> open_pattern_source(std::string_view rest, const SourceContext& context);
 
+/// A live camera; `rest` is a camera's name with options, or empty: see v4l2/camera_url.hpp. Not in
+/// virtual time.
+void check_v4l2_source(std::string_view rest, const SourceContext& context);
+std::unique_ptr<Source> open_v4l2_source(std::string_view rest, const SourceContext& context);
+
 }  // namespace eyebridge::camera
