@@ -15,6 +15,8 @@ constexpr std::array<SourceFactory, 3> kSources{{
      &check_frames_source, &open_frames_source},
     {"pattern", "colour bars with the frame's number, needs no world", &check_pattern_source,
      &open_pattern_source},
+    {"v4l2", "a live camera (v4l2:/dev/video0?size=640x480&fps=30&format=YUYV)", &check_v4l2_source,
+     &open_v4l2_source},
 }};
 
 struct Found {
