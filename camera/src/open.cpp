@@ -8,7 +8,7 @@
 namespace eyebridge::camera {
 namespace {
 
-constexpr std::array<SourceFactory, 3> kSources{{
+constexpr auto kSources = std::to_array<SourceFactory>({
     {"render", "pictures of the simulated world (render:osmesa, render:egl)", &check_render_source,
      &open_render_source},
     {"frames", "a folder of pictures, a video or a recording: frames:PATH?end=loop|hold|end&fps=30",
@@ -17,7 +17,7 @@ constexpr std::array<SourceFactory, 3> kSources{{
      &open_pattern_source},
     {"v4l2", "a live camera (v4l2:/dev/video0?size=640x480&fps=30&format=YUYV)", &check_v4l2_source,
      &open_v4l2_source},
-}};
+});
 
 struct Found {
   const SourceFactory& factory;
