@@ -93,13 +93,18 @@ Result<io7::Reply> Io7Client::exchange(const io7::Request& request) {
   return reply;
 }
 
+Result<void> Io7Client::keep_alive() {
+  if (clock_.now() - session_->last_heard() < settings_.idle) return session_->repeat_orders();
+  return session_->exchange(io7::request(IO7_VERSION)).map([](const io7::Reply&) {});
+}
+
 bool Io7Client::look_after() {
   {
     const std::lock_guard lock(mutex_);
     if (session_ != nullptr) {
-      if (clock_.now() - session_->last_heard() < settings_.idle) return false;
-      const auto alive = session_->exchange(io7::request(IO7_VERSION));
-      if (!alive && alive.error().code == Errc::Disconnected) lose(alive.error());
+      if (const auto alive = keep_alive(); !alive && alive.error().code == Errc::Disconnected) {
+        lose(alive.error());
+      }
       return false;
     }
     if (generation_ == 0 || clock_.now() < retry_at_) return false;

@@ -15,6 +15,10 @@ using State = io7::ReplyParser::State;
 // attempt fails. A silent one is given up sooner.
 constexpr int kResyncAttempts = 8;
 constexpr int kSilentAttempts = 3;
+constexpr int kAttempts = 2;       // of an exchange
+constexpr int kNoisyAttempts = 3;  // on a line that is known to spoil bytes
+constexpr int kQuickAttempts = 5;  // to find back there, before silence counts for a board's
+constexpr int kSpoiltMode = 2;  // after so many of them a spoiled byte may have made replies text
 // Completes the longest binary request, whose arguments a board may still be waiting for. All 0: as
 // an argument that is "stop", as a letter it is none.
 constexpr std::array<std::uint8_t, 6> kCompletion{};
@@ -41,7 +45,8 @@ Io7Session::Io7Session(std::unique_ptr<ByteStream> stream, io7::ProbeReport repo
 
 Time Io7Session::reply_patience() const {
   if (smoothed_latency_ == Time{0}) return settings_.reply_timeout;
-  return std::clamp(10 * smoothed_latency_, settings_.reply_least, settings_.reply_timeout);
+  const Time least = noisy() ? settings_.noisy_least : settings_.reply_least;
+  return std::clamp(10 * smoothed_latency_, least, settings_.reply_timeout);
 }
 
 bool Io7Session::speaks_lines() const {
@@ -62,15 +67,29 @@ Result<io7::Reply> Io7Session::exchange(const io7::Request& request) {
   const auto bytes = io7::encode(request, report_.profile);
   if (!bytes) return tl::unexpected(bytes.error());
   ++statistics_.requests;
+  orders_.note(request, clock_.now());
+  if (!noisy()) return exchange_once(request, *bytes);
+  if (auto repeated = repeat_orders(); !repeated) {
+    return tl::unexpected(std::move(repeated.error()));
+  }
+  auto reply = exchange_once(request, *bytes);
+  return reply ? confirmed(request, *bytes, *reply) : reply;
+}
+
+Result<io7::Reply> Io7Session::exchange_once(const io7::Request& request,
+                                             const io7::RequestBytes& bytes) {
   if (auto silent = expect_silence(); !silent) return tl::unexpected(std::move(silent.error()));
 
-  auto reply = ask(request, *bytes, reply_patience());
+  auto reply = ask(request, bytes, reply_patience());
   for (int attempt = 1; !reply && !is_lost(reply.error()); ++attempt) {
+    quality_.note_fault(clock_.now());
     if (auto found = resync(); !found) return tl::unexpected(std::move(found.error()));
-    if (attempt == 2 || !may_repeat(request.letter)) break;
+    const int most = noisy() ? kNoisyAttempts : kAttempts;
+    if (attempt >= most || !may_repeat(request.letter)) break;
     ++statistics_.retries;
-    // A line that was slow once may be so again, and there is no third time.
-    reply = ask(request, *bytes, settings_.reply_timeout);
+    // A line that was slow once may be so again, and the last time there is no other.
+    const bool last = attempt + 1 >= most;
+    reply = ask(request, bytes, last ? settings_.reply_timeout : reply_patience());
   }
   return reply;
 }
@@ -88,6 +107,7 @@ Result<void> Io7Session::expect_silence() {
   const std::uint32_t stray = parser_.stray() - before;
   if (stray == 0) return {};
   statistics_.stray += stray;
+  quality_.note_fault(clock_.now());
   return resync();
 }
 
@@ -102,7 +122,13 @@ Result<io7::Reply> Io7Session::ask(const io7::Request& request, const io7::Reque
 
   const std::uint32_t before = parser_.stray();
   while (parser_.state() == State::Waiting) {
-    const auto count = stream_->read_some(buffer_, start + patience);
+    const Time deadline = start + patience;
+    const Time until = orders_interrupt() ? std::min(deadline, orders_.next_motor()) : deadline;
+    const auto count = stream_->read_some(buffer_, until);
+    if (!count && count.error().code == Errc::Timeout && until < deadline) {
+      if (auto sent = write_orders(); !sent) return tl::unexpected(std::move(sent.error()));
+      continue;
+    }
     if (!count && count.error().code != Errc::Timeout) return tl::unexpected(count.error());
     if (!count && parser_.quiet() == State::Waiting) {
       ++statistics_.timeouts;
@@ -152,22 +178,27 @@ Result<void> Io7Session::resync() {
   if (!bytes) return tl::unexpected(bytes.error());
   std::string found = "nothing";
   int silent = 0;
-  for (int attempt = 0; attempt < kResyncAttempts && silent < kSilentAttempts; ++attempt) {
+  const int quick_attempts = noisy() ? kQuickAttempts : 0;
+  for (int attempt = 0; attempt < quick_attempts + kResyncAttempts && silent < kSilentAttempts;
+       ++attempt) {
     const auto late = drain_until_quiet();
     if (!late) return tl::unexpected(late.error());
     statistics_.stray += *late;
+    if (auto repeated = write_orders(); !repeated) return repeated;
+    if (attempt >= kSpoiltMode && attempt < quick_attempts) quieten();
     auto woken = stream_->write_all(wake_up, clock_.now() + settings_.resync_timeout);
     if (!woken && is_lost(woken.error())) return woken;
     if (auto prompt = drain_until_quiet(); !prompt) return tl::unexpected(prompt.error());
     // Mostly a byte was lost and the board is well: it answers as soon as ever.
-    const auto reply =
-        ask(version, *bytes, attempt == 0 ? settings_.reply_timeout : settings_.resync_timeout);
+    const bool quick = attempt < quick_attempts;
+    const Time patience = attempt == 0 ? settings_.reply_timeout : settings_.resync_timeout;
+    const auto reply = ask(version, *bytes, quick ? reply_patience() : patience);
     if (!reply && is_lost(reply.error())) return tl::unexpected(reply.error());
     if (reply && std::equal(reply->version.begin(), reply->version.end(), report_.version.begin(),
                             report_.version.end())) {
       return {};
     }
-    if (!reply && reply.error().code == Errc::Timeout) ++silent;
+    if (!reply && reply.error().code == Errc::Timeout && !quick) ++silent;
     found = reply ? "the version " + std::string(reply->version.begin(), reply->version.end())
                   : reply.error().what;
   }

@@ -7,11 +7,17 @@
 #include "eyebridge/bridges/client/io7_settings.hpp"
 #include "eyebridge/bridges/io7/probe.hpp"
 #include "eyebridge/bridges/io7/reply_parser.hpp"
+#include "line_quality.hpp"
+#include "standing_orders.hpp"
 
 namespace eyebridge::bridges {
 
 /// One line to one board that was probed: a request, its reply, and finding back when they no
 /// longer fit. For one thread at a time. Disconnected is final.
+///
+/// While the line is noisy (LineQuality) a reading counts when two agree, commands that nothing
+/// answers are sent twice, and what motors, servos and outputs were told last is repeated. A clean
+/// line carries nothing of that.
 class Io7Session {
  public:
   /// What is referred to must outlive this.
@@ -23,6 +29,10 @@ class Io7Session {
   /// the board does not answer as itself any more. Allocates only when it fails.
   Result<io7::Reply> exchange(const io7::Request& request);
 
+  /// To be called every 10 ms: repeats what the board was told, while the line is noisy and the
+  /// board answers. Fails with Timeout or Disconnected.
+  Result<void> repeat_orders();
+
   /// Sets every motor to 0.
   Result<void> stop_motors();
 
@@ -33,6 +43,7 @@ class Io7Session {
   [[nodiscard]] Time last_heard() const { return last_heard_; }
 
  private:
+  Result<io7::Reply> exchange_once(const io7::Request& request, const io7::RequestBytes& bytes);
   Result<io7::Reply> ask(const io7::Request& request, const io7::RequestBytes& bytes,
                          Time patience);
   Result<void> resync();
@@ -44,11 +55,31 @@ class Io7Session {
   void note_latency(Time latency);
   [[nodiscard]] Time reply_patience() const;
 
+  // On a noisy line, in noisy_line.cpp.
+  [[nodiscard]] bool noisy() const { return quality_.noisy(clock_.now()); }
+  /// A reading that another one agrees with; a command that was sent twice.
+  Result<io7::Reply> confirmed(const io7::Request& request, const io7::RequestBytes& bytes,
+                               const io7::Reply& first);
+  Result<io7::Reply> agreed(const io7::Request& request, const io7::RequestBytes& bytes,
+                            const io7::Reply& first);
+  /// Whether orders are to be repeated.
+  [[nodiscard]] bool orders_stand() const;
+  /// Sends what is due, where nothing answers it.
+  Result<void> write_orders();
+  /// Makes replies raw again, where they were.
+  void quieten();
+  /// Whether nothing at all comes back for a command.
+  [[nodiscard]] bool is_unanswered() const;
+  /// Whether orders may be sent while a reply is waited for.
+  [[nodiscard]] bool orders_interrupt() const;
+
   std::unique_ptr<ByteStream> stream_;
   io7::ProbeReport report_;
   Clock& clock_;
   const Io7Settings& settings_;
   Io7Statistics& statistics_;
+  LineQuality quality_;
+  StandingOrders orders_;
   io7::ReplyParser parser_;
   std::array<std::uint8_t, 512> buffer_{};
   Time smoothed_latency_{0};  ///< 0: none known.

@@ -37,7 +37,10 @@ class Io7Client {
   /// does, or as io7::Probe does when there is no such board behind the line.
   Result<void> connect();
 
-  /// Asks and gives the reply, repeating once what failed. Fails with Unsupported (the board does
+  /// Asks and gives the reply, repeating once what failed. On a line that has spoiled bytes twice
+  /// within five seconds, and until it has not for as long, a reading counts when two agree (of six
+  /// at most, else Corrupt), commands are sent twice, and what motors, servos and outputs were told
+  /// last is told again: motors every 10 ms. Fails with Unsupported (the board does
   /// not list the letter), OutOfRange, Timeout, Corrupt, or Disconnected: from the loss of the line
   /// until look_after() has found the board again. Allocates only when it fails.
   Result<io7::Reply> exchange(const io7::Request& request);
@@ -58,6 +61,7 @@ class Io7Client {
  private:
   Result<void> find_board(Time patience);
   void lose(const Error& error);  // under mutex_
+  Result<void> keep_alive();      // likewise, with a session
   void note_found(const io7::ProbeReport& report, std::string_view name) const;
 
   const StreamOpener open_;

@@ -14,6 +14,8 @@ struct Io7Settings {
   /// what they take, but at least `reply_least`; the whole of it when it asks again.
   Time reply_timeout = std::chrono::milliseconds(50);
   Time reply_least = std::chrono::milliseconds(20);
+  /// The same on a noisy line, where many replies will never come.
+  Time noisy_least = std::chrono::milliseconds(5);
   /// For what a resync sends, and for the `v` that ends it from the second attempt on.
   Time resync_timeout = std::chrono::milliseconds(200);
   ProbeTiming probe{};
@@ -33,12 +35,14 @@ struct Io7Statistics {
   std::uint64_t answered = 0;  ///< Replies that came and were right.
   std::uint64_t retries = 0;
   std::uint64_t resyncs = 0;
-  std::uint64_t timeouts = 0;      ///< No reply in time.
-  std::uint64_t corrupt = 0;       ///< A reply that could not be right, or was followed by more.
-  std::uint64_t stray = 0;         ///< Bytes that belonged to no reply.
-  std::uint64_t losses = 0;        ///< The line was lost.
-  std::uint64_t connects = 0;      ///< A board was found and made ready.
-  Time latency_min = Time::max();  ///< From the first byte out to the last byte in.
+  std::uint64_t timeouts = 0;       ///< No reply in time.
+  std::uint64_t corrupt = 0;        ///< A reply that could not be right, or was followed by more.
+  std::uint64_t stray = 0;          ///< Bytes that belonged to no reply.
+  std::uint64_t disagreements = 0;  ///< Readings that the others of the same thing deny.
+  std::uint64_t repeated = 0;       ///< Orders that were sent again because the line is noisy.
+  std::uint64_t losses = 0;         ///< The line was lost.
+  std::uint64_t connects = 0;       ///< A board was found and made ready.
+  Time latency_min = Time::max();   ///< From the first byte out to the last byte in.
   Time latency_max{0};
   Time latency_sum{0};  ///< Of `answered` replies.
 

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "eyebridge/base/clock.hpp"
+
+namespace eyebridge::bridges {
+
+/// Whether a line spoils bytes at present: it does from the second fault within a memory's length
+/// on, until it had none for as long. One alone is a hiccup of the board or of this computer.
+class LineQuality {
+ public:
+  static constexpr Time kMemory = std::chrono::seconds(5);
+
+  void note_fault(Time now) {
+    if (any_ && now - last_ < kMemory) noisy_until_ = now + kMemory;
+    last_ = now;
+    any_ = true;
+  }
+  [[nodiscard]] bool noisy(Time now) const { return now < noisy_until_; }
+
+ private:
+  bool any_ = false;
+  Time last_{0};
+  Time noisy_until_ = Time::min();
+};
+
+}  // namespace eyebridge::bridges
