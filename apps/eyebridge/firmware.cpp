@@ -17,6 +17,7 @@
 #include "eyebridge/ports/can_hub.hpp"
 #include "firmware_parts.hpp"
 #include "path_file.hpp"
+#include "stop_signals.hpp"
 
 namespace eyebridge::apps {
 namespace {

@@ -10,6 +10,7 @@
 #include "firmware_parts.hpp"
 #include "own_files.hpp"
 #include "path_file.hpp"
+#include "stop_signals.hpp"
 
 namespace eyebridge::apps {
 namespace {

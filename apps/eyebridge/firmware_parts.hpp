@@ -52,10 +52,6 @@ eb_config board_config(const FirmwareOptions& options, const WantedBoard& wanted
 /// The computer's clock, which only goes forward.
 Time monotonic_now();
 
-/// From now on SIGINT, SIGTERM and SIGHUP only set what stop_asked() says.
-void stop_on_signals();
-bool stop_asked();
-
 /// Where `--trace` goes, if it was given; times count from its making.
 class FirmwareTrace {
  public:

@@ -24,7 +24,8 @@ struct RecordFlags {
 
 int show(const RecordFlags& flags, bool with_calls) {
   const hal::Recording recording = hal::read_recording(flags.show);
-  std::fputs(recording_summary(recording, flags.show).c_str(), stdout);
+  const camera::FrameReader frames(flags.show);
+  std::fputs(recording_summary(recording, frames.frames(), flags.show).c_str(), stdout);
   if (with_calls) {
     const std::size_t most = flags.calls.empty() ? 0 : flags.calls.front();
     const std::size_t all = std::numeric_limits<std::size_t>::max();

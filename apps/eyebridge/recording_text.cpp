@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace eyebridge::apps {
 namespace {
@@ -58,9 +60,36 @@ std::string numbers(const hal::Values& values) {
   return out;
 }
 
+/// "237, 160 x 120 pixels, lossless, 2.5 MB, 29.8 a second, 3 dropped"; sizes and codecs that are
+/// mixed are all named.
+std::string frames_text(std::span<const camera::RecordedFrame> frames) {
+  if (frames.empty()) return "none";
+  std::set<std::string> kinds;
+  double bytes = 0.0;
+  std::uint64_t dropped = 0;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const camera::RecordedFrame& frame = frames[i];
+    kinds.insert(fmt::format("{} x {} pixels, {}", frame.size.width, frame.size.height,
+                             camera::name_of(frame.codec)));
+    bytes += static_cast<double>(frame.bytes);
+    // A camera that was opened again counts from 0 again.
+    const bool goes_on = i > 0 && frame.sequence > frames[i - 1].sequence;
+    if (goes_on) dropped += frame.sequence - frames[i - 1].sequence - 1;
+  }
+  std::string out =
+      fmt::format("{}, {}, {:.1f} MB", frames.size(), fmt::join(kinds, " and "), bytes / 1e6);
+  const double span = to_seconds(frames.back().given - frames.front().given);
+  if (span > 0.0) {
+    out += fmt::format(", {:.1f} a second", static_cast<double>(frames.size() - 1) / span);
+  }
+  return out + fmt::format(", {} dropped", dropped);
+}
+
 }  // namespace
 
-std::string recording_summary(const hal::Recording& recording, const std::string& name) {
+std::string recording_summary(const hal::Recording& recording,
+                              std::span<const camera::RecordedFrame> frames,
+                              const std::string& name) {
   std::map<std::string, CallCount> counts;
   std::size_t errors = 0;
   for (const hal::Exchange& exchange : recording.exchanges) {
@@ -72,7 +101,8 @@ std::string recording_summary(const hal::Recording& recording, const std::string
     ++errors;
   }
   const auto& origin = recording.origin;
-  const Time end = recording.exchanges.empty() ? Time{0} : recording.exchanges.back().time;
+  Time end = recording.exchanges.empty() ? Time{0} : recording.exchanges.back().time;
+  if (!frames.empty()) end = std::max(end, frames.back().given);
   std::string out = name + "\n";
   out += fmt::format("  program   {}\n", or_unknown(origin.program));
   out += fmt::format("  backend   {}{}\n", or_unknown(origin.hal),
@@ -80,6 +110,7 @@ std::string recording_summary(const hal::Recording& recording, const std::string
   out += fmt::format("  duration  {:.3f} s\n", to_seconds(end));
   out += fmt::format("  devices   {}\n", devices_text(recording.devices));
   out += fmt::format("  calls     {}, {} of them failed\n", recording.exchanges.size(), errors);
+  out += fmt::format("  frames    {}\n", frames_text(frames));
   if (counts.empty()) return out;
   out += fmt::format("\n{:<24} {:>8} {:>10} {:>10} {:>7}\n", "call", "times", "first", "last",
                      "failed");

@@ -28,17 +28,17 @@ std::string text_of(Size size) {
 
 class FolderSeries final : public FrameSeries {
  public:
-  FolderSeries(std::vector<fs::path> files, Size size, Time period)
-      : files_(std::move(files)), size_(size), period_(period) {}
+  FolderSeries(std::vector<fs::path> files, Size size, double rate)
+      : files_(std::move(files)), size_(size), rate_(rate) {}
 
   [[nodiscard]] Size size() const override { return size_; }
-  [[nodiscard]] Time period() const override { return period_; }
+  [[nodiscard]] Time period() const override { return time_of(1); }
   [[nodiscard]] bool is_on_robots_clock() const override { return false; }
 
   std::optional<SeriesEntry> entry(int ahead) override {
     const std::size_t index = at_ + static_cast<std::size_t>(ahead);
     if (index >= files_.size()) return std::nullopt;
-    const Time due = period_ * static_cast<Time::rep>(index);
+    const Time due = time_of(index);
     return SeriesEntry{due, due, index};
   }
   Result<Frame> picture() override {
@@ -54,9 +54,14 @@ class FolderSeries final : public FrameSeries {
   void rewind() override { at_ = 0; }
 
  private:
+  /// Rounded down, as the times of simulated cameras.
+  [[nodiscard]] Time time_of(std::size_t index) const {
+    return Time(static_cast<Time::rep>(static_cast<double>(index) * 1e9 / rate_));
+  }
+
   std::vector<fs::path> files_;
   Size size_;
-  Time period_;
+  double rate_;
   std::size_t at_ = 0;
 };
 
@@ -79,7 +84,7 @@ std::vector<fs::path> pictures_in(const fs::path& folder) {
   return files;
 }
 
-std::unique_ptr<FrameSeries> open_folder_series(const fs::path& folder, Time period) {
+std::unique_ptr<FrameSeries> open_folder_series(const fs::path& folder, double rate) {
   std::vector<fs::path> files = pictures_in(folder);
   Size size;
   for (const fs::path& file : files) {
@@ -95,7 +100,7 @@ std::unique_ptr<FrameSeries> open_folder_series(const fs::path& folder, Time per
                                            text_of(size) + " as " + files.front().string() +
                                            ": pictures of one camera are of one size");
   }
-  return std::make_unique<FolderSeries>(std::move(files), size, period);
+  return std::make_unique<FolderSeries>(std::move(files), size, rate);
 }
 
 }  // namespace eyebridge::camera

@@ -50,8 +50,9 @@ class FrameSeries {
 // All throw ConfigError naming the file, or "--camera" where a library is missing.
 
 /// The pictures of a folder (names that end in png, jpg, jpeg or bmp; other files are left out), in
-/// the natural order of their names: frame2 comes before frame10. All must be of one size.
-std::unique_ptr<FrameSeries> open_folder_series(const std::filesystem::path& folder, Time period);
+/// the natural order of their names: frame2 comes before frame10; `rate` of them
+/// a second, 0.01 … 1000. All must be of one size.
+std::unique_ptr<FrameSeries> open_folder_series(const std::filesystem::path& folder, double rate);
 /// The frames of a recording, at the times when they were given.
 std::unique_ptr<FrameSeries> open_recorded_series(const std::filesystem::path& file);
 /// A video file of any kind that OpenCV (FFmpeg) reads, at its own times.

@@ -13,7 +13,7 @@ namespace {
 std::unique_ptr<FrameSeries> open_series(const FramesUrl& url) {
   switch (url.kind) {
     case FramesUrl::Kind::Folder:
-      return open_folder_series(url.path, url.period);
+      return open_folder_series(url.path, url.rate);
     case FramesUrl::Kind::Recording:
       return open_recorded_series(url.path);
     case FramesUrl::Kind::Video:

@@ -47,11 +47,11 @@ auto value_of(const Words& words, std::string_view key, const std::string& text)
                                 ", expected one of: " + known);
 }
 
-Time period_of(const std::string& text) {
+double rate_of(const std::string& text) {
   double rate = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), rate);
   const bool is_number = error == std::errc{} && end == text.data() + text.size();
-  if (is_number && rate >= kLowestRate && rate <= kHighestRate) return from_seconds(1.0 / rate);
+  if (is_number && rate >= kLowestRate && rate <= kHighestRate) return rate;
   throw ConfigError(kWhere, "found fps=" + text.substr(0, 40) + ", expected 0.01 ... 1000");
 }
 
@@ -90,7 +90,7 @@ FramesUrl parse_frames_url(std::string_view rest) {
   wanted.path = url.rest;
   wanted.kind = kind_of(wanted.path);
   if (wanted.kind == FramesUrl::Kind::Folder) {
-    wanted.period = from_seconds(1.0 / FrameSchedule::kFramesPerSecond);
+    wanted.rate = FrameSchedule::kFramesPerSecond;
   }
   for (const auto& [key, value] : url.options) {
     if (key == "end") {
@@ -105,7 +105,7 @@ FramesUrl parse_frames_url(std::string_view rest) {
                                     ", expected it for a folder only: a video and a recording have"
                                     " times of their own");
     } else {
-      wanted.period = period_of(value);
+      wanted.rate = rate_of(value);
     }
   }
   return wanted;

@@ -4,8 +4,6 @@
 #include <optional>
 #include <string_view>
 
-#include "eyebridge/base/clock.hpp"
-
 namespace eyebridge::camera {
 
 /// What `frames:PATH?end=…&fps=…&pick=…` asks for.
@@ -25,7 +23,7 @@ struct FramesUrl {
   Kind kind = Kind::Folder;
   End end = End::Stop;
   Pick pick = Pick::Newest;
-  Time period{0};  ///< Of a folder; else 0.
+  double rate = 0.0;  ///< Of a folder, frames a second; else 0.
 };
 
 /// Reads what follows "frames:". Throws ConfigError: nothing is there, a folder has no pictures, an

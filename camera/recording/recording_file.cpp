@@ -76,6 +76,9 @@ RecordingFile::~RecordingFile() {
   committer_.join();
   try {
     commit();
+    // Closed well, it needs no files beside it, also where readers may not make any. Not possible
+    // while somebody reads it.
+    sqlite::run(database_.get(), "PRAGMA journal_mode=DELETE");
   } catch (const std::runtime_error&) {  // write() has met it, or will not come any more
   }
 }

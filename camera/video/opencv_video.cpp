@@ -1,8 +1,11 @@
 #include <cmath>
+#include <cstdarg>
+#include <cstdlib>
 #include <memory>
 #include <stdexcept>
 #include <string>
 
+#include <dlfcn.h>
 #include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/videoio.hpp>
@@ -81,15 +84,26 @@ class OpencvVideo final : public VideoReader {
   std::int64_t count_ = 0;
 };
 
+/// What goes wrong is said once, by us; OPENCV_FFMPEG_DEBUG brings the libraries' own words back.
+void silence_libraries() {
+  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  if (std::getenv("OPENCV_FFMPEG_DEBUG") != nullptr) return;
+  // Not its level, which OpenCV sets at each opening. FFmpeg's headers are not asked for.
+  using Callback = void (*)(void*, int, const char*, va_list);
+  if (void* set_callback = dlsym(RTLD_DEFAULT, "av_log_set_callback")) {
+    reinterpret_cast<void (*)(Callback)>(set_callback)([](void*, int, const char*, va_list) {});
+  }
+}
+
 }  // namespace
 }  // namespace eyebridge::camera
 
 extern "C" __attribute__((visibility("default"))) eyebridge::camera::VideoReader*
 eyebridge_open_video(const char* path) {
-  // What goes wrong is said once, by us.
-  cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   if (!cv::videoio_registry::hasBackend(cv::CAP_FFMPEG)) {
     throw std::runtime_error("this OpenCV was built without FFmpeg, which reads videos");
   }
+  static const bool silent = (eyebridge::camera::silence_libraries(), true);
+  static_cast<void>(silent);
   return std::make_unique<eyebridge::camera::OpencvVideo>(path).release();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
 
 #include <fmt/format.h>
@@ -94,6 +95,22 @@ std::string command_line() {
   return std::string(trimmed(line));
 }
 
+/// A recording is replaced: it must not be the one that this run answers from.
+void check_record_is_not_read(const Config& config) {
+  const ConfigValue& record = config.value("record");
+  for (const char* key : {"hal", "camera"}) {
+    const std::string_view url = config.value(key).text;
+    const std::string_view path = url.substr(std::min(url.find(':'), url.size() - 1) + 1);
+    std::error_code error;  // a path that is not there is not the same
+    if (!std::filesystem::equivalent(path.substr(0, path.find('?')), config.path("record"),
+                                     error)) {
+      continue;
+    }
+    throw ConfigError(record.where, fmt::format("found {}, which --{} reads; expected another file",
+                                                in_quotes(record.text), key));
+  }
+}
+
 std::unique_ptr<Backend> recorded(std::unique_ptr<Backend> backend, const BackendContext& context) {
   const ConfigValue& record = context.config.value("record");
   try {
@@ -132,6 +149,7 @@ std::unique_ptr<Backend> open_backend(const BackendContext& context) {
   const ConfigValue& hal = config.value("hal");
   FaultScript script = faults_of(config);
   auto backend = find_backend(config).open(parse_backend_url(hal.text, hal.where), context);
+  if (config.is_set("record")) check_record_is_not_read(config);
   if (config.is_set("mix")) backend = mixed(std::move(backend), context);
   backend = with_hand(std::move(backend), context);
   if (!script.empty()) {

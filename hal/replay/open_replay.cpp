@@ -27,6 +27,12 @@ std::unique_ptr<Backend> open_replay(const BackendUrl& url, const BackendContext
   const bool strict = wants_strict(url, where);
   if (url.rest.empty()) throw ConfigError(where, "found no file, expected replay:FILE.ebrec");
   Recording recording = read_recording(url.rest);
+  if (recording.devices.empty() && recording.exchanges.empty()) {
+    throw ConfigError({url.rest},
+                      "found a recording without a robot, expected one of --record; its "
+                      "frames are a camera: --camera frames:" +
+                          url.rest);
+  }
   const auto make_tap = [&](Backend& robot) -> std::unique_ptr<Tap> {
     if (!strict) return std::make_unique<LenientReplay>(recording.exchanges, robot.clock());
     return std::make_unique<StrictReplay>(std::move(recording.exchanges), robot.clock(),

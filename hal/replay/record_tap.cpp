@@ -53,7 +53,7 @@ struct OpenRecording {
 
 class RecordTap final : public Tap, public camera::FrameSink {
  public:
-  RecordTap(Backend& backend, LogSink& log, std::unique_ptr<OpenRecording> recording)
+  RecordTap(Backend& backend, LogSink& log, std::shared_ptr<OpenRecording> recording)
       : clock_(backend.clock()),
         log_(log),
         keeps_frames_(recording->frames.has_value()),
@@ -76,28 +76,38 @@ class RecordTap final : public Tap, public camera::FrameSink {
 
   void finish() noexcept override {
     write([](OpenRecording& recording) { recording.exchanges.commit(); });
-    const std::lock_guard lock(mutex_);
-    recording_.reset();  // closed, it is one file instead of three
+    drop();  // closed, it is one file instead of three
   }
 
  private:
+  /// Without the lock: packing a frame takes milliseconds, and the file locks for itself.
   template <class Write>
   void write(Write&& act) {
-    const std::lock_guard lock(mutex_);
-    if (recording_ == nullptr) return;
+    const std::shared_ptr<OpenRecording> recording = current();
+    if (recording == nullptr) return;
     try {
-      act(*recording_);
+      act(*recording);
     } catch (const std::runtime_error& error) {
+      if (!drop()) return;  // another thread has said it
       log_.write(Severity::Error, fmt::format("the recording ends here: {}", error.what()));
-      recording_.reset();
     }
+  }
+
+  std::shared_ptr<OpenRecording> current() {
+    const std::lock_guard lock(mutex_);
+    return recording_;
+  }
+  /// False when it had been dropped before.
+  bool drop() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(recording_, nullptr) != nullptr;
   }
 
   Clock& clock_;
   LogSink& log_;
   const bool keeps_frames_;
   std::mutex mutex_;
-  std::unique_ptr<OpenRecording> recording_;
+  std::shared_ptr<OpenRecording> recording_;
 };
 
 }  // namespace
@@ -107,7 +117,7 @@ std::unique_ptr<Backend> with_recording(std::unique_ptr<Backend> inner,
                                         const RecordingOrigin& origin,
                                         std::optional<camera::FrameCodec> frames) {
   return make_tapped(std::move(inner), [&](Backend& backend) {
-    auto recording = std::make_unique<OpenRecording>(path, devices_of(backend), origin, frames);
+    auto recording = std::make_shared<OpenRecording>(path, devices_of(backend), origin, frames);
     return std::make_unique<RecordTap>(backend, log, std::move(recording));
   });
 }

@@ -5,17 +5,22 @@
 #include "eyebridge/camera/source.hpp"
 #include "fake_clock.hpp"
 #include "fake_view.hpp"
+#include "frame_files.hpp"
 #include "scenes.hpp"
 
 namespace eyebridge::camera::testing {
 namespace {
 
+using namespace std::string_literals;
 using ::testing::HasSubstr;
 constexpr Time kLater{2'000'000'000};
 
 struct SourceCase {
   const char* name;
-  const char* url;
+  std::string (*url)(const FrameFiles& files);
+  /// A program that was away gets the newest frame of that time; else frames are made when they are
+  /// asked for.
+  bool keeps_newest = false;
 };
 void PrintTo(const SourceCase& source, std::ostream* out) { *out << source.name; }
 
@@ -23,7 +28,7 @@ class SourceContract : public ::testing::TestWithParam<SourceCase> {
  protected:
   SourceContract() {
     view_.model = empty_room();
-    source_ = open_source(GetParam().url, {&clock_, &view_, &log_});
+    source_ = open_source(GetParam().url(files_), {&clock_, &view_, &log_});
   }
 
   FramePtr next() {
@@ -32,6 +37,7 @@ class SourceContract : public ::testing::TestWithParam<SourceCase> {
     return frame ? *frame : nullptr;
   }
 
+  FrameFiles files_;
   FakeClock clock_;
   FakeView view_;
   RecordingLog log_;
@@ -52,8 +58,9 @@ TEST_P(SourceContract, ASlowProgramMissesFramesAndSeesTheGap) {
   EXPECT_EQ(next()->sequence, 0U);
   clock_.spend(Time(100'000'001));  // just past the time of frame 3
   const FramePtr frame = next();
-  EXPECT_EQ(frame->sequence, 4U);
-  EXPECT_EQ(frame->time, Time(133'333'333));
+  const bool keeps = GetParam().keeps_newest;
+  EXPECT_EQ(frame->sequence, keeps ? 3U : 4U);
+  EXPECT_EQ(frame->time, Time(keeps ? 100'000'000 : 133'333'333));
 }
 
 TEST_P(SourceContract, SequenceStartsAtZeroHoweverLateTheFirstFrameIs) {
@@ -117,11 +124,19 @@ TEST_P(SourceContract, AFrameOutlivesItsSource) {
   EXPECT_EQ(frame->bytes, bytes);
 }
 
-INSTANTIATE_TEST_SUITE_P(AllSources, SourceContract,
-                         ::testing::Values(SourceCase{"Render", "render"},
-                                           SourceCase{"RenderEgl", "render:egl"},
-                                           SourceCase{"Pattern", "pattern"}),
-                         [](const auto& test) { return std::string(test.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    AllSources, SourceContract,
+    ::testing::Values(
+        SourceCase{"Render", [](const FrameFiles&) { return "render"s; }},
+        SourceCase{"RenderEgl", [](const FrameFiles&) { return "render:egl"s; }},
+        SourceCase{"Pattern", [](const FrameFiles&) { return "pattern"s; }},
+        SourceCase{
+            "Folder",
+            [](const FrameFiles& files) { return "frames:" + files.folder(60) + "?end=loop"; },
+            true},
+        SourceCase{"Recording",
+                   [](const FrameFiles& files) { return "frames:" + files.recording(200); }, true}),
+    [](const auto& test) { return std::string(test.param.name); });
 
 std::string error_of(const std::string& url, View* view) {
   FakeClock clock;

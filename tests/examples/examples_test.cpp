@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "eyebridge/camera/recording/frame_table.hpp"
+#include "replay/ebrec.hpp"
 #include "run_program.hpp"
 
 namespace eyebridge {
@@ -57,6 +59,110 @@ TEST(ColourFollower, FindsTheRedThing) {
   const ProgramRun r = run(EYEBRIDGE_COLOUR_FOLLOWER, "colour-targets.sim");
   EXPECT_EQ(r.exit_code, 0) << r.out << r.err;
   EXPECT_THAT(r.out, HasSubstr("found it"));
+}
+
+/// All that a recording holds of a run: what the devices were asked and said, and every frame.
+struct RecordedRun {
+  explicit RecordedRun(const std::string& file) : robot(hal::read_recording(file)) {
+    camera::FrameReader reader(file);
+    for (std::size_t i = 0; i < reader.frames().size(); ++i) {
+      const camera::RecordedFrame& row = reader.frames()[i];
+      times.push_back(row.given);
+      frames.push_back(reader.read(i).value());
+    }
+  }
+  hal::Recording robot;
+  std::vector<Time> times;
+  std::vector<camera::Frame> frames;
+};
+
+void expect_same_calls(const hal::Recording& a, const hal::Recording& b, bool with_times) {
+  ASSERT_EQ(a.exchanges.size(), b.exchanges.size());
+  for (std::size_t i = 0; i < a.exchanges.size(); ++i) {
+    ASSERT_EQ(a.exchanges[i].name, b.exchanges[i].name) << i;
+    ASSERT_EQ(a.exchanges[i].request, b.exchanges[i].request) << i;
+    ASSERT_EQ(a.exchanges[i].reply.value(), b.exchanges[i].reply.value()) << i;
+    if (with_times) {
+      ASSERT_EQ(a.exchanges[i].time, b.exchanges[i].time) << i;
+    }
+  }
+}
+
+void expect_same_frames(const RecordedRun& a, const RecordedRun& b) {
+  ASSERT_EQ(a.frames.size(), b.frames.size());
+  for (std::size_t i = 0; i < a.frames.size(); ++i) {
+    ASSERT_EQ(a.frames[i].bytes, b.frames[i].bytes) << i;
+    ASSERT_EQ(a.frames[i].time, b.frames[i].time) << i;
+    ASSERT_EQ(a.frames[i].sequence, b.frames[i].sequence) << i;
+  }
+}
+
+TEST(ColourFollower, DrivesTheSameWayAgainByItsRecordedFrames) {
+  const testing::ScratchFolder folder;
+  const std::string then_file = folder.path() + "/then.ebrec";
+  const std::string now_file = folder.path() + "/now.ebrec";
+  const ProgramRun then =
+      run(EYEBRIDGE_COLOUR_FOLLOWER, "colour-targets.sim", {{"EYEBRIDGE_RECORD", then_file}});
+  ASSERT_EQ(then.exit_code, 0) << then.err;
+  const ProgramRun now = testing::run_program({{EYEBRIDGE_COLOUR_FOLLOWER},
+                                               {{"EYEBRIDGE_HAL", "replay:" + then_file},
+                                                {"EYEBRIDGE_CAMERA", "frames:" + then_file},
+                                                {"EYEBRIDGE_RECORD", now_file}},
+                                               ""});
+  EXPECT_EQ(now.exit_code, 0) << now.err;
+  EXPECT_EQ(now.out, then.out);
+  EXPECT_EQ(now.err, "");
+  const RecordedRun first(then_file);
+  const RecordedRun again(now_file);
+  EXPECT_GT(first.frames.size(), 100U);
+  expect_same_calls(first.robot, again.robot, true);
+  expect_same_frames(first, again);
+  EXPECT_EQ(first.times, again.times);
+}
+
+TEST(ColourFollower, ARunInRealTimeCanBeDrivenAgainFrameByFrame) {
+  const testing::ScratchFolder folder;
+  const std::string then_file = folder.path() + "/then.ebrec";
+  const std::string now_file = folder.path() + "/now.ebrec";
+  // Frames are missed in real time, and which ones is chance: all the more must be the same.
+  const ProgramRun then = testing::run_program({{EYEBRIDGE_COLOUR_FOLLOWER},
+                                                {{"EYEBRIDGE_WORLD", world("colour-targets.sim")},
+                                                 {"EYEBRIDGE_FACTOR", "5"},
+                                                 {"EYEBRIDGE_RECORD", then_file}},
+                                                ""});
+  const ProgramRun now =
+      testing::run_program({{EYEBRIDGE_COLOUR_FOLLOWER},
+                            {{"EYEBRIDGE_HAL", "replay:" + then_file},
+                             {"EYEBRIDGE_CAMERA", "frames:" + then_file + "?pick=each"},
+                             {"EYEBRIDGE_RECORD", now_file}},
+                            ""});
+  EXPECT_EQ(now.exit_code, then.exit_code) << now.err;
+  EXPECT_EQ(now.out, then.out);
+  const RecordedRun first(then_file);
+  const RecordedRun again(now_file);
+  expect_same_calls(first.robot, again.robot, false);
+  expect_same_frames(first, again);
+}
+
+TEST(ColourFollower, FramesAreKeptAsTheSettingSays) {
+  const testing::ScratchFolder folder;
+  const std::string file = folder.path() + "/run.ebrec";
+  for (const auto& [how, bytes] : {std::pair{"none", 0}, {"mjpeg", 1}}) {
+    const ProgramRun r = run(EYEBRIDGE_COLOUR_FOLLOWER, "colour-targets.sim",
+                             {{"EYEBRIDGE_RECORD", file},
+                              {"EYEBRIDGE_RECORD_FRAMES", how},
+                              {"EYEBRIDGE_TIME_LIMIT", "1s"}});
+    ASSERT_EQ(r.exit_code, 0) << r.err;
+    camera::FrameReader reader(file);
+    EXPECT_EQ(reader.frames().empty(), bytes == 0) << how;
+    for (const camera::RecordedFrame& frame : reader.frames()) {
+      EXPECT_EQ(frame.codec, camera::FrameCodec::Mjpeg);
+    }
+  }
+  EXPECT_EQ(
+      run(EYEBRIDGE_COLOUR_FOLLOWER, "colour-targets.sim", {{"EYEBRIDGE_RECORD_FRAMES", "gif"}})
+          .exit_code,
+      2);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "config/toml_text.hpp"
 #include "config/values.hpp"
 #include "eyebridge/camera/picture.hpp"
+#include "eyebridge/camera/recording/frame_table.hpp"
 #include "eyebridge/files/hdt.hpp"
 #include "eyebridge/files/readers.hpp"
 #include "eyebridge/hal/url.hpp"
@@ -135,6 +136,16 @@ inline void recording(std::string_view bytes) {
   try {
     hal::read_recording(path);
   } catch (const ConfigError&) {  // the input is no recording
+  }
+  try {
+    constexpr std::size_t kMost = 4;
+    camera::FrameReader reader(path);
+    for (std::size_t i = 0; i < std::min(kMost, reader.frames().size()); ++i) {
+      const camera::Size size = reader.frames()[i].size;
+      const Result<camera::Frame> frame = reader.read(i);
+      if (frame && camera::Size{frame->width, frame->height} != size) found();
+    }
+  } catch (const ConfigError&) {
   }
   std::remove(path.c_str());
 }

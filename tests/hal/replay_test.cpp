@@ -9,6 +9,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "eyebridge/camera/convert.hpp"
+#include "eyebridge/camera/frame_sink.hpp"
+#include "eyebridge/camera/recording/frame_table.hpp"
 #include "eyebridge/hal/registry.hpp"
 #include "replay/ebrec.hpp"
 #include "replay/numbers.hpp"
@@ -216,6 +219,55 @@ TEST_F(Replay, RefusesDamagedRecordings) {
   EXPECT_THAT(complaint(), HasSubstr("unknown device 'wing'"));
   run_sql("DELETE FROM device WHERE kind='wing'; UPDATE meta SET value='2'");
   EXPECT_THAT(complaint(), HasSubstr("its version is 2, expected 1"));
+}
+
+TEST_F(Replay, RefusesRecordingsOfACameraAlone) {
+  { const camera::RecordingFile file(file_, {}); }
+  EXPECT_THAT(complaint(),
+              HasSubstr("found a recording without a robot, expected one of --record"));
+}
+
+TEST_F(Replay, RefusesToRecordOverWhatItReads) {
+  drive_and_look(*recorded().backend);
+  for (const auto& [hal, camera] :
+       {std::pair{"replay:" + file_ + "?mode=lenient", std::string("none")},
+        {"sim", "frames:" + file_ + "?end=loop"}}) {
+    const Config config =
+        rig_config({{"hal", hal}, {"camera", camera}, {"record", file_}, {"fast", "true"}});
+    try {
+      open_backend({config, log_});
+      FAIL() << hal;
+    } catch (const ConfigError& error) {
+      EXPECT_THAT(error.what(), HasSubstr("reads; expected another file"));
+    }
+  }
+  EXPECT_EQ(complaint(), "") << "it is still there";
+}
+
+TEST_F(Replay, KeepsTheFramesOfTheProgramOnTheSameClock) {
+  {
+    const Rig rig = recorded();
+    rig.wait(0.5);
+    ASSERT_NE(rig.backend->frame_sink(), nullptr);
+    camera::Frame frame = camera::make_frame(4, 2, camera::PixelFormat::Rgb24);
+    frame.time = std::chrono::milliseconds(480);
+    frame.sequence = 7;
+    rig.backend->frame_sink()->take(frame);
+    static_cast<void>(rig.backend->compass()->read());
+    rig.backend->stop();
+    rig.backend->frame_sink()->take(frame);  // too late, and no harm
+  }
+  const camera::FrameReader frames(file_);
+  ASSERT_EQ(frames.frames().size(), 1U);
+  EXPECT_EQ(frames.frames()[0].given, read_recording(file_).exchanges.at(0).time);
+  EXPECT_EQ(frames.frames()[0].taken, std::chrono::milliseconds(480));
+  EXPECT_EQ(frames.frames()[0].sequence, 7U);
+}
+
+TEST_F(Replay, FramesAreNotKeptWhereTheyAreNotWanted) {
+  Rig rig = lockstep_rig(facing(1.0));
+  const auto backend = with_recording(std::move(rig.backend), file_, *rig.log, {}, std::nullopt);
+  EXPECT_EQ(backend->frame_sink(), nullptr);
 }
 
 TEST_F(Replay, RefusesOtherOptions) {
