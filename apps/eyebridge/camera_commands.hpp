@@ -9,4 +9,7 @@ namespace eyebridge::apps {
 // One function per subcommand of `eyebridge camera`, each in the source of its name: as in
 // command.hpp.
 
+void add_camera_calibrate(CLI::App& camera, int& code);
+void add_camera_markers(CLI::App& camera, int& code);
+
 }  // namespace eyebridge::apps
