@@ -41,7 +41,8 @@ int write_sheet(const MarkerOptions& options) {
       parse_length(options.size, "--size", camera::kSmallestFiducial, camera::kLargestPrinted);
   layout.spacing = parse_length(options.spacing, "--spacing", 0.02, 100.0);
   if (!options.height.empty()) layout.height = parse_length(options.height, "--height", 0.01, 10.0);
-  const files::Scenario scenario = files::load_scenario(options.world);
+  // Only the walls count: the smallest robot, so that none is too large for a start.
+  const files::Scenario scenario = files::load_scenario(options.world, "Mouse");
   for (const Warning& warning : scenario.warnings) {
     std::fprintf(stderr, "eyebridge: %s\n", warning.str().c_str());
   }

@@ -24,6 +24,13 @@ constexpr double kLabel = 13.0;    ///< Height of the text below a fiducial.
 constexpr double kGap = 3.0;       ///< Between one fiducial and the next.
 constexpr double kUsable = Paper::kWidth - 2.0 * Paper::kMargin;
 
+constexpr const char* kHelp[] = {
+    "Seen from above, x to the right, y up. Each red line is a fiducial; its arrow points away",
+    "from the wall. Print all pages at 100 %, measure the bar below, cut along the dashed lines,",
+    "and stick each fiducial on its wall: upright (the number at the lower left), flat, without",
+    "gloss. Places are measured from the wall's left end as one faces it.",
+};
+
 /// How many go on a page; of the largest one, so that all pages look alike.
 struct Grid {
   int columns = 1;
@@ -89,7 +96,7 @@ void heading(Paper& paper, const std::string& title, const std::string& right) {
 void draw_map(Paper& paper, const FiducialSheet& sheet, int pages) {
   heading(paper, "Fiducials for " + sheet.title, fmt::format("page 1 of {}: map", pages));
   const world::WorldModel& model = sheet.model;
-  const Vec2 room{kUsable - 8.0, kBottom - kTop - 34.0};
+  const Vec2 room{kUsable - 8.0, kBottom - kTop - 38.0};
   const double scale = std::min(room.x / model.width, room.y / model.height);
   const Vec2 origin{0.5 * (Paper::kWidth - scale * model.width), kTop + 4.0 + scale * model.height};
   const auto at = [&](Vec2 p) { return Vec2{origin.x + scale * p.x, origin.y - scale * p.y}; };
@@ -119,15 +126,7 @@ void draw_map(Paper& paper, const FiducialSheet& sheet, int pages) {
     paper.centred_text(foot + 1.7 * font * normal, std::to_string(fiducial.id), font, kInk, true);
   }
   double y = origin.y + 12.0;
-  for (const char* line : {"Seen from above, east (x) to the right, north (y) up. Each red line is "
-                           "a fiducial, its arrow "
-                           "points away from the wall.",
-                           "Print all pages at 100 %, measure the bar below, cut along the dashed "
-                           "lines, and stick each "
-                           "fiducial on its wall,",
-                           "upright (number below), flat and without gloss. Places are measured "
-                           "from the wall's left end "
-                           "as one faces it."}) {
+  for (const char* line : kHelp) {
     paper.text({Paper::kMargin, y}, line, 3.4, kInk);
     y += 5.0;
   }
@@ -141,6 +140,9 @@ void draw_fiducial(Paper& paper, const FiducialSheet& sheet, const Fiducial& fid
   paper.outline(corner, {outer, outer}, 0.2, kCut, true);
   paper.fiducial(corner + Vec2{margin, margin}, size, fiducial.id);
   const double y = corner.y + outer;
+  // What is left of the label once it is cut out: in the corner, where it disturbs no edge.
+  paper.text({corner.x + 0.12 * margin, y - 0.12 * margin}, std::to_string(fiducial.id),
+             0.22 * margin, kCut);
   paper.text({corner.x, y + 5.0}, std::to_string(fiducial.id), 4.5, kInk, true);
   const auto place = place_of(fiducial, sheet.model);
   if (!place) return;
