@@ -10,6 +10,8 @@ void add_camera(CLI::App& root, int& code) {
   command->require_subcommand(1);
   add_camera_show(*command, code);
   add_camera_record(*command, code);
+  add_camera_calibrate(*command, code);
+  add_camera_markers(*command, code);
 }
 
 }  // namespace eyebridge::apps

@@ -11,5 +11,7 @@ namespace eyebridge::apps {
 
 void add_camera_record(CLI::App& camera, int& code);
 void add_camera_show(CLI::App& camera, int& code);
+void add_camera_calibrate(CLI::App& camera, int& code);
+void add_camera_markers(CLI::App& camera, int& code);
 
 }  // namespace eyebridge::apps

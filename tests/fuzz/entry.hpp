@@ -14,6 +14,7 @@
 
 #include "config/toml_text.hpp"
 #include "config/values.hpp"
+#include "eyebridge/camera/calibration.hpp"
 #include "eyebridge/camera/picture.hpp"
 #include "eyebridge/camera/recording/frame_table.hpp"
 #include "eyebridge/files/hdt.hpp"
@@ -210,6 +211,15 @@ inline void picture(std::string_view text) {
         static_cast<std::uint64_t>(frame.width) * static_cast<unsigned>(frame.height);
     if (pixels < 1 || pixels > kMostPixels || frame.bytes.size() != 3 * pixels) found();
   } catch (const std::runtime_error&) {  // the input is no picture
+  }
+}
+
+/// A calibration survives being written and read.
+inline void calibration(std::string_view text) {
+  try {
+    const camera::Calibration lens = camera::parse_calibration(text, "fuzz.toml");
+    if (camera::parse_calibration(camera::to_toml(lens), "again.toml") != lens) found();
+  } catch (const ConfigError&) {  // the input is no calibration
   }
 }
 

@@ -8,6 +8,9 @@
 namespace eyebridge::camera::testing {
 namespace {
 
+/// Quarters of a pixel.
+constexpr Vec2 kAside[4] = {{-1.5, -0.5}, {0.5, -1.5}, {-0.5, 1.5}, {1.5, 0.5}};
+
 /// Gaussian blur of a picture, in place, rows then columns.
 void blur(std::vector<float>& picture, int width, int height, double sigma) {
   if (sigma <= 0.0) return;
@@ -20,17 +23,20 @@ void blur(std::vector<float>& picture, int width, int height, double sigma) {
   }
   for (float& value : kernel) value /= sum;
   std::vector<float> out(picture.size());
+  // A whole row or column at a time, so that the compiler can do several pixels at once.
   const auto pass = [&](int step_x, int step_y) {
-    for (int y = 0; y < height; ++y) {
-      for (int x = 0; x < width; ++x) {
-        float total = 0.0F;
-        for (int i = -reach; i <= reach; ++i) {
-          const int at_x = std::clamp(x + i * step_x, 0, width - 1);
-          const int at_y = std::clamp(y + i * step_y, 0, height - 1);
-          total += kernel[static_cast<std::size_t>(i + reach)] *
-                   picture[static_cast<std::size_t>(at_y * width + at_x)];
-        }
-        out[static_cast<std::size_t>(y * width + x)] = total;
+    std::fill(out.begin(), out.end(), 0.0F);
+    for (int i = -reach; i <= reach; ++i) {
+      const float weight = kernel[static_cast<std::size_t>(i + reach)];
+      for (int y = 0; y < height; ++y) {
+        const int at_y = std::clamp(y + i * step_y, 0, height - 1);
+        const float* from = &picture[static_cast<std::size_t>(at_y * width)];
+        float* to = &out[static_cast<std::size_t>(y * width)];
+        const int first = std::max(0, -i * step_x);
+        const int last = std::min(width, width - i * step_x);
+        for (int x = 0; x < first; ++x) to[x] += weight * from[0];
+        for (int x = first; x < last; ++x) to[x] += weight * from[x + i * step_x];
+        for (int x = last; x < width; ++x) to[x] += weight * from[width - 1];
       }
     }
     picture.swap(out);
@@ -39,7 +45,7 @@ void blur(std::vector<float>& picture, int width, int height, double sigma) {
   pass(0, 1);
 }
 
-/// The mean of the four fine pixels about `at`: the area of one pixel.
+/// Bilinear.
 float sample(const std::vector<float>& fine, const Size& size, Vec2 at) {
   const double x = std::clamp(at.x, 0.0, size.width - 2.001);
   const double y = std::clamp(at.y, 0.0, size.height - 2.001);
@@ -59,12 +65,13 @@ LensCamera::LensCamera(const WallPainter& painter, const Calibration& lens)
   const bool straight = lens.distortion == std::array<double, 5>{};
   const double margin = straight ? 0.0 : 0.15;  // what a barrel squeezes in from outside
   fine_.distortion = {};
-  fine_.fx *= 2.0;
-  fine_.fy *= 2.0;
-  fine_.size.width = static_cast<int>(2.0 * lens.size.width * (1.0 + 2.0 * margin));
-  fine_.size.height = static_cast<int>(2.0 * lens.size.height * (1.0 + 2.0 * margin));
-  fine_.cx = 2.0 * (lens.cx + margin * lens.size.width) + 0.5;
-  fine_.cy = 2.0 * (lens.cy + margin * lens.size.height) + 0.5;
+  const double scale = straight ? 1.0 : 1.25;
+  fine_.fx *= scale;
+  fine_.fy *= scale;
+  fine_.size.width = static_cast<int>(scale * lens.size.width * (1.0 + 2.0 * margin));
+  fine_.size.height = static_cast<int>(scale * lens.size.height * (1.0 + 2.0 * margin));
+  fine_.cx = scale * (lens.cx + margin * lens.size.width);
+  fine_.cy = scale * (lens.cy + margin * lens.size.height);
   for (int y = 0; y < lens.size.height; ++y) {
     for (int x = 0; x < lens.size.width; ++x) {
       const Vec2 pixel{static_cast<double>(x), static_cast<double>(y)};
@@ -80,7 +87,11 @@ Frame LensCamera::take(const EyePose& from, const EyePose& to, const Effects& ef
   for (int i = 0; i < effects.exposures; ++i) {
     Vector<6> step = way;
     for (double& value : step) value *= (i + 0.5) / effects.exposures;
-    const auto picture = painter_.paint(moved(from, step), fine_, hidden);
+    // Each a part of a pixel off: their mean has smooth edges.
+    Calibration aside = fine_;
+    aside.cx += 0.25 * kAside[i % 4].x;
+    aside.cy += 0.25 * kAside[i % 4].y;
+    const auto picture = painter_.paint(moved(from, step), aside, hidden);
     if (fine.empty()) fine.resize(picture.size());
     for (std::size_t k = 0; k < fine.size(); ++k) {
       fine[k] += picture[k] / static_cast<float>(effects.exposures);

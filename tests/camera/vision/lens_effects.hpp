@@ -15,10 +15,10 @@ struct Effects {
   double gradient = 0.0;  ///< Of the light from left to right, -1 … 1.
   double blur = 0.7;      ///< Of the lens: Gaussian, standard deviation in pixels.
   double noise = 4.0;     ///< Gaussian, a pixel, grey levels.
-  int exposures = 3;      ///< Pictures that are averaged for the motion during the exposure.
+  int exposures = 4;      ///< Pictures that are averaged for the motion during the exposure.
 };
 
-/// Paints with twice the resolution, then lets `lens` (distortion included) look at it.
+/// Paints what a pinhole sees, then lets `lens` (distortion included) look at that.
 class LensCamera {
  public:
   LensCamera(const WallPainter& painter, const Calibration& lens);
@@ -30,7 +30,7 @@ class LensCamera {
  private:
   const WallPainter& painter_;
   Calibration lens_;
-  Calibration fine_;         ///< A pinhole with twice the resolution that sees all that lens_ does.
+  Calibration fine_;         ///< A pinhole that sees all that lens_ does, no less finely.
   std::vector<Vec2> looks_;  ///< Where in the fine picture each pixel looks.
 };
 

@@ -30,6 +30,38 @@ struct Axes {
   }
 };
 
+/// Pixels from the first to the last.
+struct Reach {
+  int left, right, top, bottom;
+};
+
+/// Where a panel can be seen at all: the box about what of it lies in front of the camera.
+Reach reach_of(Vec3 o, Vec3 a, Vec3 b, const Calibration& lens) {
+  constexpr double kNear = 0.01;
+  const auto plus = [](Vec3 p, Vec3 q) { return Vec3{p.x + q.x, p.y + q.y, p.z + q.z}; };
+  const Vec3 corners[4] = {o, plus(o, a), plus(plus(o, a), b), plus(o, b)};
+  double left = 1e9, right = -1e9, top = 1e9, bottom = -1e9;
+  const auto add = [&](Vec3 c) {
+    const double u = lens.cx + lens.fx * c.x / c.z;
+    const double v = lens.cy + lens.fy * c.y / c.z;
+    left = std::min(left, u), right = std::max(right, u);
+    top = std::min(top, v), bottom = std::max(bottom, v);
+  };
+  for (int i = 0; i < 4; ++i) {
+    const Vec3 p = corners[i];
+    const Vec3 q = corners[(i + 1) % 4];
+    if (p.z >= kNear) add(p);
+    if ((p.z < kNear) == (q.z < kNear)) continue;
+    const double part = (kNear - p.z) / (q.z - p.z);
+    add({p.x + part * (q.x - p.x), p.y + part * (q.y - p.y), kNear});
+  }
+  const auto within = [](double value, double most) { return std::clamp(value, -1.0, most); };
+  return {static_cast<int>(std::ceil(std::max(within(left, 1e5), 0.0))),
+          static_cast<int>(std::floor(within(right, lens.size.width - 1.0))),
+          static_cast<int>(std::ceil(std::max(within(top, 1e5), 0.0))),
+          static_cast<int>(std::floor(within(bottom, lens.size.height - 1.0)))};
+}
+
 }  // namespace
 
 WallPainter::WallPainter(const world::WorldModel& model, const std::vector<Fiducial>& fiducials) {
@@ -81,32 +113,11 @@ std::vector<float> WallPainter::paint(const EyePose& eye, const Calibration& len
     const Vec3 for_u = cross_product(o, b);
     const Vec3 for_v = cross_product(a, o);
     const double volume = dot(normal, o);
-    // Rows and columns that the panel can reach: all when a corner is behind the camera.
-    double left = 0, right = width - 1.0, top = 0, bottom = height - 1.0;
-    const Vec3 corners[4] = {o,
-                             {o.x + a.x, o.y + a.y, o.z + a.z},
-                             {o.x + b.x, o.y + b.y, o.z + b.z},
-                             {o.x + a.x + b.x, o.y + a.y + b.y, o.z + a.z + b.z}};
-    const auto behind = std::count_if(corners, corners + 4, [](Vec3 c) { return c.z < 0.01; });
-    if (behind == 4) continue;
-    if (behind == 0) {
-      left = top = 1e9;
-      right = bottom = -1e9;
-      for (const Vec3& c : corners) {
-        const double u = lens.cx + lens.fx * c.x / c.z;
-        const double v = lens.cy + lens.fy * c.y / c.z;
-        left = std::min(left, u), right = std::max(right, u);
-        top = std::min(top, v), bottom = std::max(bottom, v);
-      }
-    }
-    const int first_row = std::max(0, static_cast<int>(std::ceil(std::max(top, -1.0))));
-    const int last_row = static_cast<int>(std::floor(std::min(bottom, height - 1.0)));
-    const int first = std::max(0, static_cast<int>(std::ceil(std::max(left, -1.0))));
-    const int last = static_cast<int>(std::floor(std::min(right, width - 1.0)));
+    const Reach reach = reach_of(o, a, b, lens);
     const FiducialBits* bits = is_wall ? nullptr : &bits_[static_cast<std::size_t>(panel.fiducial)];
-    for (int row = first_row; row <= last_row; ++row) {
+    for (int row = reach.top; row <= reach.bottom; ++row) {
       const double y = (row - lens.cy) / lens.fy;
-      for (int column = first; column <= last; ++column) {
+      for (int column = reach.left; column <= reach.right; ++column) {
         const double x = (column - lens.cx) / lens.fx;
         const double slope = normal.x * x + normal.y * y + normal.z;
         const double near = slope / volume;

@@ -1,0 +1,118 @@
+#include "eyebridge/camera/calibrator.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "board_painter.hpp"
+#include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/units.hpp"
+#include "eyebridge/camera/convert.hpp"
+#include "eyebridge/camera/sheet.hpp"
+
+namespace eyebridge::camera::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double kPixelsPerMillimetre = 4.0;
+
+Calibration webcam() {
+  Calibration lens = pinhole({320, 240}, deg_to_rad(62.0));
+  lens.distortion = {-0.25, 0.06, 0.001, -0.001, 0.0};
+  lens.cx += 4.0;
+  return lens;
+}
+
+/// Somebody who holds the board into the picture: to the left and right, up and down, slanted.
+std::vector<EyePose> views(double distance) {
+  std::vector<EyePose> eyes;
+  for (const double x : {-0.5, 0.0, 0.5}) {
+    for (const double z : {-0.45, 0.0, 0.45}) {
+      const double away = distance * (1.0 - 0.25 * x * z);
+      // Looks past the board's middle, from aside and above, so that it is seen slanted.
+      eyes.push_back({{away * x, -away, away * z * 0.7, kPi / 2 + 0.9 * x, -0.45 * z, 0.1 * x}});
+    }
+  }
+  return eyes;
+}
+
+Result<Calibration> measured(const Board& board, const Calibration& lens, double distance) {
+  const Frame page = draw_page(board, kPixelsPerMillimetre);
+  const auto calibrator = make_calibrator(board);
+  for (const EyePose& eye : views(distance)) {
+    const auto view = calibrator->take(look_at_page(page, kPixelsPerMillimetre, lens, eye));
+    if (!view) return tl::unexpected(view.error());
+  }
+  return calibrator->solve();
+}
+
+class Boards : public ::testing::TestWithParam<Board> {};
+
+TEST_P(Boards, GiveBackTheLensTheyAreSeenThrough) {
+  const auto lens = measured(GetParam(), webcam(), 0.36);
+  ASSERT_TRUE(lens) << lens.error().what;
+  EXPECT_NEAR(lens->fx, webcam().fx, 0.01 * webcam().fx);
+  EXPECT_NEAR(lens->fy, webcam().fy, 0.01 * webcam().fy);
+  EXPECT_NEAR(lens->cx, webcam().cx, 2.5);
+  EXPECT_NEAR(lens->cy, webcam().cy, 2.5);
+  EXPECT_NEAR(lens->distortion[0], webcam().distortion[0], 0.04);
+  EXPECT_LT(lens->error, 0.3);
+  EXPECT_EQ(lens->size, (Size{320, 240}));
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, Boards,
+                         ::testing::Values(Board{Board::Kind::Chessboard, 6, 9, 0.02},
+                                           Board{Board::Kind::Charuco, 5, 7, 0.03}),
+                         [](const auto& test) {
+                           return test.param.kind == Board::Kind::Charuco ? "Charuco"
+                                                                          : "Chessboard";
+                         });
+
+TEST(Calibrator, KeepsAViewOnce) {
+  const Board board{Board::Kind::Chessboard, 6, 9, 0.02};
+  const Frame page = draw_page(board, kPixelsPerMillimetre);
+  const auto calibrator = make_calibrator(board);
+  const EyePose eye = views(0.27)[4];
+  const Frame frame = look_at_page(page, kPixelsPerMillimetre, webcam(), eye);
+  EXPECT_EQ(*calibrator->take(frame), BoardView::Kept);
+  EXPECT_EQ(*calibrator->take(frame), BoardView::Same);
+  EXPECT_EQ(calibrator->views(), 1);
+  EXPECT_GT(calibrator->coverage(), 0.1);
+  const Frame empty = make_frame(320, 240, PixelFormat::Grey8);
+  EXPECT_EQ(*calibrator->take(empty), BoardView::None);
+  const auto other = calibrator->take(make_frame(640, 480, PixelFormat::Grey8));
+  ASSERT_FALSE(other);
+  EXPECT_THAT(other.error().what, HasSubstr("640x480"));
+}
+
+TEST(Calibrator, RefusesWhatDeterminesNoLens) {
+  const Board board{Board::Kind::Chessboard, 6, 9, 0.02};
+  const Frame page = draw_page(board, kPixelsPerMillimetre);
+  const auto calibrator = make_calibrator(board);
+  EXPECT_THAT(calibrator->solve().error().what, HasSubstr("found 0 different views"));
+  // From afar, straight ahead: only a small part of the picture.
+  for (int i = 0; i < 6; ++i) {
+    const EyePose eye{{-0.125 + 0.05 * i, -0.42, 0.0, kPi / 2, 0.0, 0.0}};
+    calibrator->take(look_at_page(page, kPixelsPerMillimetre, webcam(), eye));
+  }
+  ASSERT_GE(calibrator->views(), 6);
+  EXPECT_THAT(calibrator->solve().error().what, HasSubstr("% of the picture"));
+}
+
+TEST(ParseBoard, TakesBothKinds) {
+  EXPECT_EQ(parse_board("chessboard:9x6", 0.025), (Board{Board::Kind::Chessboard, 9, 6, 0.025}));
+  EXPECT_EQ(parse_board("charuco:5x7", 0.03), (Board{Board::Kind::Charuco, 5, 7, 0.03}));
+}
+
+TEST(ParseBoard, RefusesAllElse) {
+  for (const char* text : {"", "chessboard", "chessboard:", "chessboard:9", "chessboard:9x",
+                           "chessboard:x6", "chessboard:2x6", "chessboard:9x99", "circles:9x6",
+                           "chessboard:9x6x3", "chessboard:-9x6"}) {
+    EXPECT_THROW(parse_board(text, 0.025), ConfigError) << text;
+  }
+  EXPECT_THROW(parse_board("chessboard:9x6", 0.0), ConfigError);
+  EXPECT_THROW(parse_board("chessboard:9x6", 2.0), ConfigError);
+}
+
+}  // namespace
+}  // namespace eyebridge::camera::testing
