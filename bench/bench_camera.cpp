@@ -126,7 +126,7 @@ void live(benchmark::State& state, RawFormat format, Open open) {
   } catch (const std::runtime_error&) {  // it is a camera of its own
   }
   try {
-    const auto take = open(size);
+    auto take = open(size);
     for (auto _ : state) {
       if (writer) writer->write(raw);
       const double start = thread_seconds();

@@ -5,9 +5,10 @@
 
 namespace eyebridge::apps {
 
-void add_camera(CLI::App& root, int& /*code*/) {
+void add_camera(CLI::App& root, int& code) {
   CLI::App* command = root.add_subcommand("camera", "Cameras: what there is, what they see");
   command->require_subcommand(1);
+  add_camera_list(*command, code);
 }
 
 }  // namespace eyebridge::apps

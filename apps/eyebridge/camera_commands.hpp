@@ -9,4 +9,6 @@ namespace eyebridge::apps {
 // One function per subcommand of `eyebridge camera`, each in the source of its name: as in
 // command.hpp.
 
+void add_camera_list(CLI::App& camera, int& code);
+
 }  // namespace eyebridge::apps
