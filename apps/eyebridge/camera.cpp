@@ -12,6 +12,7 @@ void add_camera(CLI::App& root, int& code) {
   add_camera_record(*command, code);
   add_camera_calibrate(*command, code);
   add_camera_markers(*command, code);
+  add_camera_list(*command, code);
 }
 
 }  // namespace eyebridge::apps

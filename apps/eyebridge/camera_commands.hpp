@@ -13,5 +13,6 @@ void add_camera_record(CLI::App& camera, int& code);
 void add_camera_show(CLI::App& camera, int& code);
 void add_camera_calibrate(CLI::App& camera, int& code);
 void add_camera_markers(CLI::App& camera, int& code);
+void add_camera_list(CLI::App& camera, int& code);
 
 }  // namespace eyebridge::apps

@@ -12,6 +12,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "machine/cameras.hpp"
 #include "machine/can_state.hpp"
 #include "machine/serial_ports.hpp"
 #include "machine/system_files.hpp"
@@ -21,12 +22,6 @@ namespace eyebridge::apps {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string out;
-  for (const std::string& name : names) out += (out.empty() ? "" : " ") + name;
-  return out;
-}
 
 Finding command(const char* name, bool needed, const char* use, const char* package) {
   const char* path = std::getenv("PATH");
@@ -57,12 +52,6 @@ Finding pseudo_terminals() {
   const std::string reason = works ? "for tests of serial boards" : std::strerror(errno);
   if (descriptor >= 0) close(descriptor);
   return {"PTY", false, works, reason, "mount devpts on /dev/pts"};
-}
-
-Finding cameras(const fs::path& root) {
-  const auto names = names_in(below(root, "/dev"), {"video"});
-  return {"V4L2 cameras", false, !names.empty(), names.empty() ? "no /dev/video*" : joined(names),
-          "plug one in; apt install v4l-utils to look at it"};
 }
 
 /// Without ModemManager and its like nothing disturbs a board.
@@ -105,7 +94,7 @@ std::vector<Finding> examine_machine(const fs::path& root) {
   out.push_back(udev_rule(root));
   const bool is_here = root == "/";
   add(judge_can(is_here ? look_at_can() : CanState{0, 0, can_interfaces(root, {})}));
-  out.push_back(cameras(root));
+  add(judge_cameras(look_at_cameras(root)));
   return out;
 }
 

@@ -14,14 +14,15 @@ constexpr long kLowLatency_ms = 1;
 std::string described(const SerialPort& port) {
   std::string out = port.product.empty() ? "not a USB device" : port.product;
   if (!port.driver.empty()) out += ", driver " + port.driver;
-  if (!port.permitted) out += fmt::format(", not permitted (group {})", port.group);
+  if (!port.access.permitted) out += fmt::format(", not permitted (group {})", port.access.group);
   return out;
 }
 
 Finding judge_port(const SerialPort& port, const SerialState& state) {
-  Finding out{"  " + port.device.substr(port.device.rfind('/') + 1), false, port.permitted, "", ""};
+  Finding out{"  " + port.device.substr(port.device.rfind('/') + 1), false, port.access.permitted,
+              "", ""};
   out.detail = described(port);
-  if (!port.permitted) out.remedy = how_to_be_permitted(port);
+  if (!port.access.permitted) out.remedy = how_to_be_permitted(port);
   if (!port.by_id.empty()) out.advice.push_back("stays the same when re-plugged: " + port.by_id);
   if (!port.holders.empty()) {
     out.advice.push_back("in use by " + listed(port.holders) + ": end it first");
@@ -41,16 +42,10 @@ Finding judge_port(const SerialPort& port, const SerialState& state) {
 }
 
 std::string how_to_be_permitted(const SerialPort& port) {
-  if (!port.group_may || port.group == "root") {
-    return "only root may use it: install the rule of eyebridge doctor --udev, then plug it in "
-           "again";
-  }
-  if (port.in_group) {
-    return fmt::format("you are in the group {}, but this session is older: log out and in again",
-                       port.group);
-  }
-  return fmt::format("join the group {0}: sudo usermod -aG {0} $USER; then log out and in again",
-                     port.group);
+  return how_to_be_permitted(
+      port.access,
+      "only root may use it: install the rule of eyebridge doctor --udev, then plug it "
+      "in again");
 }
 
 std::vector<Finding> judge_serial(const SerialState& state) {

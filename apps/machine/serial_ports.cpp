@@ -1,13 +1,8 @@
 #include "serial_ports.hpp"
 
-#include <algorithm>
 #include <fstream>
 
 #include <fmt/format.h>
-#include <grp.h>
-#include <pwd.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "holders.hpp"
 
@@ -44,29 +39,6 @@ std::string product_of(const fs::path& tty) {
   return "";
 }
 
-bool has_name(std::string_view list, const std::string& wanted) {
-  while (!list.empty()) {
-    const std::size_t end = std::min(list.find(','), list.size());
-    if (list.substr(0, end) == wanted) return true;
-    list.remove_prefix(std::min(end + 1, list.size()));
-  }
-  return false;
-}
-
-/// Whether /etc/group ("dialout:x:20:ann,bob") has this user in `group`.
-bool is_member(const std::string& group, const fs::path& root) {
-  const passwd* user = ::getpwuid(::geteuid());
-  if (user == nullptr) return false;
-  std::ifstream groups(below(root, "/etc/group"));
-  for (std::string line; std::getline(groups, line);) {
-    const std::size_t last = line.rfind(':');
-    if (line.starts_with(group + ":") && last != std::string::npos) {
-      return has_name(std::string_view(line).substr(last + 1), user->pw_name);
-    }
-  }
-  return false;
-}
-
 /// /run/udev/data/c166:0 holds a line "E:NAME=value" for each property.
 bool is_hidden(const fs::path& tty, const fs::path& root) {
   const auto number = line_of(tty / "dev");
@@ -84,21 +56,13 @@ SerialPort look_at_port(const std::string& device, const fs::path& root) {
   SerialPort port;
   port.device = device;
   const std::string name = name_of(device);
-  const fs::path node = below(root, device);
   const fs::path tty = below(root, "/sys/class/tty") / name;
   port.by_id = by_id_of(name, root);
   std::error_code error;
   const fs::path driver = fs::read_symlink(tty / "device" / "driver", error);
   if (!error) port.driver = driver.filename();
   port.product = product_of(tty);
-  struct stat status {};
-  if (::stat(node.c_str(), &status) == 0) {
-    const group* owner = ::getgrgid(status.st_gid);
-    port.group = owner == nullptr ? std::to_string(status.st_gid) : owner->gr_name;
-    port.group_may = (status.st_mode & S_IRGRP) != 0 && (status.st_mode & S_IWGRP) != 0;
-    port.permitted = ::access(node.c_str(), R_OK | W_OK) == 0;
-    port.in_group = is_member(port.group, root);
-  }
+  port.access = access_of(device, root);
   port.latency_ms = number_of(below(root, "/sys/bus/usb-serial/devices") / name / "latency_timer");
   port.holders = holders_of(device, root);
   port.hidden_from_modem_manager = is_hidden(tty, root);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "device_access.hpp"
 #include "finding.hpp"
 #include "system_files.hpp"
 
@@ -12,14 +13,11 @@ namespace eyebridge::apps {
 
 /// A serial port that a board may be on, and who may use it.
 struct SerialPort {
-  std::string device;      ///< "/dev/ttyACM0"
-  std::string by_id;       ///< "/dev/serial/by-id/usb-…", which stays the same; or "".
-  std::string driver;      ///< "cdc_acm"; "" when it is not known.
-  std::string product;     ///< "Interface Board (03eb:2404)"; or "".
-  std::string group;       ///< Of the device: "dialout".
-  bool group_may = false;  ///< The group may read and write.
-  bool permitted = false;  ///< This process may read and write.
-  bool in_group = false;   ///< /etc/group names this user; it counts from the next login on.
+  std::string device;              ///< "/dev/ttyACM0"
+  std::string by_id;               ///< "/dev/serial/by-id/usb-…", which stays the same; or "".
+  std::string driver;              ///< "cdc_acm"; "" when it is not known.
+  std::string product;             ///< "Interface Board (03eb:2404)"; or "".
+  DeviceAccess access;             ///< Who may use it.
   std::optional<long> latency_ms;  ///< What an FTDI adapter waits before it passes bytes on.
   std::vector<Process> holders;    ///< Who has it open, or locked.
   bool hidden_from_modem_manager = false;  ///< By a udev rule.

@@ -76,7 +76,7 @@ std::string why_not_opened(const std::string& device, const Error& error, const 
            (others.empty() ? "a board that is plugged in (none is)" : "one of" + others);
   }
   const SerialPort port = look_at_port(without_links(full, root), root);
-  if (!port.permitted) return device + ": permission denied; " + how_to_be_permitted(port);
+  if (!port.access.permitted) return device + ": permission denied; " + how_to_be_permitted(port);
   if (port.holders.empty()) return error.what;
   const bool is_manager =
       std::ranges::find(port.holders, "ModemManager", &Process::name) != port.holders.end();

@@ -27,7 +27,8 @@ CameraOpener::CameraOpener(VideoCalls& calls, CameraUrl wanted, std::filesystem:
     : calls_(calls), wanted_(std::move(wanted)), root_(std::move(root)), log_(log) {}
 
 std::string CameraOpener::on_disk(const std::string& path) const {
-  return root_ / std::filesystem::path(path).relative_path();
+  const std::filesystem::path asked(path);
+  return asked.is_absolute() ? root_ / asked.relative_path() : asked;
 }
 
 std::string CameraOpener::first_camera() const {

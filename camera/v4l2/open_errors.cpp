@@ -54,6 +54,11 @@ ConfigError call_error(const std::string& path, const std::string& what, int num
                         "is in use by another program; `eyebridge camera list` shows by "
                         "which");
   }
+  if (number == ENOSPC) {
+    return camera_error(path, what +
+                                  " failed: the USB bus has no bandwidth left; use another port, "
+                                  "a smaller size, or format=MJPEG");
+  }
   return camera_error(path, what + " failed: " + reason_of(number));
 }
 

@@ -32,18 +32,24 @@ TEST(DoctorDevices, EverythingAboutABoardIsSaid) {
   machine.add_process(400, "ModemManager");
   machine.add_process(812, "minicom", "/dev/ttyACM0");
   machine.add_can("can0", true);
-  machine.file("/dev/video0", "");
+  machine.add_video(0, "Webcam C525", ":capture:", "usb-Maker_C525-video-index0");
+  machine.add_video(1, "Webcam C525", ":");
+  machine.add_process(900, "cheese", "/dev/video0");
   machine.file("/etc/udev/rules.d/60-eyebridge.rules", "");
   const ProgramRun r = doctor_of(machine);
-  EXPECT_THAT(
-      r.out,
-      AllOf(ContainsRegex("serial boards +ok +/dev/ttyACM0"),
-            ContainsRegex("ttyACM0 +ok +Interface Board \\(03eb:2404\\), driver cdc_acm"),
-            HasSubstr("in use by minicom (process 812)"),
-            HasSubstr("ModemManager (process 400) sends modem commands"),
-            HasSubstr("eyebridge probe /dev/ttyACM0"),
-            ContainsRegex("udev rule +ok +/etc/udev/rules.d/60-eyebridge.rules"),
-            ContainsRegex("CAN interfaces +ok +can0"), ContainsRegex("V4L2 cameras +ok +video0")));
+  EXPECT_THAT(r.out,
+              AllOf(ContainsRegex("serial boards +ok +/dev/ttyACM0"),
+                    ContainsRegex("ttyACM0 +ok +Interface Board \\(03eb:2404\\), driver cdc_acm"),
+                    HasSubstr("in use by minicom (process 812)"),
+                    HasSubstr("ModemManager (process 400) sends modem commands"),
+                    HasSubstr("eyebridge probe /dev/ttyACM0"),
+                    ContainsRegex("udev rule +ok +/etc/udev/rules.d/60-eyebridge.rules"),
+                    ContainsRegex("CAN interfaces +ok +can0"),
+                    ContainsRegex("V4L2 cameras +ok +/dev/video0"),
+                    ContainsRegex("video0 +ok +Webcam C525, camera"),
+                    HasSubstr("v4l2:usb-Maker_C525-video-index0"),
+                    HasSubstr("in use by cheese (process 900)"),
+                    ContainsRegex("video1 +none +Webcam C525, metadata of a camera, no pictures")));
 }
 
 TEST(DoctorDevices, ARootThatIsNoFolderIsBadInput) {

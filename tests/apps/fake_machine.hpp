@@ -8,7 +8,7 @@
 
 namespace eyebridge::testing {
 
-/// A folder that looks like the "/" of a machine, as far as serial ports and CAN go.
+/// A folder that looks like the "/" of a machine, as far as serial ports, cameras and CAN go.
 class FakeMachine {
  public:
   [[nodiscard]] const std::string& root() const { return folder_.path(); }
@@ -42,6 +42,18 @@ class FakeMachine {
     const std::string folder = "/proc/" + std::to_string(id);
     file(folder + "/comm", name + "\n");
     if (!device.empty()) link(folder + "/fd/5", device);
+  }
+  /// A camera's node, as udev tells of it: `capabilities` ":capture:" or, of a metadata node, ":".
+  void add_video(int number, const std::string& card, const std::string& capabilities,
+                 const std::string& by_id = "") const {
+    const std::string name = "video" + std::to_string(number);
+    const std::string sys = "/sys/class/video4linux/" + name;
+    file(sys + "/name", card + "\n");
+    file(sys + "/dev", "81:" + std::to_string(number) + "\n");
+    file("/run/udev/data/c81:" + std::to_string(number),
+         "E:ID_V4L_VERSION=2\nE:ID_V4L_CAPABILITIES=" + capabilities + "\n");
+    file("/dev/" + name, "");
+    if (!by_id.empty()) link("/dev/v4l/by-id/" + by_id, "../../" + name);
   }
   void add_can(const std::string& name, bool up, int queue = 10, int mtu = 16) const {
     const std::string folder = "/sys/class/net/" + name;

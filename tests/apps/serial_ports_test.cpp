@@ -41,7 +41,7 @@ TEST(SerialPorts, ABoardIsShownWithNameNumbersAndDriver) {
   EXPECT_EQ(port.by_id, "/dev/serial/by-id/usb-UWA_Interface_Board-if00");
   EXPECT_EQ(port.product, "Interface Board (03eb:2404)");
   EXPECT_EQ(port.driver, "cdc_acm");
-  EXPECT_TRUE(port.permitted);
+  EXPECT_TRUE(port.access.permitted);
   EXPECT_FALSE(port.latency_ms);
   EXPECT_THAT(port.holders, IsEmpty());
   EXPECT_FALSE(port.hidden_from_modem_manager);
@@ -117,19 +117,19 @@ TEST(SerialPorts, ASlowLatencyTimerIsToldHowToBecomeFast) {
 TEST(SerialPorts, WhoIsNotPermittedIsToldTheGroupAndTheCommand) {
   SerialPort port;
   port.device = "/dev/ttyACM0";
-  port.group = "dialout";
-  port.group_may = true;
+  port.access.group = "dialout";
+  port.access.group_may = true;
   EXPECT_THAT(how_to_be_permitted(port), HasSubstr("sudo usermod -aG dialout $USER"));
   const Finding finding = judge_port(port, {});
   EXPECT_FALSE(finding.found);
   EXPECT_THAT(finding.detail, HasSubstr("not permitted (group dialout)"));
   EXPECT_EQ(finding.remedy, how_to_be_permitted(port));
 
-  port.in_group = true;
+  port.access.in_group = true;
   EXPECT_THAT(how_to_be_permitted(port), HasSubstr("log out and in again"));
   EXPECT_THAT(how_to_be_permitted(port), ::testing::Not(HasSubstr("usermod")));
 
-  port.group_may = false;
+  port.access.group_may = false;
   EXPECT_THAT(how_to_be_permitted(port), HasSubstr("eyebridge doctor --udev"));
 }
 
