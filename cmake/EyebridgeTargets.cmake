@@ -69,14 +69,16 @@ endfunction()
 add_custom_target(threaded_tests)  # What `./test` builds with the thread sanitizer.
 add_custom_target(fuzzers)
 
-# eyebridge_fuzzer(world LIBRARIES …): fuzz_world from fuzz_world.cpp, built with EYEBRIDGE_FUZZ, and
-# a ctest fuzz.world that feeds it for a bounded time from corpus/world; both in tests/fuzz.
+# eyebridge_fuzzer(world HEADER entry.hpp LIBRARIES …): fuzz_world, which hands its inputs to the
+# function world() of the header; built with EYEBRIDGE_FUZZ, and a ctest fuzz.world that feeds it for a bounded time from corpus/world; both in tests/fuzz.
 function(eyebridge_fuzzer name)
-  cmake_parse_arguments(arg "" "" "LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "" "HEADER" "LIBRARIES" ${ARGN})
   if(NOT EYEBRIDGE_FUZZ)
     return()
   endif()
-  add_executable(fuzz_${name} fuzz_${name}.cpp)
+  add_executable(fuzz_${name} target.cpp)
+  target_compile_definitions(fuzz_${name} PRIVATE EYEBRIDGE_FUZZ_HEADER="${arg_HEADER}"
+                             EYEBRIDGE_FUZZ_ENTRY=${name})
   target_link_libraries(fuzz_${name} PRIVATE ${arg_LIBRARIES} eyebridge_warnings)
   target_link_options(fuzz_${name} PRIVATE -fsanitize=fuzzer)
   add_dependencies(fuzzers fuzz_${name})

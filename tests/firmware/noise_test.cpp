@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "board_fixture.hpp"
+#include "noise_amount.hpp"
 
 namespace eyebridge::firmware {
 namespace {
@@ -20,7 +21,7 @@ void expect_sane(const eb_board& board) {
   ASSERT_LE(board.io7.reply_count, EB_REPLY);
 }
 
-class Noise : public testing::TestWithParam<bool> {};
+class Noise : public ::testing::TestWithParam<bool> {};
 
 TEST_P(Noise, AnyBytesLeaveTheBoardSane) {
   std::mt19937 random(GetParam() ? 7 : 8);
@@ -31,7 +32,8 @@ TEST_P(Noise, AnyBytesLeaveTheBoardSane) {
   // Mostly bytes of which requests are made: pure noise would never be one.
   const std::string likely = "hOmMdsSpevViIocaxXqQyYCzZ 0123456789-\r\r\r\r";
   std::uint8_t out[256];
-  for (int i = 0; i < 1'000'000; ++i) {
+  const std::uint64_t bytes = eyebridge::testing::noise_amount(1'000'000);
+  for (std::uint64_t i = 0; i < bytes; ++i) {
     std::uint8_t byte = byte_of(random);
     if (!GetParam() && byte_of(random) < 240) {
       byte = static_cast<std::uint8_t>(likely[byte % likely.size()]);
@@ -47,14 +49,15 @@ TEST_P(Noise, AnyBytesLeaveTheBoardSane) {
   EXPECT_GT(host.board.io7.bad_requests, 1000U);
 }
 
-INSTANTIATE_TEST_SUITE_P(RequestForms, Noise, testing::Bool(),
+INSTANTIATE_TEST_SUITE_P(RequestForms, Noise, ::testing::Bool(),
                          [](const auto& row) { return row.param ? "Binary" : "Ascii"; });
 
 TEST(Noise, AnyFramesLeaveTheBoardSane) {
   std::mt19937 random(9);
   BoardUnderTest host(config_with([](eb_config& config) { config.node = 3; }));
   host.enable();
-  for (int i = 0; i < 300'000; ++i) {
+  const std::uint64_t frames = eyebridge::testing::noise_amount(300'000);
+  for (std::uint64_t i = 0; i < frames; ++i) {
     eb_can_frame frame{};
     frame.id = static_cast<std::uint16_t>((random() & 0x7F0) | (byte_of(random) < 200 ? 3 : 0));
     frame.length = byte_of(random) < 200 ? 8 : static_cast<std::uint8_t>(byte_of(random) & 15);

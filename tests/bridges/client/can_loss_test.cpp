@@ -2,6 +2,7 @@
 #include <random>
 
 #include "can_bench.hpp"
+#include "noise_amount.hpp"
 
 namespace eyebridge::bridges::testing {
 namespace {
@@ -198,19 +199,14 @@ TEST_F(CanLoss, RobotsThatLeaveTheBusAreNamed) {
               HasSubstr("all other nodes are gone"));
 }
 
-#if defined(NDEBUG) && !defined(__SANITIZE_THREAD__)
-constexpr int kNoise = 1'000'000;  // frames: 10 million bytes with their identifiers
-#else
-constexpr int kNoise = 20'000;
-#endif
-
 TEST_F(CanLoss, RandomFramesNeitherCrashNorMoveAnything) {
   client->stop();
   live(50ms);
   robot.clear();
   clock.live = {};
   std::mt19937_64 next(1);
-  for (int i = 0; i < kNoise; ++i) {
+  const std::uint64_t frames = eyebridge::testing::noise_amount(50'000);
+  for (std::uint64_t i = 0; i < frames; ++i) {
     CanFrame frame;
     frame.id = static_cast<std::uint32_t>(next() >> 20U) & 0x7FFU;
     if (next() % 2 == 0) frame.id = (frame.id & 0x7F0U) | 1U;
@@ -223,7 +219,7 @@ TEST_F(CanLoss, RandomFramesNeitherCrashNorMoveAnything) {
       }
     }
   }
-  EXPECT_GT(client->statistics().corrupt, static_cast<std::uint64_t>(kNoise) / 100);
+  EXPECT_GT(client->statistics().corrupt, frames / 100);
   clock.live = [this] { robot.step(); };
   live(500ms);
   expect_only_zero();

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "io7_bench.hpp"
+#include "noise_amount.hpp"
 
 namespace {
 thread_local bool counting = false;
@@ -148,13 +149,6 @@ TEST(Io7Allocation, AnExchangeAllocatesNothing) {
   EXPECT_EQ(allocations, 0u);
 }
 
-// How many random bytes a test may take; the optimised build takes those of the project's measure.
-#if defined(NDEBUG) && !defined(__SANITIZE_THREAD__)
-constexpr std::uint64_t kNoise = 10'000'000;
-#else
-constexpr std::uint64_t kNoise = 200'000;
-#endif
-
 TEST(Io7Noise, RandomBytesNeitherHangNorMoveAnything) {
   Io7Bench bench;
   ASSERT_TRUE(bench.client.connect());
@@ -174,7 +168,8 @@ TEST(Io7Noise, RandomBytesNeitherHangNorMoveAnything) {
     fed += noise.size();
     to.arrive(noise, Time(static_cast<Time::rep>(next() % 60'000'000)));
   };
-  while (fed < kNoise) {
+  const std::uint64_t wanted = eyebridge::testing::noise_amount(1'000'000);
+  while (fed < wanted) {
     const auto reply = bench.client.exchange(io7::psd(1));
     wrong += reply ? 1 : 0;
     bench.client.look_after();

@@ -1,9 +1,0 @@
-#include <cstddef>
-#include <cstdint>
-
-#include "entry.hpp"
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  eyebridge::fuzz::keys({reinterpret_cast<const char*>(data), size});
-  return 0;
-}
