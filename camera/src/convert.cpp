@@ -1,8 +1,11 @@
 #include "eyebridge/camera/convert.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
-#include <cstring>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace eyebridge::camera {
 namespace {
@@ -39,6 +42,35 @@ Span box(int at, int count, int start, int length) {
   };
   const int begin = edge(at);
   return {begin, std::max(begin + 1, edge(at + 1))};
+}
+
+/// The sums of the bytes that lie above each other in `rows`. A picture would need 2^24 rows to
+/// overflow them.
+void sum_rows(const Frame& frame, Span rows, std::vector<std::uint32_t>& sums) {
+  const auto first = frame.row(rows.begin);
+  sums.assign(first.begin(), first.end());
+  for (int y = rows.begin + 1; y < rows.end; ++y) {
+    const std::uint8_t* in = frame.row(y).data();
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] += in[i];
+  }
+}
+
+/// The rounded means of the boxes that `columns` cut out of `sums`, which are over `rows` rows.
+template <int kChannels>
+void mean_columns(const std::vector<std::uint32_t>& sums, const std::vector<Span>& columns,
+                  int rows, std::uint8_t* out) {
+  for (const Span& column : columns) {
+    std::array<std::uint64_t, kChannels> box_sums{};
+    const std::uint32_t* in = sums.data() + static_cast<std::ptrdiff_t>(column.begin) * kChannels;
+    for (int u = column.begin; u < column.end; ++u) {
+      for (std::size_t c = 0; c < kChannels; ++c) box_sums[c] += *in++;
+    }
+    const auto count =
+        static_cast<std::uint64_t>(rows) * static_cast<std::uint64_t>(column.end - column.begin);
+    for (const std::uint64_t sum : box_sums) {
+      *out++ = static_cast<std::uint8_t>((sum + count / 2) / count);
+    }
+  }
 }
 
 }  // namespace
@@ -80,6 +112,11 @@ Frame to_grey8(const Frame& frame) {
   });
 }
 
+Frame fit(Frame&& frame, int width, int height) {
+  if (frame.width == width && frame.height == height) return std::move(frame);
+  return fit(std::as_const(frame), width, height);
+}
+
 Frame fit(const Frame& frame, int width, int height) {
   if (frame.width == width && frame.height == height) return frame;
   int cut_width = frame.width;
@@ -98,20 +135,23 @@ Frame fit(const Frame& frame, int width, int height) {
   to.time = frame.time;
   to.sequence = frame.sequence;
   const int channels = bytes_per_pixel(frame.format);
+  std::vector<Span> columns(static_cast<std::size_t>(width));
+  for (int x = 0; x < width; ++x) {
+    columns[static_cast<std::size_t>(x)] = box(x, width, left, cut_width);
+  }
+  std::vector<std::uint32_t> sums;
   for (int y = 0; y < height; ++y) {
     const Span rows = box(y, height, top, cut_height);
-    std::uint8_t* out = row_of(to, y);
-    for (int x = 0; x < width; ++x) {
-      const Span columns = box(x, width, left, cut_width);
-      const int count = (rows.end - rows.begin) * (columns.end - columns.begin);
-      for (int c = 0; c < channels; ++c) {
-        int sum = 0;
-        for (int v = rows.begin; v < rows.end; ++v) {
-          const std::uint8_t* in = frame.row(v).data();
-          for (int u = columns.begin; u < columns.end; ++u) sum += in[u * channels + c];
-        }
-        *out++ = static_cast<std::uint8_t>((sum + count / 2) / count);
-      }
+    sum_rows(frame, rows, sums);
+    switch (channels) {
+      case 1:
+        mean_columns<1>(sums, columns, rows.end - rows.begin, row_of(to, y));
+        break;
+      case 3:
+        mean_columns<3>(sums, columns, rows.end - rows.begin, row_of(to, y));
+        break;
+      default:
+        mean_columns<4>(sums, columns, rows.end - rows.begin, row_of(to, y));
     }
   }
   return to;

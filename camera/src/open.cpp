@@ -8,13 +8,15 @@
 namespace eyebridge::camera {
 namespace {
 
-constexpr std::array<SourceFactory, 3> kSources{{
+constexpr std::array<SourceFactory, 4> kSources{{
     {"render", "pictures of the simulated world (render:osmesa, render:egl)", &check_render_source,
      &open_render_source},
     {"frames", "a folder of pictures, a video or a recording: frames:PATH?end=loop|hold|end&fps=30",
      &check_frames_source, &open_frames_source},
     {"pattern", "colour bars with the frame's number, needs no world", &check_pattern_source,
      &open_pattern_source},
+    {"v4l2", "a live camera (v4l2:/dev/video0?size=640x480&fps=30&format=YUYV)", &check_v4l2_source,
+     &open_v4l2_source},
 }};
 
 struct Found {

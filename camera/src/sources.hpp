@@ -22,4 +22,9 @@ std::unique_ptr<Source> open_pattern_source(std::string_view rest, const SourceC
 void check_frames_source(std::string_view rest, const SourceContext& context);
 std::unique_ptr<Source> open_frames_source(std::string_view rest, const SourceContext& context);
 
+/// A live camera; `rest` is a camera's name with options, or empty: see v4l2/camera_url.hpp. Not in
+/// virtual time.
+void check_v4l2_source(std::string_view rest, const SourceContext& context);
+std::unique_ptr<Source> open_v4l2_source(std::string_view rest, const SourceContext& context);
+
 }  // namespace eyebridge::camera

@@ -9,9 +9,8 @@ namespace {
 class StderrLog final : public LogSink {
  public:
   void write(Severity severity, std::string_view message) override {
-    const char* kind = severity == Severity::Warning ? "warning: "
-                       : severity == Severity::Error ? "error: "
-                                                     : "";
+    if (severity < Severity::Warning) return;
+    const char* kind = severity == Severity::Warning ? "warning: " : "error: ";
     const std::string line = "eyebridge: " + std::string(kind) + std::string(message) + "\n";
     std::fwrite(line.data(), 1, line.size(), stderr);
   }

@@ -4,7 +4,8 @@
 
 namespace eyebridge::camera {
 
-/// `log`, or one that writes to standard error when it is null: a warning is never lost.
+/// `log`, or one that writes warnings and errors to standard error when it is null: none is
+/// ever lost.
 LogSink& log_or_stderr(LogSink* log);
 
 }  // namespace eyebridge::camera

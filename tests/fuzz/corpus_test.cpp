@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "bridges_entry.hpp"
+#include "camera_entry.hpp"
 #include "entry.hpp"
 #include "firmware_entry.hpp"
 #include "plant_link_entry.hpp"
@@ -34,6 +35,8 @@ constexpr Target kTargets[] = {{"world", world},
                                {"faults", faults},
                                {"hand", hand},
                                {"recording", recording},
+                               {"camera_frame", camera_frame},
+                               {"camera_url", camera_url},
                                {"io7_reply", io7_reply},
                                {"io7_help", io7_help},
                                {"can_frame", can_frame},

@@ -18,5 +18,7 @@ Frame to_grey8(const Frame& frame);
 /// `frame` as a picture of `width` x `height` pixels: cut about its middle to that aspect, then
 /// each new pixel is the mean of the box that it covers (the nearest pixel when it is enlarged).
 Frame fit(const Frame& frame, int width, int height);
+/// The same; costs nothing when it has that size already.
+Frame fit(Frame&& frame, int width, int height);
 
 }  // namespace eyebridge::camera

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "eyebridge/base/result.hpp"
+#include "eyebridge/camera/frame.hpp"
+#include "pixels/mjpeg_decoder.hpp"
+#include "pixels/raw_picture.hpp"
+
+namespace eyebridge::camera {
+
+/// Makes Rgb24 frames of what a camera sends. Keeps its buffers from frame to frame. One thread.
+class PixelDecoder {
+ public:
+  /// `picture` as Rgb24 of `size` pixels (each side at least 1), cut and scaled as fit() does it.
+  /// An MJPEG that is to be smaller is decoded smaller first, to at least the pixels needed. Time
+  /// and sequence are left 0. Fails with Corrupt when the bytes are too few or damaged.
+  Result<Frame> decode(const RawPicture& picture, Size size);
+
+ private:
+  void to_rgb(const RawPicture& picture, std::size_t stride, Frame& frame);
+
+  MjpegDecoder mjpeg_;
+  std::vector<std::uint8_t> strip_;  ///< A few rows of BGRA, small enough for the cache.
+};
+
+/// Bytes that a picture without MJPEG of `size` and `stride` needs at least.
+std::size_t raw_bytes(RawFormat format, Size size, std::size_t stride);
+
+}  // namespace eyebridge::camera
