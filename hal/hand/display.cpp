@@ -29,15 +29,25 @@ HandTerminal standard_error() {
 HandDisplay::HandDisplay(fs::path folder, HandTerminal terminal, LogSink& log)
     : folder_(std::move(folder)), terminal_(std::move(terminal)), log_(log) {}
 
-HandDisplay::~HandDisplay() {
-  if (live_line_) terminal_.write("\n");
-}
-
 void HandDisplay::show(Time now, const Instruction& instruction) {
   const std::lock_guard lock(mutex_);
+  if (finished_) return;
+  latest_ = instruction;
   if (!terminal_.is_live) write_line(instruction);
   if (next_ && now < *next_) return;
   next_ = now + kPeriod;
+  write(instruction);
+}
+
+void HandDisplay::finish() {
+  const std::lock_guard lock(mutex_);
+  if (finished_ || !latest_) return;
+  finished_ = true;
+  write(*latest_);
+  if (terminal_.is_live) terminal_.write("\n");
+}
+
+void HandDisplay::write(const Instruction& instruction) {
   if (terminal_.is_live) write_line(instruction);
   const camera::Sign sign = as_sign(instruction);
   if (folder_.empty() || sign_ == sign) return;
@@ -49,7 +59,6 @@ void HandDisplay::write_line(const Instruction& instruction) {
   const std::string words = in_words(instruction);
   if (terminal_.is_live) {
     if (line_ != words) terminal_.write(kOver + words + kPlain);
-    live_line_ = true;
     line_ = words;
     return;
   }

@@ -28,14 +28,12 @@ class HandDisplay final : public InstructionSink {
   /// `folder` is empty for no pictures; it is made when the first one is written. `log`, for a
   /// picture that cannot be written (once), is lent.
   HandDisplay(std::filesystem::path folder, HandTerminal terminal, LogSink& log);
-  /// Ends a live line.
-  ~HandDisplay() override;
-  HandDisplay(const HandDisplay&) = delete;
-  HandDisplay& operator=(const HandDisplay&) = delete;
 
   void show(Time now, const Instruction& instruction) override;
+  void finish() override;
 
  private:
+  void write(const Instruction& instruction);
   void write_picture(const camera::Sign& sign);
   void write_line(const Instruction& instruction);
 
@@ -44,11 +42,12 @@ class HandDisplay final : public InstructionSink {
   LogSink& log_;
 
   std::mutex mutex_;
-  std::optional<Time> next_;  ///< Nothing is shown before.
+  std::optional<Time> next_;           ///< Nothing is shown before.
+  std::optional<Instruction> latest_;  ///< Perhaps not yet shown.
   std::optional<camera::Sign> sign_;
   std::string line_;
   std::optional<Instruction> said_;
-  bool live_line_ = false;
+  bool finished_ = false;
   bool cannot_write_ = false;
 };
 

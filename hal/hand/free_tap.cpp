@@ -27,6 +27,7 @@ class FreeTap final : public Tap {
       const std::lock_guard lock(mutex_);
       movement_.stop();
       show();
+      display_->finish();
     } catch (...) {
       // The motors are stopped; nobody can be told.
     }

@@ -53,6 +53,7 @@ class HandBackend final : public Backend {
   void stop() noexcept override {
     try {
       robot_.set_speed({});
+      display_->finish();
     } catch (...) {
       // A display that has no memory left: there is no motor that could run on.
     }

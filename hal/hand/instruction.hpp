@@ -36,6 +36,8 @@ class InstructionSink {
   virtual ~InstructionSink() = default;
   /// `now` on the robot's clock. Called with every frame, and with every command.
   virtual void show(Time now, const Instruction& instruction) = 0;
+  /// The run has ended: what was last to be shown is, and nothing any more. May come again.
+  virtual void finish() = 0;
 };
 
 }  // namespace eyebridge::hal

@@ -49,14 +49,18 @@ TEST(HandDisplay, AFileGetsALineForEachCommandAndWhenTheRobotIsLostAndFound) {
 TEST(HandDisplay, ATerminalGetsOneLineThatIsWrittenOverFiveTimesASecondAtMost) {
   Lines lines;
   NullLog log;
-  {
-    HandDisplay display({}, lines.terminal(true), log);
-    for (int ms = 0; ms < 1000; ms += 10) display.show(at(ms), forward(1.0 - 0.001 * ms));
-  }
-  ASSERT_THAT(lines.all, SizeIs(6));
+  HandDisplay display({}, lines.terminal(true), log);
+  for (int ms = 0; ms < 990; ms += 10) display.show(at(ms), forward(1.0 - 0.001 * ms));
+  ASSERT_THAT(lines.all, SizeIs(5));
   EXPECT_EQ(lines.all[1].front(), '\r');
   EXPECT_THAT(lines.all[1], HasSubstr("forward 0.80 m"));
-  EXPECT_EQ(lines.all[5], "\n");
+  display.finish();
+  ASSERT_THAT(lines.all, SizeIs(7));
+  EXPECT_THAT(lines.all[5], HasSubstr("forward 0.02 m")) << "the last that was to be shown";
+  EXPECT_EQ(lines.all[6], "\n");
+  display.show(at(5000), forward(0.5));
+  display.finish();
+  EXPECT_THAT(lines.all, SizeIs(7));
 }
 
 TEST(HandDisplay, ThePictureIsWrittenWholeAndFiveTimesASecondAtMost) {

@@ -39,6 +39,7 @@ class HandEye final : public InstructionSink {
     const std::lock_guard lock(hand_->mutex);
     hand_->told = instruction;
   }
+  void finish() override {}
 
  private:
   std::shared_ptr<Hand> hand_;
