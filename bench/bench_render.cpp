@@ -2,6 +2,9 @@
 #include <fstream>
 #include <memory>
 #include <string>
+#include <thread>
+#include <utility>
+#include <vector>
 
 #include <benchmark/benchmark.h>
 
@@ -48,22 +51,29 @@ class StillClock final : public Clock {
   Time now_{0};
 };
 
-/// Ten robots in a maze; the eye jumps from cell to cell.
-class MazeView final : public camera::View {
- public:
-  explicit MazeView(int side) : side_(side) {
-    scene_.model = random_maze(side);
-    Random random(3);
-    for (std::uint32_t i = 0; i < 10; ++i) {
-      const Pose pose{random.uniform() * side * kCell, random.uniform() * side * kCell, 0.0};
-      scene_.bodies.push_back({i,
-                               world::BodyShape::Robot,
-                               pose,
-                               0.05,
-                               0.08,
-                               {200, 60, static_cast<std::uint8_t>(20 * i)}});
-    }
+/// Robots in a world of `side` x `side` cells.
+world::Scene robots_in(std::shared_ptr<const world::WorldModel> model, int side, int robots) {
+  world::Scene scene;
+  scene.model = std::move(model);
+  Random random(3);
+  for (int i = 0; i < robots; ++i) {
+    const Pose pose{random.uniform() * side * kCell, random.uniform() * side * kCell, 0.0};
+    scene.bodies.push_back({static_cast<std::uint32_t>(i),
+                            world::BodyShape::Robot,
+                            pose,
+                            0.05,
+                            0.08,
+                            {200, 60, static_cast<std::uint8_t>(8 * i)}});
   }
+  return scene;
+}
+
+/// What robot `number` sees of a scene that all share; its eye jumps from cell to cell.
+class JumpingView final : public camera::View {
+ public:
+  JumpingView(const world::Scene& scene, int side, int number)
+      : scene_(scene), side_(side), number_(number), step_(11 * number) {}
+
   [[nodiscard]] world::Scene scene() const override { return scene_; }
   [[nodiscard]] camera::Eye eye() const override {
     const int cell = step_++;
@@ -74,14 +84,17 @@ class MazeView final : public camera::View {
     eye.heading = 0.1 * cell;
     return eye;
   }
-  [[nodiscard]] std::uint32_t carrier() const override { return 0; }
+  [[nodiscard]] std::uint32_t carrier() const override {
+    return static_cast<std::uint32_t>(number_);
+  }
   [[nodiscard]] camera::ImageNoise noise() const override { return {}; }
   [[nodiscard]] std::string texture_directory() const override { return "."; }
 
  private:
+  const world::Scene& scene_;
   int side_;
-  world::Scene scene_;
-  mutable int step_ = 0;
+  int number_;
+  mutable int step_;
 };
 
 /// Memory of this process that is in RAM, MB (Linux, statm: second field, pages of 4 KiB).
@@ -92,25 +105,28 @@ double resident_megabytes() {
   return static_cast<double>(resident) * 4096.0 / 1e6;
 }
 
+constexpr Time kForever{1'000'000'000'000'000};
+
 void render(benchmark::State& state, const char* url) {
   const auto width = static_cast<int>(state.range(0));
+  const auto side = static_cast<int>(state.range(1));
   StillClock clock;
-  MazeView view(static_cast<int>(state.range(1)));
+  const world::Scene scene = robots_in(random_maze(side), side, 10);
+  JumpingView view(scene, side, 0);
   const auto source = camera::open_source(url, {&clock, &view, nullptr});
   if (!source->set_size(width, width * 3 / 4)) {
     state.SkipWithError("size refused");
     return;
   }
-  const Time forever{1'000'000'000'000'000};
   for (auto _ : state) {
-    const auto frame = source->next(forever);
+    const auto frame = source->next(kForever);
     if (!frame) {
       state.SkipWithError(frame.error().what.c_str());
       return;
     }
     benchmark::DoNotOptimize((*frame)->bytes.data());
   }
-  state.counters["walls"] = static_cast<double>(view.scene().model->walls.size());
+  state.counters["walls"] = static_cast<double>(scene.model->walls.size());
   state.counters["frame_kB"] = 3.0 * width * width * 0.75 / 1e3;
   state.counters["process_MB"] = resident_megabytes();
 }
@@ -124,6 +140,58 @@ void sizes(benchmark::internal::Benchmark* bench) {
 
 BENCHMARK_CAPTURE(render, osmesa, "render:osmesa")->Apply(sizes);
 BENCHMARK_CAPTURE(render, egl, "render:egl")->Apply(sizes);
+/// A frame of each of `robots` robots, as often as 30 times a second of theirs. `x_real_time`: how
+/// many times faster than their time, on one core.
+void render_robots(benchmark::State& state) {
+  constexpr int kSide = 43;
+  const auto robots = static_cast<int>(state.range(0));
+  StillClock clock;
+  const world::Scene scene = robots_in(random_maze(kSide), kSide, robots);
+  std::vector<std::unique_ptr<JumpingView>> views;
+  std::vector<std::unique_ptr<camera::Source>> sources;
+  for (int i = 0; i < robots; ++i) {
+    views.push_back(std::make_unique<JumpingView>(scene, kSide, i));
+    sources.push_back(camera::open_source("render:osmesa", {&clock, views.back().get(), nullptr}));
+  }
+  for (auto _ : state) {
+    for (const auto& source : sources) {
+      const auto frame = source->next(clock.now() + Time(40'000'000));
+      if (!frame) return state.SkipWithError(frame.error().what.c_str());
+      benchmark::DoNotOptimize((*frame)->bytes.data());
+    }
+  }
+  state.counters["x_real_time"] = benchmark::Counter(static_cast<double>(state.iterations()) / 30.0,
+                                                     benchmark::Counter::kIsRate);
+}
+BENCHMARK(render_robots)->Arg(1)->Arg(30)->Unit(benchmark::kMillisecond);
+
+/// From nothing to the first frame of a context, in a thread that has none yet.
+void first_frame(benchmark::State& state, const char* url) {
+  const world::Scene scene = robots_in(random_maze(43), 43, 10);
+  StillClock clock;
+  for (auto _ : state) {
+    std::thread([&] {
+      JumpingView view(scene, 43, 0);
+      const auto source = camera::open_source(url, {&clock, &view, nullptr});
+      benchmark::DoNotOptimize(source->next(kForever).has_value());
+    }).join();
+  }
+}
+BENCHMARK_CAPTURE(first_frame, osmesa, "render:osmesa")
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime();
+
+/// What each picture costs before anything is drawn: the baseline.
+void render_nothing(benchmark::State& state) {
+  StillClock clock;
+  world::Scene scene;
+  scene.model = std::make_shared<const world::WorldModel>();
+  JumpingView view(scene, 1, 0);
+  const auto source = camera::open_source("render:osmesa", {&clock, &view, nullptr});
+  for (auto _ : state) benchmark::DoNotOptimize((*source->next(kForever))->bytes.data());
+}
+BENCHMARK(render_nothing)->Unit(benchmark::kMillisecond);
+
 BENCHMARK_CAPTURE(render, pattern, "pattern")->Args({320, 13})->Unit(benchmark::kMillisecond);
 
 void birdseye(benchmark::State& state) {

@@ -17,13 +17,14 @@ layout(location = 4) in vec2 size;
 layout(location = 5) in vec4 body_colour;
 layout(location = 6) in vec4 mark_colour;
 uniform mat4 clip_from_world;
+uniform float light;
 out vec3 colour;
 vec2 turned(vec2 v) { return vec2(place.z * v.x - place.w * v.y, place.w * v.x + place.z * v.y); }
 void main() {
   vec3 world = vec3(place.xy + turned(position.xy * size.x), position.z * size.y);
   gl_Position = clip_from_world * vec4(world, 1.0);
-  float light = 0.72 + 0.28 * dot(vec3(turned(normal.xy), normal.z), vec3(0.30, 0.52, 0.80));
-  colour = light * mix(body_colour.rgb, mark_colour.rgb, mark);
+  float shade = 0.72 + 0.28 * dot(vec3(turned(normal.xy), normal.z), vec3(0.30, 0.52, 0.80));
+  colour = light * shade * mix(body_colour.rgb, mark_colour.rgb, mark);
 })";
 
 constexpr const char* kFragmentShader = R"(#version 330 core
@@ -50,7 +51,8 @@ bool is_dark(Rgb c) { return 3 * c.r + 6 * c.g + c.b < 1280; }
 BodyPainter::BodyPainter(const GlFunctions& gl)
     : gl_(gl),
       program_(make_program(gl, kVertexShader, kFragmentShader)),
-      clip_from_world_(gl.get_uniform_location(program_, "clip_from_world")) {
+      clip_from_world_(gl.get_uniform_location(program_, "clip_from_world")),
+      light_(gl.get_uniform_location(program_, "light")) {
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     const BodyMesh mesh = mesh_of(static_cast<world::BodyShape>(i));
     Shape& shape = shapes_[i];
@@ -88,14 +90,20 @@ BodyPainter::Instance BodyPainter::instance_of(const world::BodyView& body) {
 }
 
 void BodyPainter::draw(std::span<const world::BodyView> bodies, std::uint32_t carrier,
-                       const Lens& lens, const std::array<float, 16>& clip_from_world) {
+                       const Lens& lens, const VisibleWalls& walls,
+                       const std::array<float, 16>& clip_from_world, float light) {
+  bool any = false;
   for (Shape& shape : shapes_) shape.visible.clear();
   for (const world::BodyView& body : bodies) {
     const Vec3 middle{body.pose.x, body.pose.y, 0.5 * body.height};
     if (body.id == carrier || !lens.may_see(middle, body.radius + 0.5 * body.height)) continue;
+    if (walls.hide(body.pose.position(), body.radius, body.height)) continue;
+    any = true;
     shapes_[static_cast<std::size_t>(body.shape)].visible.push_back(instance_of(body));
   }
+  if (!any) return;
   gl_.use_program(program_);
+  gl_.uniform_1f(light_, light);
   gl_.uniform_matrix_4fv(clip_from_world_, 1, GL_FALSE, clip_from_world.data());
   for (const Shape& shape : shapes_) {
     if (shape.visible.empty()) continue;

@@ -8,6 +8,7 @@
 #include "eyebridge/world/scene.hpp"
 #include "render/gl_functions.hpp"
 #include "render/lens.hpp"
+#include "render/visible_walls.hpp"
 
 namespace eyebridge::camera {
 
@@ -17,9 +18,10 @@ class BodyPainter {
   /// `gl` is lent for its life; its context must be current here and in draw().
   explicit BodyPainter(const GlFunctions& gl);
 
-  /// Draws those of `bodies` that `lens` may see, save `carrier`.
+  /// Draws those of `bodies` that `lens` may see and `walls` do not hide from it, save `carrier`.
+  /// `light` scales all colours.
   void draw(std::span<const world::BodyView> bodies, std::uint32_t carrier, const Lens& lens,
-            const std::array<float, 16>& clip_from_world);
+            const VisibleWalls& walls, const std::array<float, 16>& clip_from_world, float light);
 
  private:
   struct Instance {
@@ -40,6 +42,7 @@ class BodyPainter {
   const GlFunctions& gl_;
   GLuint program_;
   GLint clip_from_world_;
+  GLint light_;
   std::array<Shape, 3> shapes_;  ///< By world::BodyShape.
 };
 

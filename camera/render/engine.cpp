@@ -1,11 +1,12 @@
 #include "render/engine.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <optional>
 #include <stdexcept>
+
+#include <libyuv.h>
 
 #include "eyebridge/base/log.hpp"
 #include "eyebridge/camera/convert.hpp"
@@ -13,69 +14,11 @@
 #include "render/body_painter.hpp"
 #include "render/gl_objects.hpp"
 #include "render/mesh.hpp"
-#include "render/visible_walls.hpp"
+#include "render/picture_painter.hpp"
+#include "render/world_painter.hpp"
 
 namespace eyebridge::camera {
 namespace {
-
-constexpr const char* kVertexShader = R"(#version 330 core
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec2 texture_position;
-layout(location = 2) in vec4 tint;
-uniform mat4 clip_from_world;
-out vec2 st;
-out vec4 colour;
-void main() {
-  gl_Position = clip_from_world * vec4(position, 1.0);
-  st = texture_position;
-  colour = tint;
-})";
-
-constexpr const char* kFragmentShader = R"(#version 330 core
-in vec2 st;
-in vec4 colour;
-uniform sampler2D image;
-out vec4 pixel;
-void main() { pixel = texture(image, st) * colour; })";
-
-/// A mesh of quads in OpenGL's memory.
-struct GpuQuads {
-  GLuint array = 0;
-  GLuint vertices = 0;
-  GLuint indices = 0;
-  GLsizei count = 0;
-};
-
-GpuQuads make_quads(const GlFunctions& gl) {
-  GpuQuads quads;
-  gl.gen_vertex_arrays(1, &quads.array);
-  gl.bind_vertex_array(quads.array);
-  quads.vertices = make_buffer(gl);
-  quads.indices = make_buffer(gl);
-  gl.bind_buffer(GL_ELEMENT_ARRAY_BUFFER, quads.indices);
-  describe(gl, quads.vertices, sizeof(WorldVertex),
-           {{0, 3, GL_FLOAT, offsetof(WorldVertex, x)},
-            {1, 2, GL_FLOAT, offsetof(WorldVertex, u)},
-            {2, 4, GL_UNSIGNED_BYTE, offsetof(WorldVertex, colour)}});
-  return quads;
-}
-
-void fill_indices(const GlFunctions& gl, GpuQuads& quads,
-                  const std::vector<std::uint32_t>& indices) {
-  gl.bind_vertex_array(quads.array);
-  fill_buffer(gl, GL_ELEMENT_ARRAY_BUFFER, quads.indices, indices, GL_STREAM_DRAW);
-  quads.count = static_cast<GLsizei>(indices.size());
-}
-
-void fill_quads(const GlFunctions& gl, GpuQuads& quads, const QuadMesh& mesh) {
-  gl.bind_vertex_array(quads.array);
-  fill_buffer(gl, GL_ARRAY_BUFFER, quads.vertices, mesh.vertices, GL_STATIC_DRAW);
-  std::vector<std::uint32_t> indices;
-  for (std::uint32_t first = 0; first < mesh.vertices.size(); first += 4) {
-    for (const std::uint32_t i : {0U, 1U, 2U, 0U, 2U, 3U}) indices.push_back(first + i);
-  }
-  fill_indices(gl, quads, indices);
-}
 
 /// Reads the floor's picture; nothing, after a warning, when that cannot be done.
 std::optional<Frame> floor_picture(const world::WorldModel& model, const std::string& directory,
@@ -96,53 +39,27 @@ struct RenderEngine::Impl {
   std::unique_ptr<GlContext> context;
   GlFunctions gl;
   RenderTarget target;
-  GLuint program;
-  GLint clip_from_world;
-  GLuint bricks;
-  GLuint tiles;
-  GLuint plain;
-  GLuint picture;
-  GpuQuads walls;
-  GpuQuads floor;
-  GpuQuads markers;
+  WorldPainter world;
   BodyPainter bodies;
+  std::optional<PicturePainter> floor;  // made when a world has a picture on its floor
 
   std::shared_ptr<const world::WorldModel> model;  // drawn last
   std::string texture_directory;
-  VisibleWalls visible{{}};
-  GLuint floor_texture = 0;
+  bool floor_has_picture = false;
   double extent = 0.0;  // of the walls and the floor from the origin, metres
-  std::vector<std::uint32_t> indices;
+  std::vector<std::uint8_t> rgba;
 
   Impl(std::string_view maker, LogSink& log)
-      : context(make_gl_context(maker, log)),
-        gl(*context),
-        target(gl),
-        program(make_program(gl, kVertexShader, kFragmentShader)),
-        clip_from_world(gl.get_uniform_location(program, "clip_from_world")),
-        bricks(make_texture(gl)),
-        tiles(make_texture(gl)),
-        plain(make_texture(gl)),
-        picture(make_texture(gl)),
-        walls(make_quads(gl)),
-        floor(make_quads(gl)),
-        markers(make_quads(gl)),
-        bodies(gl) {
-    fill_texture(gl, bricks, mip_levels(brick_texture()));
-    fill_texture(gl, tiles, mip_levels(tile_texture()));
-    fill_texture(gl, plain, {TextureLevel{1, 1, {255, 255, 255, 255}}});
+      : context(make_gl_context(maker, log)), gl(*context), target(gl), world(gl), bodies(gl) {
     gl.enable(GL_DEPTH_TEST);
     gl.depth_func(GL_LESS);
-    gl.clear_color(0.62F, 0.78F, 0.92F, 1.0F);
     gl.pixel_store_i(GL_PACK_ALIGNMENT, 1);
-    gl.polygon_offset(-1.0F, -4.0F);
   }
 
   void take_world(const Shot& shot, LogSink& log) {
     if (model == shot.scene.model && texture_directory == shot.texture_directory) return;
     model = shot.scene.model;
     texture_directory = shot.texture_directory;
-    visible = VisibleWalls(model->walls);
     extent = std::max(model->width, model->height);
     for (const world::Wall& wall : model->walls) {
       for (const Vec2 end : {wall.a, wall.b}) {
@@ -150,19 +67,24 @@ struct RenderEngine::Impl {
       }
       extent = std::max(extent, wall.height);
     }
-    fill_quads(gl, walls, wall_mesh(model->walls));
-    fill_quads(gl, markers, marker_mesh(model->markers));
-    const std::optional<Frame> floor_image = floor_picture(*model, texture_directory, log);
-    if (floor_image) fill_texture(gl, picture, mip_levels(picture_texture(*floor_image)));
-    floor_texture = floor_image ? picture : tiles;
-    fill_quads(gl, floor, floor_mesh(*model, floor_image.has_value()));
+    const std::optional<Frame> picture = floor_picture(*model, texture_directory, log);
+    floor_has_picture = picture.has_value();
+    world.take(*model, /*tiles=*/!floor_has_picture);
+    if (!floor_has_picture) return;
+    if (!floor) floor.emplace(gl, PicturePainter::Edges::Smooth);
+    floor->take(mip_levels(picture_texture(*picture)), floor_mesh(*model, Pattern::Plain));
   }
 
-  void draw(const GpuQuads& quads, GLuint texture) const {
-    if (quads.count == 0) return;
-    gl.bind_vertex_array(quads.array);
-    gl.bind_texture(GL_TEXTURE_2D, texture);
-    gl.draw_elements(GL_TRIANGLES, quads.count, GL_UNSIGNED_INT, nullptr);
+  /// What has been drawn.
+  Frame read_picture_back(int width, int height) {
+    const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    rgba.resize(std::max(rgba.size(), 4 * pixels));
+    // As it lies in memory: Mesa leaves the fourth byte out a pixel at a time.
+    gl.read_pixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    Frame frame = make_frame(width, height, PixelFormat::Rgb24);
+    // libyuv names the bytes of a word from its highest: to it these are ABGR and "raw".
+    libyuv::ABGRToRAW(rgba.data(), 4 * width, frame.bytes.data(), frame.stride, width, height);
+    return frame;
   }
 };
 
@@ -184,23 +106,17 @@ Frame RenderEngine::render(const Shot& shot, LogSink& log) {
       4.0 * (my.extent + std::abs(shot.eye.x) + std::abs(shot.eye.y) + std::abs(shot.eye.z) + 1.0);
   const Lens lens(shot.eye, shot.width, shot.height, far);
   const auto matrix = lens.clip_from_world();
-  my.visible.select(lens, my.indices);
-  fill_indices(gl, my.walls, my.indices);
+  const auto light = static_cast<float>(shot.light);
 
+  gl.clear_color(0.62F * light, 0.78F * light, 0.92F * light, 1.0F);
   gl.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  gl.use_program(my.program);
-  gl.uniform_matrix_4fv(my.clip_from_world, 1, GL_FALSE, matrix.data());
-  my.draw(my.walls, my.bricks);
-  my.bodies.draw(shot.scene.bodies, shot.carrier, lens, matrix);
-  // The floor last: most of it is hidden. Markers lie in its plane and must win.
-  gl.use_program(my.program);
-  my.draw(my.floor, my.floor_texture);
-  gl.enable(GL_POLYGON_OFFSET_FILL);
-  my.draw(my.markers, my.plain);
-  gl.disable(GL_POLYGON_OFFSET_FILL);
+  my.world.draw(lens, matrix, light);
+  my.bodies.draw(shot.scene.bodies, shot.carrier, lens, my.world.walls(), matrix, light);
+  // After all that hides most of it.
+  if (my.floor_has_picture) my.floor->draw(triangles_of(0, 1), matrix, light, /*on_top=*/false);
+  my.world.draw_markers();
 
-  Frame frame = make_frame(shot.width, shot.height, PixelFormat::Rgb24);
-  gl.read_pixels(0, 0, shot.width, shot.height, GL_RGB, GL_UNSIGNED_BYTE, frame.bytes.data());
+  Frame frame = my.read_picture_back(shot.width, shot.height);
   if (const GLenum error = gl.get_error(); error != GL_NO_ERROR) {
     throw std::runtime_error("OpenGL error " + std::to_string(error) + " while drawing");
   }

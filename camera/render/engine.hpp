@@ -20,6 +20,7 @@ struct Shot {
   Eye eye;
   std::uint32_t carrier = 0;      ///< Body that is not drawn.
   std::string texture_directory;  ///< Relative texture names are searched here.
+  double light = 1.0;             ///< How bright it is; 1 is usual.
   int width = 0;                  ///< Pixels.
   int height = 0;                 ///< Pixels.
 };

@@ -45,7 +45,7 @@ namespace eyebridge::camera {
   X(PFNGLUSEPROGRAMPROC, use_program, "glUseProgram") \
   X(PFNGLGETUNIFORMLOCATIONPROC, get_uniform_location, "glGetUniformLocation") \
   X(PFNGLUNIFORMMATRIX4FVPROC, uniform_matrix_4fv, "glUniformMatrix4fv") \
-  X(PFNGLUNIFORM1IPROC, uniform_1i, "glUniform1i") \
+  X(PFNGLUNIFORM1FPROC, uniform_1f, "glUniform1f") \
   X(PFNGLGENFRAMEBUFFERSPROC, gen_framebuffers, "glGenFramebuffers") \
   X(PFNGLBINDFRAMEBUFFERPROC, bind_framebuffer, "glBindFramebuffer") \
   X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, framebuffer_renderbuffer, "glFramebufferRenderbuffer") \

@@ -5,7 +5,6 @@
 
 #include "eyebridge/base/math.hpp"
 #include "eyebridge/base/units.hpp"
-#include "render/textures.hpp"
 #include "src/marker.hpp"
 
 namespace eyebridge::camera {
@@ -13,64 +12,34 @@ namespace {
 
 constexpr int kCylinderSides = 32;
 
-struct Corner {
-  Vec2 at;
-  double z;
-  double u;
-  double v;
-};
-
-void add_quad(QuadMesh& mesh, const std::array<Corner, 4>& corners, Rgb colour, double light) {
-  const auto lit = [&](std::uint8_t c) {
-    return static_cast<std::uint8_t>(std::lround(c * light));
-  };
-  for (const Corner& corner : corners) {
-    mesh.vertices.push_back({static_cast<float>(corner.at.x),
-                             static_cast<float>(corner.at.y),
-                             static_cast<float>(corner.z),
-                             static_cast<float>(corner.u),
-                             static_cast<float>(corner.v),
-                             {lit(colour.r), lit(colour.g), lit(colour.b), 255}});
-  }
-}
-
-/// Brightness of an upright face: by its direction only, so that both sides of a bare wall look
-/// alike and walls that meet at a corner do not.
-double light_on(Vec2 normal) {
-  const Vec2 sun{0.342, 0.940};
-  return 0.70 + 0.30 * std::abs(dot(normal, sun));
-}
-
 void add_upright(QuadMesh& mesh, Vec2 from, Vec2 to, const world::Wall& wall) {
   const Vec2 along = to - from;
   const double length = norm(along);
   const Vec2 normal{along.y / length, -along.x / length};
-  const double u = length / kBrickTextureSize;
-  const double v = wall.height / kBrickTextureSize;
+  const double u = length / kBrickLength;
+  const double v = wall.height / kCourseHeight;
   add_quad(mesh,
            {{{from, 0.0, 0.0, 0.0},
              {to, 0.0, u, 0.0},
              {to, wall.height, u, v},
              {from, wall.height, 0.0, v}}},
-           wall.colour, light_on(normal));
+           wall.colour, Pattern::Bricks, light_on(normal));
 }
 
 void add_box(QuadMesh& mesh, const world::Wall& wall) {
-  const Vec2 along = wall.b - wall.a;
-  const Vec2 half = (0.5 * wall.thickness / norm(along)) * Vec2{-along.y, along.x};
-  const Vec2 corner[4] = {wall.a + half, wall.b + half, wall.b - half, wall.a - half};
+  const std::array<Vec2, 4> corner = outline_of(wall);
   add_upright(mesh, corner[0], corner[1], wall);
   add_upright(mesh, corner[2], corner[3], wall);
   add_upright(mesh, corner[1], corner[2], wall);
   add_upright(mesh, corner[3], corner[0], wall);
-  const double u = norm(along) / kBrickTextureSize;
-  const double v = wall.thickness / kBrickTextureSize;
+  const double u = norm(wall.b - wall.a) / kBrickLength;
+  const double v = wall.thickness / kCourseHeight;
   add_quad(mesh,
            {{{corner[0], wall.height, 0.0, 0.0},
              {corner[1], wall.height, u, 0.0},
              {corner[2], wall.height, u, v},
              {corner[3], wall.height, 0.0, v}}},
-           wall.colour, 1.0);
+           wall.colour, Pattern::Bricks, 1.0);
 }
 
 /// Point `i` of `count` on the unit circle, half a step off, so that a side faces +x.
@@ -114,6 +83,33 @@ void add_lid(BodyMesh& mesh, Mark mark) {
 
 }  // namespace
 
+double light_on(Vec2 normal) {
+  const Vec2 sun{0.342, 0.940};
+  return 0.70 + 0.30 * std::abs(dot(normal, sun));
+}
+
+void add_quad(QuadMesh& mesh, const std::array<Corner, 4>& corners, Rgb colour, Pattern pattern,
+              double light) {
+  const auto lit = [&](std::uint8_t c) {
+    return static_cast<std::uint8_t>(std::lround(c * light));
+  };
+  for (const Corner& corner : corners) {
+    mesh.vertices.push_back({static_cast<float>(corner.at.x),
+                             static_cast<float>(corner.at.y),
+                             static_cast<float>(corner.z),
+                             static_cast<float>(corner.u),
+                             static_cast<float>(corner.v),
+                             {lit(colour.r), lit(colour.g), lit(colour.b)},
+                             pattern});
+  }
+}
+
+std::array<Vec2, 4> outline_of(const world::Wall& wall) {
+  const Vec2 along = wall.b - wall.a;
+  const Vec2 half = (0.5 * wall.thickness / norm(along)) * Vec2{-along.y, along.x};
+  return {wall.a + half, wall.b + half, wall.b - half, wall.a - half};
+}
+
 QuadMesh wall_mesh(const std::vector<world::Wall>& walls) {
   QuadMesh mesh;
   for (const world::Wall& wall : walls) {
@@ -126,14 +122,14 @@ QuadMesh wall_mesh(const std::vector<world::Wall>& walls) {
   return mesh;
 }
 
-QuadMesh floor_mesh(const world::WorldModel& model, bool stretched) {
+QuadMesh floor_mesh(const world::WorldModel& model, Pattern pattern) {
   QuadMesh mesh;
   const double w = model.width;
   const double h = model.height;
-  const double u = stretched ? 1.0 : w / kTileTextureSize;
-  const double v = stretched ? 1.0 : h / kTileTextureSize;
+  const double u = pattern == Pattern::Tiles ? w / kTileSize : 1.0;
+  const double v = pattern == Pattern::Tiles ? h / kTileSize : 1.0;
   add_quad(mesh, {{{{0, 0}, 0, 0, 0}, {{w, 0}, 0, u, 0}, {{w, h}, 0, u, v}, {{0, h}, 0, 0, v}}},
-           {255, 255, 255}, 1.0);
+           {255, 255, 255}, pattern, 1.0);
   return mesh;
 }
 
@@ -146,7 +142,7 @@ QuadMesh marker_mesh(const std::vector<world::Marker>& markers) {
     };
     for (int i = 0; i < kPoints; i += 2) {
       add_quad(mesh, {{{marker.position, 0, 0, 0}, rim(i), rim(i + 1), rim(i + 2)}}, marker.colour,
-               1.0);
+               Pattern::Plain, 1.0);
     }
   }
   return mesh;

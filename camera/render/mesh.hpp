@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -8,11 +9,20 @@
 
 namespace eyebridge::camera {
 
-/// Corner of a wall, the floor or a marker, in the world.
+/// What a quad is covered with.
+enum class Pattern : std::uint8_t { Plain, Bricks, Tiles };
+
+/// Edge lengths of the patterns' pieces, metres. Bricks are laid in running bond.
+inline constexpr double kBrickLength = 0.1;
+inline constexpr double kCourseHeight = 0.05;
+inline constexpr double kTileSize = 0.15;
+
+/// Corner of a wall, the floor, a marker or a fiducial, in the world.
 struct WorldVertex {
   float x, y, z;
-  float u, v;              ///< Texture coordinates: 1 is one texture's length.
-  std::uint8_t colour[4];  ///< Tint with the shading already in it.
+  float u, v;              ///< In the pattern or the picture: 1 is a brick, a tile, a picture.
+  std::uint8_t colour[3];  ///< Tint with the shading already in it.
+  Pattern pattern;
 };
 
 /// Corner of a body of radius 1 and height 1 that stands on the floor at the origin, facing +x.
@@ -43,12 +53,32 @@ constexpr int quads_of(const world::Wall& wall) {
   return wall.thickness > 0.0 ? kQuadsOfBox : kQuadsOfLine;
 }
 
+/// The corners of a thick wall seen from above, clockwise: left of a, left of b, right of b, right
+/// of a.
+std::array<Vec2, 4> outline_of(const world::Wall& wall);
+
 /// All walls, in their order.
 QuadMesh wall_mesh(const std::vector<world::Wall>& walls);
-/// The floor as one quad; its texture once over all of it when `stretched`.
-QuadMesh floor_mesh(const world::WorldModel& model, bool stretched);
+/// The floor as one quad: of tiles, or plain with one picture over all of it.
+QuadMesh floor_mesh(const world::WorldModel& model, Pattern pattern);
 /// The markers as fans of quads, on the floor.
 QuadMesh marker_mesh(const std::vector<world::Marker>& markers);
+
+/// Brightness of an upright face, 0.7 … 1: by its direction only, so that both sides of a bare wall
+/// look alike and walls that meet at a corner do not. `normal` is a unit vector.
+double light_on(Vec2 normal);
+
+/// A corner of a quad: its place and what it shows.
+struct Corner {
+  Vec2 at;   ///< World, metres.
+  double z;  ///< Metres.
+  double u;
+  double v;
+};
+
+/// Appends a quad; `light` scales its colour.
+void add_quad(QuadMesh& mesh, const std::array<Corner, 4>& corners, Rgb colour, Pattern pattern,
+              double light);
 
 /// A robot: a cylinder whose front is marked on its side and on its top.
 BodyMesh robot_mesh();

@@ -1,7 +1,11 @@
+#include <charconv>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/text.hpp"
+#include "eyebridge/base/url.hpp"
 #include "render/engine.hpp"
 #include "render/gl_context.hpp"
 #include "render/noise.hpp"
@@ -12,12 +16,46 @@
 namespace eyebridge::camera {
 namespace {
 
+struct Settings {
+  std::string maker;
+  double light = 1.0;
+};
+
+double read_light(const std::string& text) {
+  double light = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), light);
+  const bool all = error == std::errc{} && end == text.data() + text.size();
+  if (all && light >= 0.01 && light <= 4.0) return light;
+  throw ConfigError({"--camera"}, "render: found light=" + in_quotes(text) +
+                                      ", expected a number 0.01 ... 4; 1 is usual");
+}
+
+/// Of what follows "render:".
+Settings read_settings(std::string_view rest) {
+  const Url url = parse_url("render:" + std::string(rest), {"--camera"});
+  Settings settings;
+  settings.maker = url.rest;
+  if (!settings.maker.empty()) check_gl_context_maker(settings.maker);
+  for (const auto& [key, value] : url.options) {
+    if (key == "light") {
+      settings.light = read_light(value);
+    } else {
+      throw ConfigError({"--camera"},
+                        "render: found the option " + in_quotes(key) + ", expected one of: light");
+    }
+  }
+  return settings;
+}
+
 class RenderSource final : public Source {
  public:
-  RenderSource(std::string_view maker, const SourceContext& context)
-      : maker_(maker), clock_(*context.clock), view_(*context.view), log_(context.log) {
+  RenderSource(Settings settings, const SourceContext& context)
+      : settings_(std::move(settings)),
+        clock_(*context.clock),
+        view_(*context.view),
+        log_(context.log) {
     // Now, so that a missing library is found while opening.
-    RenderEngine::of_this_thread(maker_, log_or_stderr(log_));
+    RenderEngine::of_this_thread(settings_.maker, log_or_stderr(log_));
   }
 
   Result<void> set_size(int width, int height) override {
@@ -32,11 +70,17 @@ class RenderSource final : public Source {
   Result<FramePtr> next(Time deadline) override {
     const Result<FrameSlot> slot = schedule_.next(clock_, deadline);
     if (!slot) return tl::unexpected(slot.error());
-    const Shot shot{view_.scene(), view_.eye(), view_.carrier(), view_.texture_directory(),
-                    width_,        height_};
+    Shot shot;
+    shot.scene = view_.scene();
+    shot.eye = view_.eye();
+    shot.carrier = view_.carrier();
+    shot.texture_directory = view_.texture_directory();
+    shot.light = settings_.light;
+    shot.width = width_;
+    shot.height = height_;
     try {
       LogSink& log = log_or_stderr(log_);
-      Frame frame = RenderEngine::of_this_thread(maker_, log).render(shot, log);
+      Frame frame = RenderEngine::of_this_thread(settings_.maker, log).render(shot, log);
       frame.time = slot->time;
       frame.sequence = slot->sequence;
       noise_.apply(view_.noise(), frame);
@@ -47,7 +91,7 @@ class RenderSource final : public Source {
   }
 
  private:
-  std::string maker_;
+  Settings settings_;
   Clock& clock_;
   View& view_;
   LogSink* log_;
@@ -64,11 +108,11 @@ void check_render_source(std::string_view rest, const SourceContext& context) {
     throw ConfigError({"--camera"},
                       "render needs a simulated robot with a camera, and this robot has none");
   }
-  if (!rest.empty()) check_gl_context_maker(rest);
+  read_settings(rest);
 }
 
 std::unique_ptr<Source> open_render_source(std::string_view rest, const SourceContext& context) {
-  return std::make_unique<RenderSource>(rest, context);
+  return std::make_unique<RenderSource>(read_settings(rest), context);
 }
 
 }  // namespace eyebridge::camera

@@ -2,27 +2,12 @@
 
 #include <algorithm>
 
-#include "eyebridge/base/random.hpp"
 #include "eyebridge/camera/convert.hpp"
 
 namespace eyebridge::camera {
 namespace {
 
-constexpr int kSide = 64;
 constexpr int kLongestSide = 2048;
-
-template <class ToneAt>
-TextureLevel grey_texture(ToneAt tone_at) {
-  TextureLevel level{kSide, kSide, {}};
-  level.rgba.reserve(std::size_t{4} * kSide * kSide);
-  for (int y = 0; y < kSide; ++y) {
-    for (int x = 0; x < kSide; ++x) {
-      const auto tone = static_cast<std::uint8_t>(std::clamp(tone_at(x, y), 0, 255));
-      level.rgba.insert(level.rgba.end(), {tone, tone, tone, 255});
-    }
-  }
-  return level;
-}
 
 /// The level of half the size: boxes of about 2 x 2 pixels, every source pixel in exactly one box.
 TextureLevel halved(const TextureLevel& from) {
@@ -48,34 +33,6 @@ TextureLevel halved(const TextureLevel& from) {
 }
 
 }  // namespace
-
-TextureLevel brick_texture() {
-  constexpr int kCourse = kSide / 4;  // 50 mm
-  constexpr int kBrick = kSide / 2;   // 100 mm
-  Random random(0x627269636B);
-  int tones[4][2];
-  for (auto& course : tones) {
-    for (int& tone : course) tone = 205 + static_cast<int>(random.uniform() * 40.0);
-  }
-  return grey_texture([&](int x, int y) {
-    const int course = y / kCourse;
-    const int shifted = (x + (course % 2) * kBrick / 2) % kSide;
-    const bool joint = y % kCourse == 0 || shifted % kBrick == 0;
-    const int grain = static_cast<int>(random.uniform() * 10.0);
-    return joint ? 165 + grain : tones[course][shifted / kBrick] + grain;
-  });
-}
-
-TextureLevel tile_texture() {
-  constexpr int kTile = kSide / 2;  // 150 mm
-  Random random(0x74696C65);
-  return grey_texture([&](int x, int y) {
-    const bool joint = x % kTile == 0 || y % kTile == 0;
-    const int grain = static_cast<int>(random.uniform() * 8.0);
-    if (joint) return 130 + grain;
-    return ((x / kTile + y / kTile) % 2 == 0 ? 186 : 170) + grain;
-  });
-}
 
 TextureLevel picture_texture(const Frame& picture) {
   const Frame rgb = to_rgb24(picture);

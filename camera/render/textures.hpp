@@ -14,14 +14,6 @@ struct TextureLevel {
   std::vector<std::uint8_t> rgba;
 };
 
-/// Edge length of the piece of wall or floor that one built-in texture covers, metres.
-inline constexpr double kBrickTextureSize = 0.2;
-inline constexpr double kTileTextureSize = 0.3;
-
-/// A wall of bricks in running bond, four courses high, nearly white: the wall's colour tints it.
-TextureLevel brick_texture();
-/// Light floor tiles, two by two, with joints.
-TextureLevel tile_texture();
 /// A picture as a texture, first row at v = 1; longer sides than 2048 pixels are averaged down.
 TextureLevel picture_texture(const Frame& picture);
 

@@ -1,66 +1,64 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "eyebridge/world/world_model.hpp"
+#include "render/horizon.hpp"
 #include "render/lens.hpp"
 
 namespace eyebridge::camera {
-
-/// For each of many narrow sectors before the eye, how far a wall closes it off.
-///
-/// Seen from above, with depth along the eye's heading and u the tangent of the bearing. On a line,
-/// 1 / depth is linear in u, so the depths at a sector's two edges bound those between them.
-class Horizon {
- public:
-  /// Opens all sectors over -`reach` … `reach`.
-  void clear(double reach);
-  /// Closes the sectors that the segment spans from edge to edge. Its ends as (depth, sideways).
-  void close(Vec2 a, Vec2 b);
-  /// True when every sector that the hull of `corners` touches is closed before all of them. False
-  /// when one of them is not before the eye.
-  [[nodiscard]] bool hides(std::span<const Vec2> corners) const;
-
- private:
-  static constexpr int kSectors = 512;
-  std::array<double, kSectors> depth_{};
-  double reach_ = 1.0;
-};
 
 /// Picks the quads of the walls that a lens may see, nearest first.
 ///
 /// Never leaves out anything visible. One thread at a time.
 class VisibleWalls {
  public:
-  /// Takes copies of `walls`; quads count as in wall_mesh().
+  /// Quads count as in wall_mesh().
   explicit VisibleWalls(const std::vector<world::Wall>& walls);
 
   /// Replaces `indices` by the triangles of what `lens` may see.
   void select(const Lens& lens, std::vector<std::uint32_t>& indices);
 
+  /// True when walls hide the upright cylinder of `radius` and `height` round `centre` from the
+  /// lens of the last select().
+  [[nodiscard]] bool hide(Vec2 centre, double radius, double height) const;
+
  private:
-  struct Entry {
-    world::Wall wall;
-    std::uint32_t first_quad;
+  /// A quad, seen from above: an upright one, or the top of a thick wall by its middle line.
+  struct Face {
+    Vec2 a;
+    Vec2 b;
+    double height;
+    double thickness;  ///< Of a top; 0 for what is upright.
+    bool both_sides;   ///< Else it is seen from the left of a-b only.
   };
   struct Candidate {
-    double near_squared;  ///< Of the nearest point, from above, metres^2.
-    std::uint32_t index;
+    double depth;  ///< Of its nearest point along the eye's heading, metres.
+    std::uint32_t quad;
   };
 
-  [[nodiscard]] bool in_frustum(const world::Wall& wall, const Lens& lens) const;
-  void add_quads(const Entry& entry, const Lens& lens, std::vector<std::uint32_t>& indices) const;
+  void add_faces(const world::Wall& wall);
+  /// A place as (depth along the eye's heading, sideways to the left).
+  [[nodiscard]] Vec2 before_eye(Vec2 place) const {
+    return back_.rotate(place - Vec2{eye_.x, eye_.y});
+  }
+  [[nodiscard]] bool may_be_seen(const Face& face, Vec2 a, Vec2 b, const Lens& lens) const;
+  /// Leaves only those candidates that no nearer wall hides.
+  void drop_hidden();
+  [[nodiscard]] bool hides(const Face& face) const;
 
-  /// Leaves out what stands behind nearer walls, when the eye cannot look over them.
-  void drop_hidden(const Lens& lens);
-
-  std::vector<Entry> entries_;
+  std::vector<Face> faces_;  ///< One for each quad.
   double tallest_ = 0.0;
+  Eye eye_;
+  Heading back_;
+  double reach_ = 0.0;      ///< Largest tangent of a bearing in view.
+  bool over_walls_ = true;  ///< The lens may see over walls, or down steeply.
   Horizon horizon_;
   std::vector<Candidate> candidates_;
+  std::vector<std::uint32_t> seen_;
+  std::vector<std::uint32_t> low_;
 };
 
 }  // namespace eyebridge::camera

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "eyebridge/base/config_error.hpp"
@@ -26,10 +27,10 @@ struct Found {
 
 /// The row that `url` names. `url` is lent for as long as the answer is used.
 Found find_source(std::string_view url) {
-  const std::size_t colon = url.find(':');
-  const std::string_view scheme = url.substr(0, colon);
-  const std::string_view rest =
-      colon == std::string_view::npos ? std::string_view{} : url.substr(colon + 1);
+  const std::size_t end = std::min(url.find_first_of(":?"), url.size());
+  const std::string_view scheme = url.substr(0, end);
+  // Options may follow the scheme at once: "render?light=0.5".
+  const std::string_view rest = url.substr(url.substr(end).starts_with(':') ? end + 1 : end);
   std::string known;
   for (const SourceFactory& factory : kSources) {
     if (factory.scheme == scheme) return {factory, rest};

@@ -12,6 +12,8 @@ namespace eyebridge::camera::testing {
 namespace {
 
 using namespace std::string_literals;
+
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 constexpr Time kLater{2'000'000'000};
 
@@ -172,6 +174,20 @@ TEST(OpenSource, AnUnknownOpenGlMakerIsAnErrorThatNamesTheKnownOnes) {
   EXPECT_THAT(text, HasSubstr("egl"));
 }
 
+TEST(OpenSource, RenderTakesItsOptionsAfterTheMakerOrAtOnce) {
+  FakeView view;
+  view.model = empty_room();
+  for (const char* url : {"render?light=0.5", "render:?light=0.5", "render:osmesa?light=0.5"}) {
+    EXPECT_EQ(error_of(url, &view), "") << url;
+  }
+  EXPECT_THAT(error_of("render:?brightness=2", &view),
+              AllOf(HasSubstr("brightness"), HasSubstr("light")));
+  EXPECT_THAT(error_of("render:vulkan?light=1", &view), HasSubstr("vulkan"));
+  for (const char* light : {"", "0", "-1", "4.1", "1x", "nan"}) {
+    EXPECT_THAT(error_of("render:?light=" + std::string(light), &view), HasSubstr("0.01 ... 4"));
+  }
+}
+
 TEST(OpenSource, PatternNeedsNoWorldAndTakesNoArgument) {
   EXPECT_EQ(error_of("pattern", nullptr), "");
   EXPECT_THAT(error_of("pattern:blue", nullptr), HasSubstr("blue"));
@@ -188,6 +204,22 @@ TEST(Pattern, EachFrameShowsItsNumber) {
       number = 2 * number + (row[3 * (20 * digit + 10)] > 128 ? 1 : 0);
     }
     EXPECT_EQ(number, i);
+  }
+}
+
+TEST(Render, LightScalesAllColours) {
+  const auto frame = [](const char* url) {
+    FakeClock clock;
+    FakeView view;
+    view.model = *maze_scene(5, 3).model;
+    view.bodies = maze_scene(5, 3).bodies;
+    view.eye_ = {0.15, 0.45, 0.12, 0.0, 0.0, 1.0};
+    return *open_source(url, {&clock, &view, nullptr})->next(kLater);
+  };
+  const FramePtr usual = frame("render");
+  const FramePtr dim = frame("render:?light=0.4");
+  for (std::size_t i = 0; i < usual->bytes.size(); ++i) {
+    ASSERT_NEAR(dim->bytes[i], 0.4 * usual->bytes[i], 1.0) << i;
   }
 }
 

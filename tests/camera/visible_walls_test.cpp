@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -53,12 +55,17 @@ std::vector<world::Wall> random_walls(std::size_t count, Random& random) {
   return walls;
 }
 
-void expect_nothing_visible_missing(const std::vector<world::Wall>& walls, Random& random) {
+/// `quads` are the upright faces that the quads of `walls` show; eyes in a place that is `taken`
+/// are not tried.
+void expect_nothing_visible_missing(const std::vector<world::Wall>& walls,
+                                    const std::vector<world::Wall>& quads,
+                                    const std::function<bool(Vec2)>& taken, Random& random) {
   VisibleWalls visible(walls);
   std::vector<std::uint32_t> indices;
   int seen = 0;
   for (int place = 0; place < 40; ++place) {
     Eye eye{8.0 * random.uniform(), 8.0 * random.uniform(), 0.1, 6.28 * random.uniform(), 0, 1.1};
+    if (taken({eye.x, eye.y})) continue;
     eye.pitch = place % 2 == 0 ? 0.0 : 0.8 * random.uniform() - 0.4;
     visible.select(Lens(eye, 320, 240, 100.0), indices);
     const std::set<std::size_t> chosen = walls_in(indices);
@@ -66,7 +73,7 @@ void expect_nothing_visible_missing(const std::vector<world::Wall>& walls, Rando
     // there.
     for (double bearing = -0.54; bearing < 0.54; bearing += 0.002) {
       const double angle = eye.heading + bearing;
-      const auto hit = first_hit(walls, {eye.x, eye.y}, {std::cos(angle), std::sin(angle)});
+      const auto hit = first_hit(quads, {eye.x, eye.y}, {std::cos(angle), std::sin(angle)});
       if (!hit) continue;
       ++seen;
       ASSERT_TRUE(chosen.contains(*hit)) << "wall " << *hit << " from place " << place;
@@ -75,14 +82,18 @@ void expect_nothing_visible_missing(const std::vector<world::Wall>& walls, Rando
   EXPECT_GT(seen, 10000);
 }
 
+bool nowhere(Vec2) { return false; }
+
 TEST(VisibleWalls, NothingThatIsSeenIsLeftOutOfAMaze) {
   Random random(3);
-  expect_nothing_visible_missing(maze_scene(27, 4).model->walls, random);
+  const std::vector<world::Wall> walls = maze_scene(27, 4).model->walls;
+  expect_nothing_visible_missing(walls, walls, nowhere, random);
 }
 
 TEST(VisibleWalls, NothingThatIsSeenIsLeftOutAmongWallsAtRandom) {
   Random random(4);
-  expect_nothing_visible_missing(random_walls(400, random), random);
+  const std::vector<world::Wall> walls = random_walls(400, random);
+  expect_nothing_visible_missing(walls, walls, nowhere, random);
 }
 
 TEST(VisibleWalls, AnEyeAboveTheWallsSeesOverThem) {
@@ -123,6 +134,76 @@ TEST(VisibleWalls, AWallBehindTheEyeIsLeftOut) {
   EXPECT_TRUE(indices.empty());
   visible.select(Lens({0, 0, 0.1, 3.14, 0, 1.0}, 320, 240, 10.0), indices);
   EXPECT_EQ(indices.size(), 6U);
+}
+
+TEST(VisibleWalls, NothingThatIsSeenIsLeftOutAmongThickWalls) {
+  Random random(6);
+  std::vector<world::Wall> thick = random_walls(150, random);
+  for (world::Wall& wall : thick) {
+    wall.thickness = 0.02 + 0.2 * random.uniform();
+    wall.height = 0.2;
+  }
+  // The faces as walls of their own, in the order of the quads; a top is met by no level ray.
+  std::vector<world::Wall> faces;
+  for (const world::Wall& wall : thick) {
+    const auto corner = outline_of(wall);
+    for (const auto& [a, b] : {std::pair{0U, 1U}, {2U, 3U}, {1U, 2U}, {3U, 0U}}) {
+      faces.push_back(wall);
+      faces.back().a = corner[a];
+      faces.back().b = corner[b];
+    }
+    faces.push_back(wall);
+    faces.back().a = faces.back().b = {-100.0, -100.0};
+  }
+  const auto inside = [&](Vec2 at) {
+    return std::ranges::any_of(thick, [&](const world::Wall& wall) {
+      const Vec2 along = wall.b - wall.a;
+      const double length = norm(along);
+      const double t = dot(at - wall.a, along) / length;
+      return std::abs(cross(along, at - wall.a)) / length <= wall.thickness / 2 && t >= 0.0 &&
+             t <= length;
+    });
+  };
+  expect_nothing_visible_missing(thick, faces, inside, random);
+}
+
+TEST(VisibleWalls, OfAMazeHardlyMoreIsDrawnThanIsSeen) {
+  const world::Scene scene = maze_scene(43, 7);
+  const std::vector<world::Wall>& walls = scene.model->walls;
+  VisibleWalls visible(walls);
+  std::vector<std::uint32_t> indices;
+  std::size_t drawn = 0;
+  std::size_t seen = 0;
+  for (int place = 0; place < 40; ++place) {
+    const Eye eye{0.15 + 0.3 * place, 0.15 + 0.3 * (place * 7 % 43), 0.1, 0.4 * place, 0, 1.1};
+    visible.select(Lens(eye, 320, 240, 100.0), indices);
+    drawn += walls_in(indices).size();
+    std::set<std::size_t> hits;
+    for (double bearing = -0.549; bearing < 0.55; bearing += 0.002) {
+      const double angle = eye.heading + bearing;
+      if (const auto hit = first_hit(walls, {eye.x, eye.y}, {std::cos(angle), std::sin(angle)})) {
+        hits.insert(*hit);
+      }
+    }
+    seen += hits.size();
+  }
+  EXPECT_LT(static_cast<double>(drawn), 1.2 * static_cast<double>(seen));
+}
+
+TEST(VisibleWalls, HideBodiesBehindThemThatAreNoTaller) {
+  world::Wall wall;
+  wall.a = {1.0, -0.3};
+  wall.b = {1.0, 0.3};
+  VisibleWalls visible({wall});
+  std::vector<std::uint32_t> indices;
+  visible.select(Lens({0, 0, 0.1, 0, 0, 1.0}, 320, 240, 10.0), indices);
+  EXPECT_TRUE(visible.hide({2.0, 0.0}, 0.05, 0.2));
+  EXPECT_FALSE(visible.hide({2.0, 0.0}, 0.05, 0.21));  // looks over it
+  EXPECT_FALSE(visible.hide({2.0, 0.58}, 0.05, 0.1));  // looks out at its end
+  EXPECT_FALSE(visible.hide({0.97, 0.0}, 0.05, 0.1));  // touches it
+  EXPECT_FALSE(visible.hide({0.5, 0.0}, 0.05, 0.1));
+  visible.select(Lens({0, 0, 0.3, 0, 0, 1.0}, 320, 240, 10.0), indices);
+  EXPECT_FALSE(visible.hide({2.0, 0.0}, 0.05, 0.2));  // now the eye looks over it
 }
 
 TEST(VisibleWalls, OfABigMazeOnlyAFewWallsAreDrawn) {
