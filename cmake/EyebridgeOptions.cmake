@@ -22,7 +22,12 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 find_program(EYEBRIDGE_CCACHE ccache)
 if(EYEBRIDGE_CCACHE)
   set(CMAKE_C_COMPILER_LAUNCHER "${EYEBRIDGE_CCACHE}")
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${EYEBRIDGE_CCACHE}")
+  # Without these it keeps nothing that is compiled with a precompiled header.
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros
+      "${EYEBRIDGE_CCACHE}")
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>)
+  endif()
 endif()
 if(EYEBRIDGE_CLANG_TIDY)
   set(CMAKE_CXX_CLANG_TIDY clang-tidy-14 --quiet)

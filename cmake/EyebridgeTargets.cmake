@@ -1,6 +1,5 @@
 # eyebridge_headers(tests EXECUTABLE|STATIC HEADERS … [LIBRARIES …]): headers that many targets with
-# the same flags include, compiled once. clang-tidy sees every source without them, so that none
-# can forget an include of its own.
+# the same flags include, compiled once. That a source forgets to include one of them, tests/arrows/forgotten.py finds.
 function(eyebridge_headers name kind)
   cmake_parse_arguments(arg "" "" "HEADERS;LIBRARIES" ${ARGN})
   set(source "${CMAKE_BINARY_DIR}/headers/${name}.cpp")

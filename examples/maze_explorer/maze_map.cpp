@@ -1,6 +1,7 @@
 #include "maze_map.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace {
 

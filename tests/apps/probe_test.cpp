@@ -1,4 +1,5 @@
 // `eyebridge probe`, as a user types it.
+#include <algorithm>
 #include <csignal>
 #include <thread>
 

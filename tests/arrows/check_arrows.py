@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks the tree against the design: who includes whom, a README in each folder, no long files.
+"""Checks the tree against the design: who includes whom and forgets to, a README in each folder, no long files.
 
 check_arrows.py ROOT prints one line for each offence and exits with 1 when there is any.
 """
@@ -7,6 +7,8 @@ check_arrows.py ROOT prints one line for each offence and exits with 1 when ther
 import pathlib
 import re
 import sys
+
+from forgotten import check_forgotten
 
 SOURCES = {".c", ".h", ".cpp", ".hpp", ".ipp", ".py", ".sh", ".cmake"}
 CODE = {".c", ".h", ".cpp", ".hpp", ".ipp"}
@@ -154,7 +156,7 @@ def check_readmes(files: list[pathlib.PurePosixPath]) -> list[str]:
 def offences_in(root: pathlib.Path) -> list[str]:
     """One line for each rule that the tree under `root` breaks."""
     files = files_in(root)
-    return check_includes(root, files) + check_sizes(root, files) + check_readmes(files)
+    return check_includes(root, files) + check_forgotten(root, files) + check_sizes(root, files) + check_readmes(files)
 
 
 def main() -> int:

@@ -127,6 +127,21 @@ class Arrows(Tree):
         self.assertEqual(self.offences(), [])
 
 
+class Forgotten(Tree):
+    def test_a_name_without_its_header_is_found(self):
+        self.write("hal/sim/a.cpp", "#include <string>\n// std::optional<int>\nstd::vector<std::string> names;\n")
+        self.assertEqual(self.offences(), ["hal/sim/a.cpp:3: std::vector needs #include <vector>"])
+
+    def test_a_header_of_ours_may_bring_it(self):
+        self.write("core/base/include/eyebridge/base/names.hpp", "#pragma once\n#include <vector>\nstd::vector<int> all();\n")
+        self.write("hal/sim/a.cpp", '#include "eyebridge/base/names.hpp"\nstd::vector<int> more;\n')
+        self.assertEqual(self.offences(), [])
+
+    def test_a_test_needs_googletest(self):
+        self.write("tests/hal/a.cpp", "TEST(A, Is) {}\n")
+        self.assertEqual(self.offences(), ["tests/hal/a.cpp:1: TEST needs #include <gtest/gtest.h>"])
+
+
 class Sizes(Tree):
     def test_400_lines_are_allowed(self):
         self.write("hal/sim/a.cpp", "\n" * 400)

@@ -1,6 +1,8 @@
 // What decode_picture() makes of JPEG and BMP files; picture_test.cpp has PNG.
 #include "picture_files.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <stdexcept>
 #include <string>

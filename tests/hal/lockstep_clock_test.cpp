@@ -1,6 +1,7 @@
 #include "clock/lockstep_clock.hpp"
 
 #include <stdexcept>
+#include <vector>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 #include "clock/real_time_clock.hpp"
 
 #include <atomic>
+#include <vector>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 #include "timers.hpp"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "costs.hpp"

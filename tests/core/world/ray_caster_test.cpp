@@ -1,5 +1,6 @@
 #include "eyebridge/world/ray_caster.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
