@@ -7,10 +7,10 @@
 
 #include "eyebridge/camera/convert.hpp"
 #include "eyebridge/camera/view.hpp"
-#include "eyebridge/hal/registry.hpp"
 #include "hand/hand_backend.hpp"
 #include "hand_person.hpp"
 #include "rigs.hpp"
+#include "sim/open_sim.hpp"
 #include "wall_picture.hpp"
 
 namespace eyebridge::hal {
@@ -18,6 +18,8 @@ namespace {
 
 constexpr camera::Size kSize{640, 480};
 const double kFieldOfView = deg_to_rad(60);
+// Small enough to be seen whole from 120 mm, where a lens is that faces the wall of a cell.
+constexpr camera::FiducialLayout kLayout{.size = 0.05};
 
 /// What the person's camera sees, 30 times a second: the person walks, then the maze is painted.
 class WalkerCamera final : public camera::Source {
@@ -67,22 +69,26 @@ struct MazeRig {
   KeepingLog log;
   Config config =
       rig_config({{"world", EYEBRIDGE_SOURCE_DIR "/worlds/maze-5.maz"}, {"fast", "true"}});
-  std::unique_ptr<Backend> ghost = open_backend({config, log});  ///< Stands where the hand is.
+  std::unique_ptr<Backend> ghost = open_maze();  ///< Stands where the hand is.
   std::unique_ptr<Backend> robot;
 
   MazeRig() {
-    auto inner = open_backend({config, log});
+    auto inner = open_maze();
     hand->robot = inner->world()->robot_pose(0).value();
     const camera::Eye eye = inner->camera_view()->eye();
     hand->camera_in_robot = relative_to(hand->robot, {eye.x, eye.y, eye.heading});
     const world::WorldModel maze = *inner->camera_view()->scene().model;
-    const auto fiducials = camera::place_fiducials(maze);
+    const auto fiducials = camera::place_fiducials(maze, kLayout);
     HandParts parts;
     parts.camera = std::make_unique<WalkerCamera>(inner->clock(), hand, maze, fiducials);
     parts.finder =
         camera::make_fiducial_finder(fiducials, camera::pinhole(kSize, kFieldOfView), log);
     parts.display = std::make_unique<HandEye>(hand);
     robot = make_hand(std::move(inner), std::move(parts));
+  }
+
+  std::unique_ptr<Backend> open_maze() {
+    return open_sim(BackendUrl{"sim", "", {}}, {config, log});
   }
 
   void drive(const DriveGoal& goal) const {
