@@ -75,14 +75,17 @@ void add_format(std::string& out, const camera::OfferedFormat& format) {
 }
 
 void add_formats(std::string& out, const CameraDevice& device) {
+  constexpr int kMost = 8;  // names of formats that are of no use here
   std::string others;
+  int count = 0;
   for (const camera::OfferedFormat& format : device.formats) {
     if (format.is_read) {
       add_format(out, format);
-    } else {
+    } else if (++count <= kMost) {
       others += (others.empty() ? "" : ", ") + format.name;
     }
   }
+  if (count > kMost) others += fmt::format(" and {} more", count - kMost);
   if (!others.empty()) out += "    also    " + others + " (not used)\n";
 }
 

@@ -128,6 +128,7 @@ Result<Taken> CaptureStream::take_newest() {
   std::optional<RawFrame> newest;
   const std::size_t had = queued_;
   std::size_t taken = 0;
+  Time now{0};
   int result = 0;
   // Never more than there were: a fast camera must not hold us here.
   while (taken < had) {
@@ -138,7 +139,10 @@ Result<Taken> CaptureStream::take_newest() {
     ++taken;
     if (newest) give_back(*newest);
     newest.reset();
-    if (buffer.index < buffers_.size()) newest = frame_in(buffer);
+    now = handle_.calls().monotonic();
+    if (buffer.index < buffers_.size()) newest = frame_in(buffer, now);
+    // Nothing newer can be there yet: a call saved for each frame.
+    if (newest && newest->is_stamped && now - newest->taken < interval() / 2) break;
   }
   if (result < 0 && result != -EAGAIN) {
     if (newest) give_back(*newest);
@@ -146,21 +150,20 @@ Result<Taken> CaptureStream::take_newest() {
                 std::string("taking a frame failed: ") + std::strerror(-result));
   }
   if (had == 0) return fail(Errc::Corrupt, "the driver has no buffer left");
-  if (newest && is_stale(*newest, taken)) {
+  if (newest && is_stale(*newest, taken, now)) {
     give_back(*newest);
     newest.reset();
   }
-  return Taken{newest, taken > 0};
+  return Taken{newest, taken > 0, now};
 }
 
-RawFrame CaptureStream::frame_in(const v4l2_buffer& buffer) const {
+RawFrame CaptureStream::frame_in(const v4l2_buffer& buffer, Time now) const {
   const Buffer& memory = buffers_[buffer.index];
   RawFrame frame;
   frame.buffer = buffer.index;
   frame.bytes = {memory.memory, std::min<std::size_t>(buffer.bytesused, memory.length)};
   frame.sequence = buffer.sequence;
   frame.is_damaged = (buffer.flags & V4L2_BUF_FLAG_ERROR) != 0;
-  const Time now = handle_.calls().monotonic();
   frame.is_stamped =
       (buffer.flags & V4L2_BUF_FLAG_TIMESTAMP_MASK) == V4L2_BUF_FLAG_TIMESTAMP_MONOTONIC;
   const Time stamp =
@@ -169,14 +172,16 @@ RawFrame CaptureStream::frame_in(const v4l2_buffer& buffer) const {
   return frame;
 }
 
-bool CaptureStream::is_stale(const RawFrame& frame, std::size_t taken) const {
+Time CaptureStream::interval() const {
+  constexpr Time kUsual = std::chrono::milliseconds(33);
+  return mode_.fps > 0.0 ? from_seconds(1.0 / mode_.fps) : kUsual;
+}
+
+bool CaptureStream::is_stale(const RawFrame& frame, std::size_t taken, Time now) const {
   // Time stamps are in whole microseconds.
   if (frame.taken + Time(kMicrosecond) < started_) return true;
   if (taken < buffers_.size()) return false;
-  if (!frame.is_stamped) return true;
-  constexpr Time kUsualInterval = std::chrono::milliseconds(33);
-  const Time interval = mode_.fps > 0.0 ? from_seconds(1.0 / mode_.fps) : kUsualInterval;
-  return handle_.calls().monotonic() - frame.taken > interval;
+  return !frame.is_stamped || now - frame.taken > interval();
 }
 
 }  // namespace eyebridge::camera

@@ -25,6 +25,7 @@ struct RawFrame {
 struct Taken {
   std::optional<RawFrame> newest;
   bool any = false;  ///< Frames came, though perhaps only such as were passed over.
+  Time now{0};       ///< CLOCK_MONOTONIC of this look, where frames came.
 };
 
 /// A camera that streams into mapped buffers. One thread.
@@ -62,8 +63,9 @@ class CaptureStream {
   int queue(std::uint32_t index);
   int start();
   int stop();
-  [[nodiscard]] RawFrame frame_in(const struct v4l2_buffer& buffer) const;
-  [[nodiscard]] bool is_stale(const RawFrame& frame, std::size_t taken) const;
+  [[nodiscard]] RawFrame frame_in(const struct v4l2_buffer& buffer, Time now) const;
+  [[nodiscard]] bool is_stale(const RawFrame& frame, std::size_t taken, Time now) const;
+  [[nodiscard]] Time interval() const;
 
   VideoHandle handle_;
   Mode mode_;

@@ -30,8 +30,7 @@ std::vector<Size> nearest_sizes(const std::vector<OfferedSize>& offered, Size wa
   std::vector<Size> out;
   for (const OfferedSize& sizes : offered) out.push_back(sizes.nearest(wanted));
   std::ranges::sort(out, {}, [&](Size size) { return distance(size, wanted); });
-  const auto rest = std::ranges::unique(out);
-  out.erase(rest.begin(), rest.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
   if (out.size() > kFew) out.resize(kFew);
   return out;
 }

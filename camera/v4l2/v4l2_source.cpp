@@ -62,9 +62,9 @@ Result<FramePtr> V4l2Source::next(Time deadline) {
     bool sends = stream_ != nullptr;
     if (stream_) {
       const Result<Taken> taken = stream_->take_newest();
-      if (taken && taken->any) last_sign_ = calls_.monotonic();
+      if (taken && taken->any) last_sign_ = taken->now;
       if (taken && taken->newest) {
-        const Result<FramePtr> frame = picture_of(*taken->newest);
+        Result<FramePtr> frame = picture_of(*taken->newest);
         stream_->give_back(*taken->newest);
         return frame;
       }
@@ -136,6 +136,7 @@ Result<FramePtr> V4l2Source::picture_of(const RawFrame& raw) {
     say(Severity::Warning, "sends frames again");
   }
   const std::uint64_t number = number_of(raw);
+  const Time time = robot_time(raw.taken);
   Result<Frame> frame =
       raw.is_damaged ? Result<Frame>(fail(Errc::Corrupt, "the driver marks the frame as damaged"))
                      : decoder_.decode({mode_.format, mode_.size, mode_.stride, raw.bytes}, size_);
@@ -143,7 +144,7 @@ Result<FramePtr> V4l2Source::picture_of(const RawFrame& raw) {
     ++counts_.corrupt;
     return fail(frame.error().code, "camera " + opener_.name() + ": " + frame.error().what);
   }
-  frame->time = robot_time(raw.taken);
+  frame->time = time;
   frame->sequence = number;
   ++counts_.given;
   return std::make_shared<const Frame>(*std::move(frame));
@@ -153,7 +154,7 @@ Time V4l2Source::robot_time(Time moment) {
   // Both clocks at one moment: whoever interrupts us between the readings spoils them.
   constexpr Time kTogether = std::chrono::microseconds(50);
   constexpr int kTries = 4;
-  Time monotonic = calls_.monotonic();
+  Time monotonic = last_sign_;  // just now
   Time robot{0};
   for (int i = 0; i < kTries; ++i) {
     const Time before = monotonic;

@@ -7,7 +7,9 @@
 
 #include <fcntl.h>
 #include <libv4l2.h>
+#include <linux/videodev2.h>
 #include <poll.h>
+#include <sys/ioctl.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -26,9 +28,12 @@ class SystemVideoCalls final : public VideoCalls {
   int open(const std::string& path, bool converting) override {
     const int file = ::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
     if (file < 0) return -errno;
-    // It refuses what is no capture device; all its calls then pass through to the kernel, which
-    // says better what is wrong.
-    static_cast<void>(v4l2_fd_open(file, converting ? 0 : V4L2_DISABLE_CONVERSION));
+    // It refuses what does not capture, and writes about what is no V4L2 device at all. Its calls
+    // then pass through to the kernel, which says better what is wrong.
+    v4l2_capability capability{};
+    if (::ioctl(file, VIDIOC_QUERYCAP, &capability) == 0) {
+      static_cast<void>(v4l2_fd_open(file, converting ? 0 : V4L2_DISABLE_CONVERSION));
+    }
     return file;
   }
 

@@ -58,6 +58,20 @@ TEST(DoctorDevices, ARootThatIsNoFolderIsBadInput) {
   EXPECT_THAT(r.err, HasSubstr("--root: found /no/such/folder, expected a folder"));
 }
 
+TEST(CameraList, TellsTheCamerasAndFailsWithoutOne) {
+  const FakeMachine machine;
+  ProgramRun r = run_command({"camera", "list", "--root", machine.root()}, ".");
+  EXPECT_EQ(r.exit_code, 1);
+  EXPECT_EQ(r.out, "Found no camera (no /dev/video*).\n");
+  machine.add_video(0, "Webcam C525", ":capture:", "usb-Maker_C525-video-index0");
+  r = run_command({"camera", "list", "--root", machine.root()}, ".");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, AllOf(HasSubstr("/dev/video0   Webcam C525\n"),
+                           HasSubstr("--camera v4l2:usb-Maker_C525-video-index0")));
+  r = run_command({"camera", "list", "--root", "/no/such/folder"}, ".");
+  EXPECT_EQ(r.exit_code, 2);
+}
+
 TEST(DoctorUdev, PrintsTheRuleThatIsInstalled) {
   const ProgramRun r = run_command({"doctor", "--udev"}, ".");
   EXPECT_EQ(r.exit_code, 0) << r.err;
