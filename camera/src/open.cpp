@@ -9,8 +9,8 @@ namespace eyebridge::camera {
 namespace {
 
 constexpr std::array<SourceFactory, 2> kSources{{
-    {"render", "pictures of the simulated world (render:osmesa, render:egl)", &check_render_source,
-     &open_render_source},
+    {"render", "pictures of the simulated world (render:osmesa, render:egl?fiducials=on&light=0.4)",
+     &check_render_source, &open_render_source},
     {"pattern", "colour bars with the frame's number, needs no world", &check_pattern_source,
      &open_pattern_source},
 }};

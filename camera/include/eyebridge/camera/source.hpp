@@ -55,8 +55,9 @@ std::span<const SourceFactory> source_table();
 /// opening.
 void check_source(const std::string& url, const SourceContext& context);
 
-/// Opens `url`: "render", "render:egl", "pattern", … Throws ConfigError{"--camera"} for an unknown
-/// scheme (naming the known ones) or a source that cannot work here.
+/// Opens `url`: "render", "render:egl?fiducials=on&light=0.4", "pattern", … Throws
+/// ConfigError{"--camera"} for an unknown scheme (naming the known ones) or a source that cannot
+/// work here.
 std::unique_ptr<Source> open_source(const std::string& url, const SourceContext& context);
 
 }  // namespace eyebridge::camera
