@@ -12,6 +12,7 @@
 #include "eyebridge/camera/convert.hpp"
 #include "eyebridge/camera/picture.hpp"
 #include "render/body_painter.hpp"
+#include "render/fiducial_painter.hpp"
 #include "render/gl_objects.hpp"
 #include "render/mesh.hpp"
 #include "render/picture_painter.hpp"
@@ -41,11 +42,13 @@ struct RenderEngine::Impl {
   RenderTarget target;
   WorldPainter world;
   BodyPainter bodies;
-  std::optional<PicturePainter> floor;  // made when a world has a picture on its floor
+  std::optional<PicturePainter> floor;       // made when a world has a picture on its floor
+  std::optional<FiducialPainter> fiducials;  // made when a shot shows them
 
   std::shared_ptr<const world::WorldModel> model;  // drawn last
   std::string texture_directory;
   bool floor_has_picture = false;
+  std::shared_ptr<const world::WorldModel> marked;  // whose fiducials those are
   double extent = 0.0;  // of the walls and the floor from the origin, metres
   std::vector<std::uint8_t> rgba;
 
@@ -73,6 +76,15 @@ struct RenderEngine::Impl {
     if (!floor_has_picture) return;
     if (!floor) floor.emplace(gl, PicturePainter::Edges::Smooth);
     floor->take(mip_levels(picture_texture(*picture)), floor_mesh(*model, Pattern::Plain));
+  }
+
+  void draw_fiducials(const Lens& lens, const std::array<float, 16>& matrix, float light) {
+    if (!fiducials) fiducials.emplace(gl);
+    if (marked != model) {
+      fiducials->take(*model);
+      marked = model;
+    }
+    fiducials->draw(lens, world.walls(), matrix, light);
   }
 
   /// What has been drawn.
@@ -112,6 +124,7 @@ Frame RenderEngine::render(const Shot& shot, LogSink& log) {
   gl.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   my.world.draw(lens, matrix, light);
   my.bodies.draw(shot.scene.bodies, shot.carrier, lens, my.world.walls(), matrix, light);
+  if (shot.fiducials) my.draw_fiducials(lens, matrix, light);
   // After all that hides most of it.
   if (my.floor_has_picture) my.floor->draw(triangles_of(0, 1), matrix, light, /*on_top=*/false);
   my.world.draw_markers();

@@ -20,6 +20,7 @@ struct Shot {
   Eye eye;
   std::uint32_t carrier = 0;      ///< Body that is not drawn.
   std::string texture_directory;  ///< Relative texture names are searched here.
+  bool fiducials = false;         ///< Draw those of the default layout on the walls.
   double light = 1.0;             ///< How bright it is; 1 is usual.
   int width = 0;                  ///< Pixels.
   int height = 0;                 ///< Pixels.
@@ -38,7 +39,8 @@ class RenderEngine {
   RenderEngine& operator=(const RenderEngine&) = delete;
 
   /// The picture of `shot`, Rgb24. A floor texture that cannot be read gives the plain floor and
-  /// one warning to `log`. Throws std::runtime_error when OpenGL reports an error.
+  /// one warning to `log`. Throws std::runtime_error when OpenGL reports an error, ConfigError when
+  /// there can be no fiducials.
   Frame render(const Shot& shot, LogSink& log);
 
   /// Name of the maker that its context came from.

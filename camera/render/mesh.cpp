@@ -123,12 +123,17 @@ QuadMesh wall_mesh(const std::vector<world::Wall>& walls) {
 }
 
 QuadMesh floor_mesh(const world::WorldModel& model, Pattern pattern) {
+  // A hair under the walls on its rim: edges that only touch leave pixels of sky between them.
+  constexpr double kUnderWalls = 0.001;
+  const double right = model.width + kUnderWalls;
+  const double top = model.height + kUnderWalls;
+  const double u = 1.0 / (pattern == Pattern::Tiles ? kTileSize : right);
+  const double v = 1.0 / (pattern == Pattern::Tiles ? kTileSize : top);
+  const auto corner = [&](double x, double y) { return Corner{{x, y}, 0.0, x * u, y * v}; };
   QuadMesh mesh;
-  const double w = model.width;
-  const double h = model.height;
-  const double u = pattern == Pattern::Tiles ? w / kTileSize : 1.0;
-  const double v = pattern == Pattern::Tiles ? h / kTileSize : 1.0;
-  add_quad(mesh, {{{{0, 0}, 0, 0, 0}, {{w, 0}, 0, u, 0}, {{w, h}, 0, u, v}, {{0, h}, 0, 0, v}}},
+  add_quad(mesh,
+           {corner(-kUnderWalls, -kUnderWalls), corner(right, -kUnderWalls), corner(right, top),
+            corner(-kUnderWalls, top)},
            {255, 255, 255}, pattern, 1.0);
   return mesh;
 }

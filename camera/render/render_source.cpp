@@ -6,6 +6,7 @@
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/base/url.hpp"
+#include "eyebridge/camera/fiducials.hpp"
 #include "render/engine.hpp"
 #include "render/gl_context.hpp"
 #include "render/noise.hpp"
@@ -18,8 +19,15 @@ namespace {
 
 struct Settings {
   std::string maker;
+  bool fiducials = false;
   double light = 1.0;
 };
+
+bool read_switch(std::string_view key, const std::string& text) {
+  if (text == "on" || text == "off") return text == "on";
+  throw ConfigError({"--camera"}, "render: found " + std::string(key) + "=" + in_quotes(text) +
+                                      ", expected on or off");
+}
 
 double read_light(const std::string& text) {
   double light = 0.0;
@@ -39,9 +47,11 @@ Settings read_settings(std::string_view rest) {
   for (const auto& [key, value] : url.options) {
     if (key == "light") {
       settings.light = read_light(value);
+    } else if (key == "fiducials") {
+      settings.fiducials = read_switch(key, value);
     } else {
-      throw ConfigError({"--camera"},
-                        "render: found the option " + in_quotes(key) + ", expected one of: light");
+      throw ConfigError({"--camera"}, "render: found the option " + in_quotes(key) +
+                                          ", expected one of: fiducials, light");
     }
   }
   return settings;
@@ -56,6 +66,7 @@ class RenderSource final : public Source {
         log_(context.log) {
     // Now, so that a missing library is found while opening.
     RenderEngine::of_this_thread(settings_.maker, log_or_stderr(log_));
+    if (settings_.fiducials) fiducial_bits(0);
   }
 
   Result<void> set_size(int width, int height) override {
@@ -75,6 +86,7 @@ class RenderSource final : public Source {
     shot.eye = view_.eye();
     shot.carrier = view_.carrier();
     shot.texture_directory = view_.texture_directory();
+    shot.fiducials = settings_.fiducials;
     shot.light = settings_.light;
     shot.width = width_;
     shot.height = height_;
@@ -108,7 +120,13 @@ void check_render_source(std::string_view rest, const SourceContext& context) {
     throw ConfigError({"--camera"},
                       "render needs a simulated robot with a camera, and this robot has none");
   }
-  read_settings(rest);
+  const Settings settings = read_settings(rest);
+  if (!settings.fiducials) return;
+  try {
+    place_fiducials(*context.view->scene().model);
+  } catch (const ConfigError& error) {
+    throw ConfigError({"--camera"}, "render: " + error.text());
+  }
 }
 
 std::unique_ptr<Source> open_render_source(std::string_view rest, const SourceContext& context) {

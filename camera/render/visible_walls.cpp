@@ -129,4 +129,9 @@ bool VisibleWalls::hide(Vec2 centre, double radius, double height) const {
                                    at + Vec2{radius, -radius}, at + Vec2{radius, radius}});
 }
 
+bool VisibleWalls::hide(Vec2 a, Vec2 b, double height) const {
+  if (over_walls_ || height > tallest_) return false;
+  return horizon_.hides(std::array{before_eye(a), before_eye(b)});
+}
+
 }  // namespace eyebridge::camera

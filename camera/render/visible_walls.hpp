@@ -24,6 +24,8 @@ class VisibleWalls {
   /// True when walls hide the upright cylinder of `radius` and `height` round `centre` from the
   /// lens of the last select().
   [[nodiscard]] bool hide(Vec2 centre, double radius, double height) const;
+  /// The same for what stands over the line a-b up to `height`.
+  [[nodiscard]] bool hide(Vec2 a, Vec2 b, double height) const;
 
  private:
   /// A quad, seen from above: an upright one, or the top of a thick wall by its middle line.

@@ -10,8 +10,8 @@ namespace eyebridge::camera {
 namespace {
 
 constexpr auto kSources = std::to_array<SourceFactory>({
-    {"render", "pictures of the simulated world (render:osmesa, render:egl)", &check_render_source,
-     &open_render_source},
+    {"render", "pictures of the simulated world (render:osmesa, render:egl?fiducials=on&light=0.4)",
+     &check_render_source, &open_render_source},
     {"frames", "a folder of pictures, a video or a recording: frames:PATH?end=loop|hold|end&fps=30",
      &check_frames_source, &open_frames_source},
     {"pattern", "colour bars with the frame's number, needs no world", &check_pattern_source,

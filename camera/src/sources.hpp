@@ -10,7 +10,9 @@ namespace eyebridge::camera {
 // The functions behind the rows of the table in open.cpp. `rest` is the URL after the colon; a
 // source is only opened after its check has passed.
 
-/// Pictures of the simulated world; `rest` names the maker of the OpenGL context, or is empty.
+/// Pictures of the simulated world; `rest` names the maker of the OpenGL context, or none, and has
+/// options: fiducials=on|off (place_fiducials() of the default layout on the walls), light=0.01 … 4
+/// (a factor on all colours).
 void check_render_source(std::string_view rest, const SourceContext& context);
 std::unique_ptr<Source> open_render_source(std::string_view rest, const SourceContext& context);
 

@@ -13,8 +13,10 @@ namespace eyebridge::camera::testing {
 class FakeView final : public View {
  public:
   [[nodiscard]] world::Scene scene() const override {
+    // One copy as long as nothing changes, as in a simulation: a renderer keeps what it made of it.
+    if (!copy_ || *copy_ != model) copy_ = std::make_shared<const world::WorldModel>(model);
     world::Scene scene;
-    scene.model = std::make_shared<const world::WorldModel>(model);
+    scene.model = copy_;
     scene.bodies = bodies;
     return scene;
   }
@@ -29,6 +31,9 @@ class FakeView final : public View {
   std::uint32_t carrier_ = 0;
   ImageNoise noise_;
   std::string directory;
+
+ private:
+  mutable std::shared_ptr<const world::WorldModel> copy_;
 };
 
 /// Keeps what was written to it.

@@ -242,6 +242,19 @@ TEST_P(Projection, ANearWallHidesAFarOne) {
   EXPECT_GT(extent(draw(), is_green).count, 0);
 }
 
+TEST_P(Projection, NoSkyShowsBetweenTheFloorAndTheWallsRoundIt) {
+  model_ = *maze_scene(7, 7).model;
+  for (int place = 0; place < 49; ++place) {
+    shot_.eye = {0.15 + 0.3 * (place % 7), 0.15 + 0.3 * (place / 7), 0.1, 0.4 * place, 0.0, 1.1};
+    const Frame frame = draw();
+    int sky = 0;
+    for (int x = 0; x < frame.width; ++x) {
+      if (column_extent(frame, x, is_sky).bottom > frame.height / 2) ++sky;
+    }
+    EXPECT_EQ(sky, 0) << place;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Sizes, Projection,
                          ::testing::Values(Size{160, 120}, Size{320, 240}, Size{640, 480}),
                          [](const auto& test) { return std::to_string(test.param.width); });

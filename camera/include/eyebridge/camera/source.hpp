@@ -55,10 +55,11 @@ std::span<const SourceFactory> source_table();
 /// opening.
 void check_source(const std::string& url, const SourceContext& context);
 
-/// Opens `url`: "render", "render:egl", "pattern", … Throws ConfigError{"--camera"} for an unknown
-/// scheme (naming the known ones) or a source that cannot work here. With "?calibration=FILE" any
-/// source gives straightened pictures: those of a pinhole with the same focal length; set_size()
-/// fails with Unsupported where the camera's pictures get another aspect than the calibration's.
+/// Opens `url`: "render", "render:egl?fiducials=on&light=0.4", "pattern", … Throws
+/// ConfigError{"--camera"} for an unknown scheme (naming the known ones) or a source that cannot
+/// work here. With "?calibration=FILE" any source gives straightened pictures: those of a pinhole
+/// with the same focal length; set_size() fails with Unsupported where the camera's pictures get
+/// another aspect than the calibration's.
 std::unique_ptr<Source> open_source(const std::string& url, const SourceContext& context);
 
 }  // namespace eyebridge::camera
