@@ -53,7 +53,7 @@ std::string rates_text(const std::vector<double>& rates) {
 }
 
 std::string size_text(const camera::OfferedSize& size) {
-  const std::string least = fmt::format("{}x{}", size.least.width, size.least.height);
+  std::string least = fmt::format("{}x{}", size.least.width, size.least.height);
   if (!size.is_range()) return least;
   return fmt::format("{} to {}x{} in steps of {}x{}", least, size.most.width, size.most.height,
                      size.step.width, size.step.height);

@@ -92,6 +92,7 @@ void V4l2Source::look_again() {
     trouble_ = "unplugged, and not found again: " + error.text();
     return;
   }
+  mode_ = stream_->mode();
   trouble_.clear();
   is_first_ = true;
   last_sign_ = calls_.monotonic();
