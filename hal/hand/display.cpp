@@ -62,8 +62,11 @@ void HandDisplay::write_line(const Instruction& instruction) {
     line_ = words;
     return;
   }
-  // How far it still is does not begin a new line.
-  if (said_ && said_->kind == instruction.kind && said_->command == instruction.command) return;
+  // How far it still is does not begin a new line, nor does standing on.
+  const bool is_moving =
+      instruction.kind == Instruction::Kind::Goal || instruction.kind == Instruction::Kind::Speed;
+  const bool is_same = said_ && said_->kind == instruction.kind;
+  if (is_same && (!is_moving || said_->command == instruction.command)) return;
   said_ = instruction;
   terminal_.write("hand: " + words + "\n");
 }

@@ -1,6 +1,7 @@
 #include "hand/free_tap.hpp"
 
 #include <mutex>
+#include <optional>
 #include <utility>
 
 #include "hand/movement.hpp"

@@ -2,14 +2,15 @@
 
 #include "eyebridge/base/drive_goal.hpp"
 #include "eyebridge/base/pose.hpp"
+#include "eyebridge/base/units.hpp"
 #include "hand/instruction.hpp"
 
 namespace eyebridge::hal {
 
 // When a movement made by hand counts as made. Passing the goal does, too: a person who overshoots
 // is not called back.
-inline constexpr double kHandDistance = 0.02;                       ///< Metres before the goal.
-inline constexpr double kHandAngle = 3.0 * 3.14159265358979 / 180;  ///< Radians before it: 3 deg.
+inline constexpr double kHandDistance = 0.02;   ///< Metres before the goal.
+inline constexpr double kHandAngle = kPi / 60;  ///< Radians before it: 3 deg.
 
 /// How far a person is with the movement that a program asked for. Metres, radians, seconds; not
 /// thread-safe.

@@ -22,10 +22,12 @@ struct Hand {
   Pose robot{1.0, 1.0, 0.0};  ///< Where the robot is that the camera belongs to.
   Pose camera_in_robot;
   bool is_lost = false;
-  double noise = 0.0;    ///< Of the pose found, m and rad.
-  double linear = 0.2;   ///< How fast the person walks, m/s …
-  double angular = 1.0;  ///< … and turns, rad/s.
+  bool walks_on = false;  ///< Goes on with what they were told when the robot is lost.
+  double noise = 0.0;     ///< Of the pose found, m and rad.
+  double linear = 0.2;    ///< How fast the person walks, m/s …
+  double angular = 1.0;   ///< … and turns, rad/s.
   Instruction told;
+  Instruction doing;  ///< The last that was not "lost".
   Time last{0};
   int frames = 0;
   int width = 0;  ///< Of the last frame.
@@ -37,6 +39,7 @@ class HandEye final : public InstructionSink {
   explicit HandEye(std::shared_ptr<Hand> hand) : hand_(std::move(hand)) {}
   void show(Time, const Instruction& instruction) override {
     const std::lock_guard lock(hand_->mutex);
+    if (instruction.kind != Instruction::Kind::Lost) hand_->doing = instruction;
     hand_->told = instruction;
   }
   void finish() override {}
@@ -68,7 +71,7 @@ class PersonFinder final : public camera::PoseFinder {
 
  private:
   void walk(double seconds) {
-    const Instruction& told = hand_->told;
+    const Instruction& told = hand_->walks_on ? hand_->doing : hand_->told;
     Twist twist;
     if (told.kind == Instruction::Kind::Speed) twist = told.speed;
     if (told.kind == Instruction::Kind::Goal) {

@@ -74,6 +74,8 @@ struct MazeRig {
 
   MazeRig() {
     auto inner = open_maze();
+    // Between two walls no marker is in view; who goes on turning finds the next.
+    hand->walks_on = true;
     hand->robot = inner->world()->robot_pose(0).value();
     const camera::Eye eye = inner->camera_view()->eye();
     hand->camera_in_robot = relative_to(hand->robot, {eye.x, eye.y, eye.heading});
@@ -109,12 +111,10 @@ TEST(HandWalk, TheRobotIsWhereThePersonIsAndGoesWhereTheProgramWants) {
   const MazeRig rig;
   const Pose start = rig.hand->robot;
   double worst_reading = 0.0;
-  for (int round = 0; round < 2; ++round) {
-    for (int leg = 0; leg < 2; ++leg) {
-      rig.drive({0.36, 0.0, 0.2});
-      for (const int psd : {1, 2, 3}) worst_reading = std::max(worst_reading, rig.error_of(psd));
-      rig.drive({0.0, kPi, 1.0});
-    }
+  for (int leg = 0; leg < 2; ++leg) {
+    rig.drive({0.36, 0.0, 0.2});
+    for (const int psd : {1, 2, 3}) worst_reading = std::max(worst_reading, rig.error_of(psd));
+    rig.drive({0.0, kPi, 1.0});
   }
   const Pose end = rig.hand->robot;
   const double away = norm(end.position() - start.position());
