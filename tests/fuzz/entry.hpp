@@ -148,7 +148,7 @@ inline void recording(std::string_view bytes) {
     }
   } catch (const ConfigError&) {
   }
-  std::remove(path.c_str());
+  for (const char* end : {"", "-wal", "-shm"}) std::remove((path + end).c_str());
 }
 
 /// What is accepted has a time, a device and an amount that can be.

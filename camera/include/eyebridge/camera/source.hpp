@@ -27,7 +27,10 @@ class Source {
   [[nodiscard]] virtual Size natural_size() const = 0;
 
   /// The next frame that has not been given out yet; waits for it, at most until `deadline` on the
-  /// robot's clock. Fails with Timeout or Disconnected; an old frame is never given twice.
+  /// robot's clock. Where frames come by themselves (a live camera, files) it is the newest that is
+  /// there; pictures of a simulated world are made when the next one is due. Fails with Timeout,
+  /// Disconnected, or Corrupt (this one is damaged, the next may not be); an old frame is never
+  /// given twice.
   virtual Result<FramePtr> next(Time deadline) = 0;
 };
 
