@@ -1,5 +1,7 @@
 #include "eyebridge/camera/calibrator.hpp"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,15 +25,17 @@ Calibration webcam() {
   return lens;
 }
 
-/// Somebody who holds the board into the picture: to the left and right, up and down, slanted.
+/// Somebody who holds the board into the picture: here and there, slanted to all sides.
 std::vector<EyePose> views(double distance) {
   std::vector<EyePose> eyes;
-  for (const double x : {-0.5, 0.0, 0.5}) {
-    for (const double z : {-0.45, 0.0, 0.45}) {
-      const double away = distance * (1.0 - 0.25 * x * z);
-      // Looks past the board's middle, from aside and above, so that it is seen slanted.
-      eyes.push_back({{away * x, -away, away * z * 0.7, kPi / 2 + 0.9 * x, -0.45 * z, 0.1 * x}});
-    }
+  for (int i = 0; i < 12; ++i) {
+    const double aside = -0.5 + (i % 4) / 3.0;
+    const double above = 0.45 * (i / 4 - 1);
+    // Past the board's middle, each time to another side.
+    const double heading = std::atan(aside) + 0.3 * std::cos(2.4 * i);
+    const double pitch = -std::atan(0.7 * above) + 0.13 * std::sin(2.4 * i);
+    eyes.push_back({{distance * aside, -distance, 0.7 * distance * above, kPi / 2 + heading, pitch,
+                     0.2 * aside}});
   }
   return eyes;
 }
@@ -49,7 +53,7 @@ Result<Calibration> measured(const Board& board, const Calibration& lens, double
 class Boards : public ::testing::TestWithParam<Board> {};
 
 TEST_P(Boards, GiveBackTheLensTheyAreSeenThrough) {
-  const auto lens = measured(GetParam(), webcam(), 0.36);
+  const auto lens = measured(GetParam(), webcam(), 0.4);
   ASSERT_TRUE(lens) << lens.error().what;
   EXPECT_NEAR(lens->fx, webcam().fx, 0.01 * webcam().fx);
   EXPECT_NEAR(lens->fy, webcam().fy, 0.01 * webcam().fy);
@@ -62,7 +66,7 @@ TEST_P(Boards, GiveBackTheLensTheyAreSeenThrough) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Boards,
                          ::testing::Values(Board{Board::Kind::Chessboard, 6, 9, 0.02},
-                                           Board{Board::Kind::Charuco, 5, 7, 0.03}),
+                                           Board{Board::Kind::Charuco, 4, 6, 0.04}),
                          [](const auto& test) {
                            return test.param.kind == Board::Kind::Charuco ? "Charuco"
                                                                           : "Chessboard";
@@ -72,7 +76,7 @@ TEST(Calibrator, KeepsAViewOnce) {
   const Board board{Board::Kind::Chessboard, 6, 9, 0.02};
   const Frame page = draw_page(board, kPixelsPerMillimetre);
   const auto calibrator = make_calibrator(board);
-  const EyePose eye = views(0.27)[4];
+  const EyePose eye = views(0.4)[5];
   const Frame frame = look_at_page(page, kPixelsPerMillimetre, webcam(), eye);
   EXPECT_EQ(*calibrator->take(frame), BoardView::Kept);
   EXPECT_EQ(*calibrator->take(frame), BoardView::Same);
@@ -101,7 +105,7 @@ TEST(Calibrator, RefusesWhatDeterminesNoLens) {
 
 TEST(ParseBoard, TakesBothKinds) {
   EXPECT_EQ(parse_board("chessboard:9x6", 0.025), (Board{Board::Kind::Chessboard, 9, 6, 0.025}));
-  EXPECT_EQ(parse_board("charuco:5x7", 0.03), (Board{Board::Kind::Charuco, 5, 7, 0.03}));
+  EXPECT_EQ(parse_board("charuco:5x7", 0.03), (Board{Board::Kind::Charuco, 4, 6, 0.04}));
 }
 
 TEST(ParseBoard, RefusesAllElse) {
