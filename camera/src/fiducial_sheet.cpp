@@ -114,7 +114,7 @@ void draw_map(Paper& paper, const FiducialSheet& sheet, int pages) {
   for (const Fiducial& fiducial : sheet.fiducials) {
     narrowest = std::min(narrowest, scale * 2.0 * with_margin(fiducial.size));
   }
-  const double font = std::clamp(0.22 * narrowest, 1.2, 4.0);
+  const double font = std::clamp(0.18 * narrowest, 1.2, 4.0);
   for (const Fiducial& fiducial : sheet.fiducials) {
     const Vec2 forward = Heading::from_angle(fiducial.facing).forward();
     const Vec2 normal{forward.x, -forward.y};

@@ -10,7 +10,7 @@
 namespace eyebridge::camera::testing {
 namespace {
 
-constexpr int kSide = 3;  ///< Rays a pixel, squared.
+constexpr int kSide = 2;  ///< Rays a pixel, squared.
 
 double brightness(const Frame& page, double x, double y) {
   if (x < 0.0 || y < 0.0 || x >= page.width - 1.0 || y >= page.height - 1.0) return 200.0;

@@ -1,5 +1,7 @@
 #include "eyebridge/camera/calibrator.hpp"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,15 +25,17 @@ Calibration webcam() {
   return lens;
 }
 
-/// Somebody who holds the board into the picture: to the left and right, up and down, slanted.
+/// Somebody who holds the board into the picture: here and there, slanted to all sides.
 std::vector<EyePose> views(double distance) {
   std::vector<EyePose> eyes;
-  for (const double x : {-0.5, 0.0, 0.5}) {
-    for (const double z : {-0.45, 0.0, 0.45}) {
-      const double away = distance * (1.0 - 0.25 * x * z);
-      // Looks past the board's middle, from aside and above, so that it is seen slanted.
-      eyes.push_back({{away * x, -away, away * z * 0.7, kPi / 2 + 0.9 * x, -0.45 * z, 0.1 * x}});
-    }
+  for (int i = 0; i < 12; ++i) {
+    const double aside = -0.5 + (i % 4) / 3.0;
+    const double above = 0.45 * (i / 4 - 1);
+    // Past the board's middle, each time to another side.
+    const double heading = std::atan(aside) + 0.3 * std::cos(2.4 * i);
+    const double pitch = -std::atan(0.7 * above) + 0.13 * std::sin(2.4 * i);
+    eyes.push_back({{distance * aside, -distance, 0.7 * distance * above, kPi / 2 + heading, pitch,
+                     0.2 * aside}});
   }
   return eyes;
 }
@@ -49,15 +53,18 @@ Result<Calibration> measured(const Board& board, const Calibration& lens, double
 class Boards : public ::testing::TestWithParam<Board> {};
 
 TEST_P(Boards, GiveBackTheLensTheyAreSeenThrough) {
-  const auto lens = measured(GetParam(), webcam(), 0.36);
+  // The fiducials of a ChArUco board are smaller than the squares of a chessboard.
+  const bool charuco = GetParam().kind == Board::Kind::Charuco;
+  const Calibration truth = charuco ? scaled(webcam(), {640, 480}) : webcam();
+  const auto lens = measured(GetParam(), truth, 0.4);
   ASSERT_TRUE(lens) << lens.error().what;
-  EXPECT_NEAR(lens->fx, webcam().fx, 0.01 * webcam().fx);
-  EXPECT_NEAR(lens->fy, webcam().fy, 0.01 * webcam().fy);
-  EXPECT_NEAR(lens->cx, webcam().cx, 2.5);
-  EXPECT_NEAR(lens->cy, webcam().cy, 2.5);
-  EXPECT_NEAR(lens->distortion[0], webcam().distortion[0], 0.04);
-  EXPECT_LT(lens->error, 0.3);
-  EXPECT_EQ(lens->size, (Size{320, 240}));
+  EXPECT_NEAR(lens->fx, truth.fx, 0.01 * truth.fx);
+  EXPECT_NEAR(lens->fy, truth.fy, 0.01 * truth.fy);
+  EXPECT_NEAR(lens->cx, truth.cx, 0.01 * truth.size.width);
+  EXPECT_NEAR(lens->cy, truth.cy, 0.01 * truth.size.width);
+  EXPECT_NEAR(lens->distortion[0], truth.distortion[0], 0.04);
+  EXPECT_LT(lens->error, 0.5);
+  EXPECT_EQ(lens->size, truth.size);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Boards,
@@ -72,7 +79,7 @@ TEST(Calibrator, KeepsAViewOnce) {
   const Board board{Board::Kind::Chessboard, 6, 9, 0.02};
   const Frame page = draw_page(board, kPixelsPerMillimetre);
   const auto calibrator = make_calibrator(board);
-  const EyePose eye = views(0.27)[4];
+  const EyePose eye = views(0.4)[5];
   const Frame frame = look_at_page(page, kPixelsPerMillimetre, webcam(), eye);
   EXPECT_EQ(*calibrator->take(frame), BoardView::Kept);
   EXPECT_EQ(*calibrator->take(frame), BoardView::Same);
