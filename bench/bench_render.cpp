@@ -140,6 +140,10 @@ void sizes(benchmark::internal::Benchmark* bench) {
 
 BENCHMARK_CAPTURE(render, osmesa, "render:osmesa")->Apply(sizes);
 BENCHMARK_CAPTURE(render, egl, "render:egl")->Apply(sizes);
+BENCHMARK_CAPTURE(render, fiducials, "render:osmesa?fiducials=on")
+    ->ArgNames({"width", "side"})
+    ->Args({640, 13})
+    ->Unit(benchmark::kMillisecond);
 /// A frame of each of `robots` robots, as often as 30 times a second of theirs. `x_real_time`: how
 /// many times faster than their time, on one core.
 void render_robots(benchmark::State& state) {

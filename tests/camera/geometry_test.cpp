@@ -245,7 +245,8 @@ TEST_P(Projection, ANearWallHidesAFarOne) {
 TEST_P(Projection, NoSkyShowsBetweenTheFloorAndTheWallsRoundIt) {
   model_ = *maze_scene(7, 7).model;
   for (int place = 0; place < 49; ++place) {
-    shot_.eye = {0.15 + 0.3 * (place % 7), 0.15 + 0.3 * (place / 7), 0.1, 0.4 * place, 0.0, 1.1};
+    const int row_of_cells = place / 7;
+    shot_.eye = {0.15 + 0.3 * (place % 7), 0.15 + 0.3 * row_of_cells, 0.1, 0.4 * place, 0.0, 1.1};
     const Frame frame = draw();
     int sky = 0;
     for (int x = 0; x < frame.width; ++x) {
