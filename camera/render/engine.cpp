@@ -18,7 +18,7 @@
 namespace eyebridge::camera {
 namespace {
 
-constexpr const char* kVertexShader = R"(#version 330 core
+constexpr const char* kRoomVertexShader = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec2 texture_position;
 layout(location = 2) in vec4 tint;
@@ -31,7 +31,7 @@ void main() {
   colour = tint;
 })";
 
-constexpr const char* kFragmentShader = R"(#version 330 core
+constexpr const char* kRoomFragmentShader = R"(#version 330 core
 in vec2 st;
 in vec4 colour;
 uniform sampler2D image;
@@ -118,7 +118,7 @@ struct RenderEngine::Impl {
       : context(make_gl_context(maker, log)),
         gl(*context),
         target(gl),
-        program(make_program(gl, kVertexShader, kFragmentShader)),
+        program(make_program(gl, kRoomVertexShader, kRoomFragmentShader)),
         clip_from_world(gl.get_uniform_location(program, "clip_from_world")),
         bricks(make_texture(gl)),
         tiles(make_texture(gl)),
