@@ -9,7 +9,7 @@ import sys
 DROPPED = re.compile(
     r" -include \S*cmake_pch\.hxx| -Winvalid-pch| -fpch-preprocess| -fsanitize=\S+"
     r"| -fno-sanitize-recover=\S+| -Wno-maybe-uninitialized"
-    r"| -Wno-restrict"
+    r"| -Wno-restrict| -Wno-subobject-linkage"
 )
 # The launcher comes before the compiler.
 LAUNCHER = re.compile(r"^\S*ccache ")
