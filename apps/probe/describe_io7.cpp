@@ -11,7 +11,7 @@ namespace {
 
 using namespace bridges::io7;
 
-std::string row(std::string_view name, const std::string& text) {
+std::string io7_row(std::string_view name, const std::string& text) {
   return fmt::format("  {:<12} {}\n", name, text);
 }
 
@@ -114,20 +114,20 @@ std::string described(const Io7Board& board, const std::string& url) {
   const LetterSet& letters = report.profile.letters;
   const std::string_view prompt = report.profile.prompt.view();
   std::string out = fmt::format("an EyeBot I/O board (IO7), version {}\n", report.version);
-  out += row("supply",
-             report.battery_cv ? fmt::format("{:.2f} V", *report.battery_cv / 100.0) : "not told");
-  out += row("prompt", prompt.empty() ? "none" : in_quotes(prompt));
-  out += row("requests", requests(report));
-  out += row("replies", replies(report));
-  out += row("byte order", byte_order(report));
-  out += row("letters", letters_of([&](const Command& c) { return letters.has(c.letter); }));
+  out += io7_row("supply", report.battery_cv ? fmt::format("{:.2f} V", *report.battery_cv / 100.0)
+                                             : "not told");
+  out += io7_row("prompt", prompt.empty() ? "none" : in_quotes(prompt));
+  out += io7_row("requests", requests(report));
+  out += io7_row("replies", replies(report));
+  out += io7_row("byte order", byte_order(report));
+  out += io7_row("letters", letters_of([&](const Command& c) { return letters.has(c.letter); }));
   const std::string missing =
       letters_of([&](const Command& c) { return c.documented && !letters.has(c.letter); });
-  if (!missing.empty()) out += row("missing", missing);
-  if (letters.has(IO7_DEMO)) out += row("never sent", "E, which drives the robot");
-  out += row("v-omega", drive(letters));
-  out += row("exchange", exchange(board));
-  out += row("v answered", answers(board.trips));
+  if (!missing.empty()) out += io7_row("missing", missing);
+  if (letters.has(IO7_DEMO)) out += io7_row("never sent", "E, which drives the robot");
+  out += io7_row("v-omega", drive(letters));
+  out += io7_row("exchange", exchange(board));
+  out += io7_row("v answered", answers(board.trips));
   return out + run_lines(board, url);
 }
 

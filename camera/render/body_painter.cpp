@@ -8,7 +8,7 @@
 namespace eyebridge::camera {
 namespace {
 
-constexpr const char* kVertexShader = R"(#version 330 core
+constexpr const char* kBodyVertexShader = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float mark;
@@ -27,7 +27,7 @@ void main() {
   colour = light * shade * mix(body_colour.rgb, mark_colour.rgb, mark);
 })";
 
-constexpr const char* kFragmentShader = R"(#version 330 core
+constexpr const char* kBodyFragmentShader = R"(#version 330 core
 in vec3 colour;
 out vec4 pixel;
 void main() { pixel = vec4(colour, 1.0); })";
@@ -50,7 +50,7 @@ bool is_dark(Rgb c) { return 3 * c.r + 6 * c.g + c.b < 1280; }
 
 BodyPainter::BodyPainter(const GlFunctions& gl)
     : gl_(gl),
-      program_(make_program(gl, kVertexShader, kFragmentShader)),
+      program_(make_program(gl, kBodyVertexShader, kBodyFragmentShader)),
       clip_from_world_(gl.get_uniform_location(program_, "clip_from_world")),
       light_(gl.get_uniform_location(program_, "light")) {
   for (std::size_t i = 0; i < shapes_.size(); ++i) {

@@ -5,7 +5,7 @@
 namespace eyebridge::camera {
 namespace {
 
-constexpr const char* kVertexShader = R"(#version 330 core
+constexpr const char* kPictureVertexShader = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec2 in_picture;
 layout(location = 2) in vec4 tint;
@@ -46,7 +46,7 @@ void main() {
 
 PicturePainter::PicturePainter(const GlFunctions& gl, Edges edges)
     : gl_(gl),
-      program_(make_program(gl, kVertexShader, edges == Edges::Sharp ? kSharp : kSmooth)),
+      program_(make_program(gl, kPictureVertexShader, edges == Edges::Sharp ? kSharp : kSmooth)),
       clip_from_world_(gl.get_uniform_location(program_, "clip_from_world")),
       light_(gl.get_uniform_location(program_, "light")),
       texture_(make_texture(gl)),

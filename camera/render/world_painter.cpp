@@ -8,7 +8,7 @@ namespace {
 
 // Rows of the tables: as enum Pattern. What is the same for a whole quad goes flat to the pixels:
 // llvmpipe then computes it once.
-constexpr const char* kVertexShader = R"(#version 330 core
+constexpr const char* kRoomVertexShader = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec2 in_pattern;
 layout(location = 2) in vec4 tint;
@@ -35,7 +35,7 @@ void main() {
 
 // A unit of `at` is a brick or a tile; `covered` is how much of it the pixel covers. tones: mean,
 // spread from piece to piece, joint, shift from course to course.
-constexpr const char* kFragmentShader = R"(#version 330 core
+constexpr const char* kRoomFragmentShader = R"(#version 330 core
 in vec2 at;
 flat in vec3 colour;
 flat in vec2 joint;
@@ -60,7 +60,7 @@ void main() {
 
 WorldPainter::WorldPainter(const GlFunctions& gl)
     : gl_(gl),
-      program_(make_program(gl, kVertexShader, kFragmentShader)),
+      program_(make_program(gl, kRoomVertexShader, kRoomFragmentShader)),
       clip_from_world_(gl.get_uniform_location(program_, "clip_from_world")),
       light_(gl.get_uniform_location(program_, "light")),
       quads_(gl),

@@ -10,13 +10,13 @@ namespace eyebridge::hal {
 namespace {
 
 constexpr const char* kName = "lidar";
-constexpr double kSlack = 0.01;  // radians: boards round to whole degrees
+constexpr double kAngleSlack = 0.01;  // radians: boards round to whole degrees
 
 /// Bearing of ray `i`, left positive. A full circle starts straight behind; a part of one has rays
 /// at both its edges.
 double bearing(const LidarShape& shape, int i) {
   if (shape.points == 1) return 0.0;
-  const bool circle = shape.field_of_view > 2 * kPi - kSlack;
+  const bool circle = shape.field_of_view > 2 * kPi - kAngleSlack;
   const double step = shape.field_of_view / (circle ? shape.points : shape.points - 1);
   return shape.field_of_view / 2 - step * i;
 }
@@ -26,7 +26,7 @@ std::size_t nearest_ray(const LidarShape& shape, double angle) {
   if (shape.points == 1) return 0;
   const double step = bearing(shape, 0) - bearing(shape, 1);
   const auto ray = std::lround((bearing(shape, 0) - angle) / step);
-  const bool circle = shape.field_of_view > 2 * kPi - kSlack;
+  const bool circle = shape.field_of_view > 2 * kPi - kAngleSlack;
   if (circle) return static_cast<std::size_t>(ray % shape.points);
   return static_cast<std::size_t>(std::clamp<long>(ray, 0, shape.points - 1));
 }
@@ -46,10 +46,10 @@ Result<void> BoardLidar::configure(double field_of_view, double tilt, int points
   BoardScan scan;
   if (auto there = link_.scan(scan); !there) return there;
   const LidarShape& board = scan.shape;
-  return require(field_of_view > 0.0 && field_of_view <= board.field_of_view + kSlack, kName,
+  return require(field_of_view > 0.0 && field_of_view <= board.field_of_view + kAngleSlack, kName,
                  field_of_view, "a field of view of more than 0, at most the board's")
       .and_then([&] {
-        return require(std::abs(tilt - board.tilt) <= kSlack, kName, tilt, "the board's tilt");
+        return require(std::abs(tilt - board.tilt) <= kAngleSlack, kName, tilt, "the board's tilt");
       })
       .and_then([&] {
         return require(points >= 1 && points <= board.points, kName, points,

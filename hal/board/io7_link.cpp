@@ -18,7 +18,7 @@ constexpr Time kCountPeriod = 250ms;
 constexpr Time kUsualGap =
     25ms;  // after a longer one, which is a line in trouble, all is asked twice
 constexpr double kFastest = 3.0;  // metres per second
-constexpr int kSlack = 16;        // ticks
+constexpr int kSlackTicks = 16;   // ticks
 constexpr int kCounts = 4;        // that are asked for before none is believed
 constexpr std::string_view kVwLetters = "xXqQyYCZ";
 
@@ -94,7 +94,7 @@ Result<std::int32_t> Io7Link::encoder(int id) {
 Result<std::uint16_t> Io7Link::plausible_count(int id, Time now) {
   const std::size_t index = static_cast<std::size_t>(id) - 1;
   const auto reach = [this](Time gap) {
-    return static_cast<int>(fastest_ * to_seconds(gap)) + kSlack;
+    return static_cast<int>(fastest_ * to_seconds(gap)) + kSlackTicks;
   };
   const int most = reach(std::min<Time>(now - counted_[index], kUsualGap));
   std::optional<int> before;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
+#include "eyebridge/base/colour.hpp"
 #include "eyebridge/base/units.hpp"
 
 namespace eyebridge::robios {
@@ -18,6 +20,13 @@ inline int to_whole(double value) {
 }
 inline int to_mm(double metres) { return to_whole(m_to_mm(metres)); }
 inline int to_deg(double radians) { return to_whole(rad_to_deg(radians)); }
+
+/// RoBIOS keeps a colour in an int: 0xRRGGBB.
+inline Rgb to_rgb(int colour) {
+  const auto bits = static_cast<unsigned>(colour);
+  return {static_cast<std::uint8_t>((bits >> 16) & 0xFF),
+          static_cast<std::uint8_t>((bits >> 8) & 0xFF), static_cast<std::uint8_t>(bits & 0xFF)};
+}
 
 /// Writes `value` where `out` points, if it points anywhere: programs pass NULL for what they do
 /// not want.

@@ -1,6 +1,7 @@
 #include <array>
 #include <string>
 
+#include "convert.hpp"
 #include "globals.hpp"
 #include "guarded.hpp"
 #include "image.hpp"
@@ -18,6 +19,7 @@ using eyebridge::robios::ImageSize;
 using eyebridge::robios::PnmImage;
 using eyebridge::robios::PnmKind;
 using eyebridge::robios::Session;
+using eyebridge::robios::to_rgb;
 
 int IP_WIDTH = QVGA_X;
 int IP_HEIGHT = QVGA_Y;
@@ -82,12 +84,6 @@ void filtering(std::string_view call, Work&& work, const Pointers*... images) {
 Result<int> write(const char* filename, PnmKind kind, const Image& image, ConstBytes bytes) {
   const PnmImage file{kind, image.size, {bytes.begin(), bytes.end()}};
   return eyebridge::robios::write_pnm_file(file, filename).map([] { return 0; });
-}
-
-Rgb rgb(COLOR colour) {
-  const auto bits = static_cast<unsigned>(colour);
-  return {static_cast<std::uint8_t>((bits >> 16) & 0xFF),
-          static_cast<std::uint8_t>((bits >> 8) & 0xFF), static_cast<std::uint8_t>(bits & 0xFF)};
 }
 
 void store(BYTE* where, std::uint8_t value) {
@@ -206,7 +202,7 @@ void IPOverlayGray(BYTE* g1, BYTE* g2, COLOR col, BYTE* cOut) {
   filtering(
       "IPOverlayGray",
       [&](const Image& image) {
-        eyebridge::robios::overlay_grey(image.size, image.grey(g1), image.grey(g2), rgb(col),
+        eyebridge::robios::overlay_grey(image.size, image.grey(g1), image.grey(g2), to_rgb(col),
                                         image.colour(cOut));
       },
       g1, g2, cOut);
@@ -217,14 +213,14 @@ void IPOverlayGray(BYTE* g1, BYTE* g2, COLOR col, BYTE* cOut) {
 COLOR IPPRGB2Col(BYTE r, BYTE g, BYTE b) { return r << 16 | g << 8 | b; }
 
 void IPPCol2RGB(COLOR col, BYTE* r, BYTE* g, BYTE* b) {
-  const Rgb colour = rgb(col);
+  const Rgb colour = to_rgb(col);
   store(r, colour.r);
   store(g, colour.g);
   store(b, colour.b);
 }
 
 void IPPCol2HSI(COLOR c, BYTE* h, BYTE* s, BYTE* i) {
-  const Rgb colour = rgb(c);
+  const Rgb colour = to_rgb(c);
   IPPRGB2HSI(colour.r, colour.g, colour.b, h, s, i);
 }
 

@@ -12,7 +12,7 @@ using eyebridge::robios::TouchPoint;
 
 namespace {
 
-constexpr int kFailed = 1;
+constexpr int kKeyFailed = 1;
 
 /// Waiting goes through the session, so that timers run meanwhile.
 auto session_wait(Session& session) {
@@ -49,7 +49,7 @@ int KEYWait(int key) {
 }
 
 int KEYGetXY(int* x, int* y) {
-  return guarded("KEYGetXY", kFailed, [&](Session& session) -> Result<int> {
+  return guarded("KEYGetXY", kKeyFailed, [&](Session& session) -> Result<int> {
     if (x == nullptr || y == nullptr) {
       return null_pointer();
     }
@@ -63,7 +63,7 @@ int KEYGetXY(int* x, int* y) {
 }
 
 int KEYReadXY(int* x, int* y) {
-  return guarded("KEYReadXY", kFailed, [&](Session& session) -> Result<int> {
+  return guarded("KEYReadXY", kKeyFailed, [&](Session& session) -> Result<int> {
     if (x == nullptr || y == nullptr) {
       return null_pointer();
     }

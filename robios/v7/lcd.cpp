@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string>
 
+#include "convert.hpp"
 #include "globals.hpp"
 #include "guarded.hpp"
 #include <eyebot.h>
@@ -18,6 +19,7 @@ using eyebridge::robios::guarded;
 using eyebridge::robios::Lcd;
 using eyebridge::robios::null_pointer;
 using eyebridge::robios::Session;
+using eyebridge::robios::to_rgb;
 
 int LCD_INITIAL = 1;
 int IM_TYPE = QVGA;
@@ -36,20 +38,14 @@ void eyebridge::robios::publish_image_window(const ImageWindow& window, int mode
 
 namespace {
 
-constexpr int kFailed = 1;
+constexpr int kLcdFailed = 1;
 // A screen holds a few thousand characters: what is longer is a mistake in a format.
 constexpr int kLongestText = 65535;
-
-Rgb rgb(COLOR colour) {
-  const auto bits = static_cast<unsigned>(colour);
-  return {static_cast<std::uint8_t>((bits >> 16) & 0xFF),
-          static_cast<std::uint8_t>((bits >> 8) & 0xFF), static_cast<std::uint8_t>(bits & 0xFF)};
-}
 
 /// Most calls just draw: they cannot fail.
 template <class Draw>
 int drawing(std::string_view call, Draw&& draw) {
-  return guarded(call, kFailed, [&](Session& session) -> Result<int> {
+  return guarded(call, kLcdFailed, [&](Session& session) -> Result<int> {
     draw(session.lcd());
     return 0;
   });
@@ -58,7 +54,7 @@ int drawing(std::string_view call, Draw&& draw) {
 /// For calls whose arguments may be wrong.
 template <class Change>
 int changing(std::string_view call, Change&& change) {
-  return guarded(call, kFailed, [&](Session& session) -> Result<int> {
+  return guarded(call, kLcdFailed, [&](Session& session) -> Result<int> {
     return change(session.lcd()).map([] { return 0; });
   });
 }
@@ -86,7 +82,7 @@ const char* or_empty(const char* text) { return text == nullptr ? "" : text; }
 /// For LCDImage() and its sisters.
 template <class Show>
 int showing(std::string_view call, const BYTE* data, Show&& show) {
-  return guarded(call, kFailed, [&](Session& session) -> Result<int> {
+  return guarded(call, kLcdFailed, [&](Session& session) -> Result<int> {
     if (data == nullptr) {
       return null_pointer();
     }
@@ -100,7 +96,7 @@ int showing(std::string_view call, const BYTE* data, Show&& show) {
 int LCDPrintf(const char* format, ...) {
   va_list arguments;
   va_start(arguments, format);
-  const int result = guarded("LCDPrintf", kFailed, [&](Session& session) -> Result<int> {
+  const int result = guarded("LCDPrintf", kLcdFailed, [&](Session& session) -> Result<int> {
     return formatted(format, arguments).map([&](const std::string& text) {
       session.lcd().print(text);
       return 0;
@@ -113,7 +109,7 @@ int LCDPrintf(const char* format, ...) {
 int LCDSetPrintf(int row, int column, const char* format, ...) {
   va_list arguments;
   va_start(arguments, format);
-  const int result = guarded("LCDSetPrintf", kFailed, [&](Session& session) -> Result<int> {
+  const int result = guarded("LCDSetPrintf", kLcdFailed, [&](Session& session) -> Result<int> {
     return formatted(format, arguments).map([&](const std::string& text) {
       session.lcd().print_at(row, column, text);
       return 0;
@@ -132,7 +128,7 @@ int LCDSetPos(int row, int column) {
 }
 
 int LCDGetPos(int* row, int* column) {
-  return guarded("LCDGetPos", kFailed, [&](Session& session) -> Result<int> {
+  return guarded("LCDGetPos", kLcdFailed, [&](Session& session) -> Result<int> {
     if (row == nullptr || column == nullptr) {
       return null_pointer();
     }
@@ -144,7 +140,7 @@ int LCDGetPos(int* row, int* column) {
 }
 
 int LCDSetColor(COLOR fg, COLOR bg) {
-  return drawing("LCDSetColor", [&](Lcd& lcd) { lcd.set_text_colours(rgb(fg), rgb(bg)); });
+  return drawing("LCDSetColor", [&](Lcd& lcd) { lcd.set_text_colours(to_rgb(fg), to_rgb(bg)); });
 }
 
 int LCDSetFont(int font, int variation) {
@@ -167,12 +163,12 @@ int LCDMenu(const char* st1, const char* st2, const char* st3, const char* st4) 
 
 int LCDMenuI(int pos, const char* string, COLOR fg, COLOR bg) {
   return changing("LCDMenuI", [&](Lcd& lcd) {
-    return lcd.set_menu_label(pos, or_empty(string), rgb(fg), rgb(bg));
+    return lcd.set_menu_label(pos, or_empty(string), to_rgb(fg), to_rgb(bg));
   });
 }
 
 int LCDGetSize(int* x, int* y) {
-  return guarded("LCDGetSize", kFailed, [&](Session& session) -> Result<int> {
+  return guarded("LCDGetSize", kLcdFailed, [&](Session& session) -> Result<int> {
     if (x == nullptr || y == nullptr) {
       return null_pointer();
     }
@@ -183,7 +179,7 @@ int LCDGetSize(int* x, int* y) {
 }
 
 int LCDPixel(int x, int y, COLOR col) {
-  return drawing("LCDPixel", [&](Lcd& lcd) { lcd.pixel(x, y, rgb(col)); });
+  return drawing("LCDPixel", [&](Lcd& lcd) { lcd.pixel(x, y, to_rgb(col)); });
 }
 
 COLOR LCDGetPixel(int x, int y) {
@@ -194,16 +190,16 @@ COLOR LCDGetPixel(int x, int y) {
 }
 
 int LCDLine(int x1, int y1, int x2, int y2, COLOR col) {
-  return drawing("LCDLine", [&](Lcd& lcd) { lcd.line(x1, y1, x2, y2, rgb(col)); });
+  return drawing("LCDLine", [&](Lcd& lcd) { lcd.line(x1, y1, x2, y2, to_rgb(col)); });
 }
 
 int LCDArea(int x1, int y1, int x2, int y2, COLOR col, int fill) {
-  return drawing("LCDArea", [&](Lcd& lcd) { lcd.area(x1, y1, x2, y2, rgb(col), fill != 0); });
+  return drawing("LCDArea", [&](Lcd& lcd) { lcd.area(x1, y1, x2, y2, to_rgb(col), fill != 0); });
 }
 
 int LCDCircle(int x1, int y1, int size, COLOR col, int fill) {
   return changing("LCDCircle",
-                  [&](Lcd& lcd) { return lcd.circle(x1, y1, size, rgb(col), fill != 0); });
+                  [&](Lcd& lcd) { return lcd.circle(x1, y1, size, to_rgb(col), fill != 0); });
 }
 
 int LCDImageSize(int t) {

@@ -11,11 +11,11 @@ using testing::ProgramRun;
 using testing::run_shell;
 using testing::ScratchFolder;
 
-const std::string kSources = EYEBRIDGE_SOURCE_DIR "/tests/apps/consumer/";
+const std::string kConsumer = EYEBRIDGE_SOURCE_DIR "/tests/apps/consumer/";
 
 /// Builds and runs the consumer with CMake, its EyeBridge taken from `prefix`.
 std::string with_cmake(const std::string& prefix) {
-  return "cmake -S " + kSources + " -B by_cmake -G Ninja -DCMAKE_PREFIX_PATH=" + prefix +
+  return "cmake -S " + kConsumer + " -B by_cmake -G Ninja -DCMAKE_PREFIX_PATH=" + prefix +
          " >log 2>&1 || { cat log >&2; exit 1; }\n"
          "cmake --build by_cmake >log 2>&1 || { cat log >&2; exit 1; }\nby_cmake/prog\n";
 }
@@ -25,7 +25,7 @@ std::string with_pkg_config(const std::string& prefix) {
   return "export PKG_CONFIG_PATH=" + prefix +
          "/lib/pkgconfig\n"
          "gcc $(pkg-config --cflags eyebridge) " +
-         kSources + "prog.c -o by_pkg_config $(pkg-config --libs eyebridge)\n./by_pkg_config\n";
+         kConsumer + "prog.c -o by_pkg_config $(pkg-config --libs eyebridge)\n./by_pkg_config\n";
 }
 
 class Package : public ::testing::Test {
@@ -58,7 +58,7 @@ TEST_F(Package, PkgConfigFindsAnInstallation) {
 }
 
 TEST_F(Package, TheWrapperOfAnInstallationUsesItsOwnFiles) {
-  expect_it_drives(installed() + "moved/bin/eyebridge-cc " + kSources +
+  expect_it_drives(installed() + "moved/bin/eyebridge-cc " + kConsumer +
                    "prog.c -o prog\nldd prog | grep -q \"$PWD/moved/lib/libeyebridge\"\n"
                    "moved/bin/eyebridge run ./prog\n");
 }

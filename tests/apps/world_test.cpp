@@ -16,7 +16,7 @@ using testing::ScratchFolder;
 
 constexpr const char* kRoom =
     "floor 2000 1000\n0 0 2000 0\n0 1000 2000 1000\n0 0 0 1000\n2000 0 2000 1000\n";
-constexpr const char* kMaze = " _ _\n|   |\n|S|_|\n";
+constexpr const char* kSmallMaze = " _ _\n|   |\n|S|_|\n";
 
 TEST(WorldCheck, SaysWhatIsInAWorld) {
   const ScratchFolder folder;
@@ -28,7 +28,7 @@ TEST(WorldCheck, SaysWhatIsInAWorld) {
 
 TEST(WorldCheck, SaysHowManyCellsAMazeHas) {
   const ScratchFolder folder;
-  folder.write("small.maz", kMaze);
+  folder.write("small.maz", kSmallMaze);
   const ProgramRun r = run_command({"world", "check", "small.maz"}, folder.path());
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("small.maz: 0.72 m x 0.72 m, 2 x 2 cells of 0.36 m"));

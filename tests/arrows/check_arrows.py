@@ -8,7 +8,7 @@ import pathlib
 import re
 import sys
 
-from forgotten import check_forgotten
+from forgotten import check_forgotten, check_unused
 
 SOURCES = {".c", ".h", ".cpp", ".hpp", ".ipp", ".py", ".sh", ".cmake"}
 CODE = {".c", ".h", ".cpp", ".hpp", ".ipp"}
@@ -156,7 +156,8 @@ def check_readmes(files: list[pathlib.PurePosixPath]) -> list[str]:
 def offences_in(root: pathlib.Path) -> list[str]:
     """One line for each rule that the tree under `root` breaks."""
     files = files_in(root)
-    return check_includes(root, files) + check_forgotten(root, files) + check_sizes(root, files) + check_readmes(files)
+    checks = (check_includes, check_forgotten, check_unused, check_sizes)
+    return [offence for check in checks for offence in check(root, files)] + check_readmes(files)
 
 
 def main() -> int:

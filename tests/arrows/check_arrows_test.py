@@ -141,6 +141,10 @@ class Forgotten(Tree):
         self.write("tests/hal/a.cpp", "TEST(A, Is) {}\n")
         self.assertEqual(self.offences(), ["tests/hal/a.cpp:1: TEST needs #include <gtest/gtest.h>"])
 
+    def test_an_unused_using_declaration_is_found(self):
+        self.write("hal/sim/a.cpp", "\nusing std::chrono::seconds;\nusing testing::Not;\nseconds second();\n")
+        self.assertEqual(self.offences(), ["hal/sim/a.cpp:3: Not is not used"])
+
 
 class Sizes(Tree):
     def test_400_lines_are_allowed(self):

@@ -1,6 +1,7 @@
-"""Finds forgotten includes of the headers that are precompiled: no compiler misses those.
+"""Finds what compilers and clang-tidy do not see when headers are precompiled and sources are compiled together.
 
-A name below wants its header, included by the source itself or by a header of ours that it includes.
+Forgotten includes of precompiled headers: a name below wants its header, included by the source itself or by a header of
+ours that it includes. And using-declarations that their own source makes no use of.
 """
 
 import pathlib
@@ -29,6 +30,7 @@ NAMES = {
 }
 WANTED = {header: re.compile(names, re.M) for header, names in NAMES.items()}
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([^">]+)[">]', re.M)
+USING = re.compile(r"^ *using (?:\w*::)+(\w+);", re.M)
 COMMENT = re.compile(r"//.*")
 ALSO = {"gmock/gmock.h": "gtest/gtest.h"}
 
@@ -74,3 +76,16 @@ def check_forgotten(root: pathlib.Path, files: list[pathlib.PurePosixPath]) -> l
                 number = code.count("\n", 0, match.start()) + 1
                 offences.append(f"{file}:{number}: {match[0].rstrip('(')} needs #include <{header}>")
     return sorted(offences)
+
+
+def check_unused(root: pathlib.Path, files: list[pathlib.PurePosixPath]) -> list[str]:
+    offences = []
+    for file in files:
+        if file.suffix != ".cpp":
+            continue
+        code = COMMENT.sub("", (root / file).read_text(errors="replace"))
+        for match in USING.finditer(code):
+            if len(re.findall(rf"\b{match[1]}\b", code)) == 1:
+                number = code.count("\n", 0, match.start()) + 1
+                offences.append(f"{file}:{number}: {match[1]} is not used")
+    return offences

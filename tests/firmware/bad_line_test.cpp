@@ -16,13 +16,13 @@ using bridges::Io7Client;
 using bridges::Io7Settings;
 using bridges::io7::ReplyForm;
 
-struct Dialect {
+struct LineDialect {
   const char* name;
   bool binary, verbose, prompt;
 };
-void PrintTo(const Dialect& dialect, std::ostream* out) { *out << dialect.name; }
+void PrintTo(const LineDialect& dialect, std::ostream* out) { *out << dialect.name; }
 
-class BadLine : public ::testing::TestWithParam<Dialect> {
+class BadLine : public ::testing::TestWithParam<LineDialect> {
  protected:
   BadLine() {
     board.board.pins.analog[0] = 1515;
@@ -90,10 +90,10 @@ TEST_P(BadLine, LostBytesAreErrorsOrRepetitionsButNeverWrongReadings) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Dialects, BadLine,
-                         ::testing::Values(Dialect{"Text", false, true, true},
-                                           Dialect{"Raw", false, false, false},
-                                           Dialect{"Binary", true, false, false},
-                                           Dialect{"BinaryText", true, true, false}),
+                         ::testing::Values(LineDialect{"Text", false, true, true},
+                                           LineDialect{"Raw", false, false, false},
+                                           LineDialect{"Binary", true, false, false},
+                                           LineDialect{"BinaryText", true, true, false}),
                          [](const auto& row) { return std::string(row.param.name); });
 
 }  // namespace

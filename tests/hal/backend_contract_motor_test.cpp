@@ -12,7 +12,7 @@
 namespace eyebridge::hal {
 namespace {
 
-constexpr double kSpeed = 0.3;  // metres per second
+constexpr double kMotorSpeed = 0.3;  // metres per second
 
 /// Ticks of a wheel for so many metres.
 double ticks_of(double metres) {
@@ -47,7 +47,7 @@ TEST_P(BackendContract, EncodersCountTheDistance) {
   const Rig rig = make(1.0);
   ASSERT_TRUE(rig.backend->encoder(1)->reset());
   ASSERT_TRUE(rig.backend->encoder(2)->reset());
-  ASSERT_TRUE(rig.backend->drive()->start({0.5, 0.0, kSpeed}));
+  ASSERT_TRUE(rig.backend->drive()->start({0.5, 0.0, kMotorSpeed}));
   rig.wait_for_drive();
   rig.wait(traits().age);
   const double tolerance = ticks_of(traits().way) + 1;
@@ -61,7 +61,7 @@ TEST_P(BackendContract, EncodersCountTheDistance) {
 TEST_P(BackendContract, EncodersCountDownBackwards) {
   const Rig rig = make(1.0);
   EXPECT_EQ(must(rig.backend->encoder(1)->read()), 0);
-  ASSERT_TRUE(rig.backend->drive()->start({-0.2, 0.0, kSpeed}));
+  ASSERT_TRUE(rig.backend->drive()->start({-0.2, 0.0, kMotorSpeed}));
   rig.wait_for_drive();
   rig.wait(traits().age);
   EXPECT_NEAR(must(rig.backend->encoder(1)->read()), ticks_of(-0.2), ticks_of(traits().way) + 1);
@@ -107,7 +107,7 @@ TEST_P(BackendContract, MotorsKeepTheSpeedTheyAreTold) {
 
 TEST_P(BackendContract, AMotorThatIsUsedEndsTheMovement) {
   const Rig rig = make(1.5);
-  ASSERT_TRUE(rig.backend->drive()->start({1.2, 0.0, kSpeed}));
+  ASSERT_TRUE(rig.backend->drive()->start({1.2, 0.0, kMotorSpeed}));
   rig.wait(0.5);
   ASSERT_TRUE(rig.backend->motor(1)->set_duty(0.0));
   ASSERT_TRUE(rig.backend->motor(2)->set_duty(0.0));
@@ -117,7 +117,7 @@ TEST_P(BackendContract, AMotorThatIsUsedEndsTheMovement) {
   EXPECT_NEAR(front(rig), stopped, traits().range);
   EXPECT_NE(must(rig.backend->drive()->status()).progress, DriveProgress::Driving);
   // And the drive takes it back.
-  ASSERT_TRUE(rig.backend->drive()->start({-0.1, 0.0, kSpeed}));
+  ASSERT_TRUE(rig.backend->drive()->start({-0.1, 0.0, kMotorSpeed}));
   EXPECT_EQ(rig.wait_for_drive().progress, DriveProgress::Done);
   rig.wait(traits().age);
   EXPECT_NEAR(front(rig), stopped + 0.1, traits().way + 2 * traits().range);
@@ -130,7 +130,7 @@ TEST_P(BackendContract, StopStopsAtOnceWhateverMovedTheRobot) {
       ASSERT_TRUE(rig.backend->motor(1)->set_duty(0.1));
       ASSERT_TRUE(rig.backend->motor(2)->set_duty(0.1));
     } else {
-      ASSERT_TRUE(rig.backend->drive()->start({1.0, 0.0, kSpeed}));
+      ASSERT_TRUE(rig.backend->drive()->start({1.0, 0.0, kMotorSpeed}));
     }
     rig.wait(0.5);
     EXPECT_LT(front(rig), 1.49);
@@ -145,7 +145,7 @@ TEST_P(BackendContract, StopStopsAtOnceWhateverMovedTheRobot) {
 
 TEST_P(BackendContract, LosingTheRobotIsAnErrorNotAReading) {
   const Rig rig = make(1.5);
-  ASSERT_TRUE(rig.backend->drive()->start({1.0, 0.0, kSpeed}));
+  ASSERT_TRUE(rig.backend->drive()->start({1.0, 0.0, kMotorSpeed}));
   rig.wait(0.5);
   if (rig.unplug) rig.unplug();
   rig.wait(0.5);
@@ -169,7 +169,7 @@ TEST_P(BackendContract, TraceTellsOfTheRunInOrder) {
   const Rig rig = make(1.5);
   KeepingTrace trace;
   rig.backend->trace_to(&trace);
-  ASSERT_TRUE(rig.backend->drive()->start({0.3, 0.0, kSpeed}));
+  ASSERT_TRUE(rig.backend->drive()->start({0.3, 0.0, kMotorSpeed}));
   rig.wait_for_drive();
   rig.wait(2 * to_seconds(traits().trace_period));  // the last point may be a period old
   rig.backend->trace_to(nullptr);

@@ -10,7 +10,7 @@
 namespace eyebridge::files {
 namespace {
 
-constexpr std::array<std::string_view, 17> kKeywords = {
+constexpr std::array<std::string_view, 17> kHdtKeywords = {
     "EYEBOT", "SSID",  "ROBIOS", "LCD", "IRTV", "USB",    "MOTOR",    "SERVO",       "ENCODER",
     "PSD",    "DRIVE", "TABLE",  "CAM", "ADC",  "SERIAL", "DEMOPATH", "SOFTWAREPATH"};
 constexpr int kMotors = 4;
@@ -41,7 +41,7 @@ class HdtReader {
     tables_.finish(lines_.line());
     if (!any_) {
       throw ConfigError({file_, std::max(1, lines_.line()), 1},
-                        "no keyword of an HDT in it: expected " + one_of(kKeywords));
+                        "no keyword of an HDT in it: expected " + one_of(kHdtKeywords));
     }
     resolve();
     return std::move(out_);
@@ -75,12 +75,12 @@ class HdtReader {
   }
 
   void unknown(const Statement& s) {
-    const std::string_view near = nearest(s.text(0), kKeywords);
+    const std::string_view near = nearest(s.text(0), kHdtKeywords);
     const bool compass = lower(s.text(0)) == "compass";
     warnings_.add(s.line(), s.token(0).column,
                   compass ? "COMPASS ignored: its fields are not documented"
                           : in_quotes(s.text(0)) + " ignored: expected " +
-                                (near.empty() ? one_of(kKeywords) : in_quotes(near) + "?"));
+                                (near.empty() ? one_of(kHdtKeywords) : in_quotes(near) + "?"));
   }
 
   /// What the numbered dialect says of the computer. False for other keywords.

@@ -8,7 +8,7 @@
 namespace eyebridge::files {
 namespace {
 
-constexpr std::array<std::string_view, 10> kKeywords = {
+constexpr std::array<std::string_view, 10> kObjectKeywords = {
     "obj", "name", "scale", "mass", "collider", "capsule", "sphere", "box", "buoyancy", "fixed"};
 constexpr double kMaxValue = 1e9;  // model units, before `scale`
 
@@ -79,7 +79,8 @@ world::ObjectSpec read_object(std::string_view text, const std::string& file,
     } else if (keyword == "box" || keyword == "sphere" || keyword == "capsule") {
       extent.metres = true;  // the form without `collider` counts in metres
       add_shape(s, keyword, 1, extent);
-    } else if (std::find(kKeywords.begin(), kKeywords.end(), keyword) == kKeywords.end()) {
+    } else if (std::find(kObjectKeywords.begin(), kObjectKeywords.end(), keyword) ==
+               kObjectKeywords.end()) {
       warnings.add(s.line(), s.token(0).column,
                    "unknown keyword " + in_quotes(s.text(0)) + " is ignored");
     }

@@ -9,7 +9,7 @@
 namespace eyebridge::files {
 namespace {
 
-constexpr std::array<std::string_view, 14> kKeywords = {
+constexpr std::array<std::string_view, 14> kParameterKeywords = {
     "name",  "diameter", "speed", "turn", "world",     "maze",  "pause",
     "debug", "psd",      "ir",    "bump", "psd_range", "accel", "error"};
 
@@ -65,9 +65,9 @@ void read_statement(const Statement& s, ParameterFile& out, RobotBuilder& builde
   } else if (keyword == "bump") {
     builder.add_bump(s);
   } else {
-    const std::string_view near = nearest(keyword, kKeywords);
+    const std::string_view near = nearest(keyword, kParameterKeywords);
     s.fail(0, "unknown keyword " + in_quotes(s.text(0)) + ": expected " +
-                  (near.empty() ? one_of(kKeywords) : in_quotes(near) + "?"));
+                  (near.empty() ? one_of(kParameterKeywords) : in_quotes(near) + "?"));
   }
 }
 
@@ -86,8 +86,9 @@ ParameterFile read_parameter_file(std::string_view text, const std::string& file
     read_statement(s, out, builder);
   }
   if (empty) {
-    throw ConfigError({file, std::max(1, statements.line()), 1},
-                      "no keyword of a parameter file in it: expected " + one_of(kKeywords));
+    throw ConfigError(
+        {file, std::max(1, statements.line()), 1},
+        "no keyword of a parameter file in it: expected " + one_of(kParameterKeywords));
   }
   out.robot = builder.finish();
   return out;

@@ -13,7 +13,7 @@ namespace eyebridge::files {
 namespace {
 
 constexpr double kMaxSize = 10000;  // millimetres: no robot or mounting is larger
-constexpr std::array<std::string_view, 20> kKeywords = {
+constexpr std::array<std::string_view, 20> kRobiKeywords = {
     "name",  "diameter", "speed", "turn",      "model", "axis",     "axel",
     "psd",   "camera",   "wheel", "drive",     "mass",  "collider", "fisheye",
     "lidar", "ir",       "bump",  "psd_range", "accel", "error"};
@@ -47,7 +47,7 @@ class RobiReader {
 
   void read_statement(const Statement& s) {
     const std::string keyword = lower(s.text(0));
-    if (std::find(kKeywords.begin(), kKeywords.end(), keyword) == kKeywords.end()) {
+    if (std::find(kRobiKeywords.begin(), kRobiKeywords.end(), keyword) == kRobiKeywords.end()) {
       unknown(s, keyword);
       return;
     }
@@ -102,7 +102,7 @@ class RobiReader {
   }
 
   void unknown(const Statement& s, const std::string& keyword) {
-    if (const std::string_view near = nearest(keyword, kKeywords); !near.empty()) {
+    if (const std::string_view near = nearest(keyword, kRobiKeywords); !near.empty()) {
       s.fail(0, "unknown keyword " + in_quotes(s.text(0)) + ": expected " + in_quotes(near) + "?");
     }
     if (!new_dialect_) return;  // the old dialect calls such lines comments

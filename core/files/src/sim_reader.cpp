@@ -11,8 +11,8 @@ namespace eyebridge::files {
 namespace {
 
 constexpr std::size_t kMaxThings = 100000;
-constexpr std::array<std::string_view, 8> kKeywords = {"world", "maze",   "robi",     "robot",
-                                                       "obj",   "object", "settings", "marker"};
+constexpr std::array<std::string_view, 8> kSimKeywords = {"world", "maze",   "robi",     "robot",
+                                                          "obj",   "object", "settings", "marker"};
 constexpr std::string_view kRobotForm = "NAME x y phi [program]' or 'NAME S [phi] [program]";
 
 bool is_start_letter(std::string_view word) {
@@ -154,14 +154,14 @@ class SimReader {
   }
 
   void read_robot(const Statement& s, const std::string& keyword) {
-    const std::string_view near = nearest(keyword, kKeywords);
+    const std::string_view near = nearest(keyword, kSimKeywords);
     if (s.size() >= 2 && is_start_letter(s.text(1))) {
       place_at_letter(s);
       return;
     }
     if (s.size() < 2 || !s.is_number(1)) {
       s.fail(0, "unknown keyword " + in_quotes(s.text(0)) + ": expected " +
-                    (near.empty() ? one_of(kKeywords) + ", or '" + std::string(kRobotForm) + "'"
+                    (near.empty() ? one_of(kSimKeywords) + ", or '" + std::string(kRobotForm) + "'"
                                   : in_quotes(near) + "?"));
     }
     SimRobot robot;

@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t kMaxNesting = 1000;  // one published world nests 83 frames
 constexpr std::size_t kMaxWalls = 500000;
 constexpr std::size_t kMaxStarts = 10000;
-constexpr std::array<std::string_view, 7> kKeywords = {"floor", "width",    "height",       "push",
-                                                       "pop",   "position", "floor_texture"};
+constexpr std::array<std::string_view, 7> kWorldKeywords = {
+    "floor", "width", "height", "push", "pop", "position", "floor_texture"};
 
 struct Frame {
   Pose pose;
@@ -87,9 +87,9 @@ class WorldReader {
         warnings_.add(s.line(), 1, "a second floor_texture: this one counts");
       model_.floor_texture = std::string(s.text(1));
     } else {
-      const std::string_view near = nearest(keyword, kKeywords);
+      const std::string_view near = nearest(keyword, kWorldKeywords);
       s.fail(0, "unknown keyword " + in_quotes(s.text(0)) + ": expected " +
-                    (near.empty() ? "a wall (4, 6 or 9 numbers), " + one_of(kKeywords)
+                    (near.empty() ? "a wall (4, 6 or 9 numbers), " + one_of(kWorldKeywords)
                                   : in_quotes(near) + "?"));
     }
   }
@@ -200,11 +200,11 @@ class WorldReader {
   void warn_of_walls_outside() {
     std::size_t outside = 0;
     std::size_t first = 0;
-    constexpr double kSlack = 1e-6;  // frames turned by 90 degrees miss their walls by rounding
+    constexpr double kOutside = 1e-6;  // frames turned by 90 degrees miss their walls by rounding
     for (std::size_t i = 0; i < model_.walls.size(); ++i) {
       const auto out = [&](Vec2 p) {
-        return p.x < -kSlack || p.y < -kSlack || p.x > model_.width + kSlack ||
-               p.y > model_.height + kSlack;
+        return p.x < -kOutside || p.y < -kOutside || p.x > model_.width + kOutside ||
+               p.y > model_.height + kOutside;
       };
       if (!out(model_.walls[i].a) && !out(model_.walls[i].b)) continue;
       if (outside++ == 0) first = i;

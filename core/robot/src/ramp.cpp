@@ -28,8 +28,8 @@ Twist approach(const Twist& from, const Twist& to, const DriveLimits& limits) {
       std::clamp(to.linear, from.linear - limits.linear_step, from.linear + limits.linear_step),
       std::clamp(to.angular, from.angular - limits.angular_step,
                  from.angular + limits.angular_step)};
-  constexpr double kRounding = 1.0 + 1e-12;
-  if (rim_speed(apart, limits) <= limits.wheel * kRounding) return apart;
+  constexpr double kRimRounding = 1.0 + 1e-12;
+  if (rim_speed(apart, limits) <= limits.wheel * kRimRounding) return apart;
   // The twists that the wheels can do are a convex set that holds both ends, so the straight way
   // between them is allowed where the two parts on their own are not.
   const double linear = std::abs(to.linear - from.linear);

@@ -9,7 +9,7 @@ namespace eyebridge::world {
 namespace {
 
 /// More cells cost memory, fewer cost tests; flat between 0.5 and 1.5.
-constexpr double kSegmentsPerCell = 1.0;
+constexpr double kWallsPerCell = 1.0;
 
 /// A wall on its line: direction and offset rounded so that walls of one line compare equal.
 struct OnLine {
@@ -79,7 +79,7 @@ std::vector<Wall> join_collinear(const std::vector<Wall>& walls) {
 WallIndex::WallIndex(const std::vector<Wall>& walls)
     : joined_(join_collinear(walls)),
       segments_(outlines_of(joined_)),
-      grid_(segments_, cell_size_for(segments_, kSegmentsPerCell), 0) {
+      grid_(segments_, cell_size_for(segments_, kWallsPerCell), 0) {
   for (std::uint32_t i = 0; i < joined_.size(); ++i) {
     const bool thick = joined_[i].thickness > 0.0;
     owners_.insert(owners_.end(), thick ? 4 : 1, i);

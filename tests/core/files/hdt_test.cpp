@@ -17,14 +17,14 @@ std::string table(const std::string& name, int count, int step = 1) {
   return out + "\nEND TABLE\n";
 }
 
-Hdt read(const std::string& text) {
+Hdt hdt_of(const std::string& text) {
   std::vector<Warning> warnings;
   Hdt hdt = read_hdt(text, "hdt.txt", warnings);
   EXPECT_TRUE(warnings.empty()) << warnings.front().str();
   return hdt;
 }
 
-std::string error(const std::string& text) {
+std::string hdt_error(const std::string& text) {
   return error_of([&] {
     std::vector<Warning> warnings;
     read_hdt(text, "hdt.txt", warnings);
@@ -54,7 +54,7 @@ SOFTWAREPATH /home/pi/usr
                               table("near", 5, 100);
 
 TEST(HdtNumbered, DevicesHaveTheirNumbersAndUnits) {
-  const Hdt hdt = read(kNumbered);
+  const Hdt hdt = hdt_of(kNumbered);
   EXPECT_EQ(hdt.dialect, HdtDialect::Numbered);
   ASSERT_EQ(hdt.motors.size(), 2u);
   EXPECT_EQ(hdt.motors[0].id, 1);
@@ -78,7 +78,7 @@ TEST(HdtNumbered, DevicesHaveTheirNumbersAndUnits) {
 }
 
 TEST(HdtNumbered, DriveIsInMetresAndItsSpeedWasInCentimetres) {
-  const Hdt hdt = read(kNumbered);
+  const Hdt hdt = hdt_of(kNumbered);
   ASSERT_TRUE(hdt.drive);
   EXPECT_EQ(hdt.drive->kind, robot::DriveKind::Differential);
   EXPECT_DOUBLE_EQ(hdt.drive->wheel_base, 0.095);
@@ -89,7 +89,7 @@ TEST(HdtNumbered, DriveIsInMetresAndItsSpeedWasInCentimetres) {
 }
 
 TEST(HdtNumbered, TheComputersLinesAreRead) {
-  const Hdt hdt = read(kNumbered);
+  const Hdt hdt = hdt_of(kNumbered);
   EXPECT_EQ(hdt.name, "Little Rover");
   EXPECT_EQ(hdt.network, "workshop");
   EXPECT_TRUE(hdt.joins_network);
@@ -104,7 +104,7 @@ TEST(HdtNumbered, TheComputersLinesAreRead) {
 }
 
 TEST(HdtNumbered, IrtvIsAFlagOrARemoteControl) {
-  const Hdt hdt = read(kNumbered);
+  const Hdt hdt = hdt_of(kNumbered);
   ASSERT_EQ(hdt.remotes.size(), 1u);
   const HdtRemote& remote = hdt.remotes[0];
   EXPECT_EQ(remote.name, "remote");
@@ -129,7 +129,7 @@ SERIAL "console" "/dev/ttyS0"
                            table("\"far away\"", 3, 500);
 
 TEST(HdtNamed, DevicesCountFromOneInTheirOrder) {
-  const Hdt hdt = read(kNamed);
+  const Hdt hdt = hdt_of(kNamed);
   EXPECT_EQ(hdt.dialect, HdtDialect::Named);
   ASSERT_EQ(hdt.motors.size(), 2u);
   EXPECT_EQ(hdt.motors[1].id, 2);
@@ -151,7 +151,7 @@ TEST(HdtNamed, DevicesCountFromOneInTheirOrder) {
 }
 
 TEST(HdtNamed, DriveFindsItsEncodersByName) {
-  const Hdt hdt = read(
+  const Hdt hdt = hdt_of(
       "ENCODER \"b\" 1 100 0 \"m\"\nENCODER \"a\" 2 100 0 \"m\"\nMOTOR \"m\" 1 100\n"
       "DRIVE \"d\" ACKERMANN 100 110 200 \"a\" \"b\"\n");
   ASSERT_TRUE(hdt.drive);
@@ -162,7 +162,7 @@ TEST(HdtNamed, DriveFindsItsEncodersByName) {
 }
 
 TEST(HdtNamed, OmniDriveHasFourEncoders) {
-  const Hdt hdt = read(
+  const Hdt hdt = hdt_of(
       "MOTOR \"m\" 1 100\nENCODER \"a\" 2 100 0 \"m\"\n"
       "DRIVE \"d\" OMNI 100 200 \"a\" \"a\" \"a\" \"a\"\n");
   EXPECT_EQ(hdt.drive->kind, robot::DriveKind::Omni);
@@ -170,7 +170,7 @@ TEST(HdtNamed, OmniDriveHasFourEncoders) {
 }
 
 TEST(HdtReading, KeywordsOfAnyCaseDosLineEndsAndAMissingLastOneAreFine) {
-  const Hdt hdt = read("\xEF\xBB\xBFmotor 1 t\r\ntable t\r\n" + [] {
+  const Hdt hdt = hdt_of("\xEF\xBB\xBFmotor 1 t\r\ntable t\r\n" + [] {
     std::string values;
     for (int i = 0; i <= 100; ++i) values += std::to_string(i) + ",";
     return values;
@@ -197,7 +197,7 @@ void PrintTo(const BadCase& tested, std::ostream* out) { *out << tested.name; }
 
 class BadHdt : public testing::TestWithParam<BadCase> {};
 
-TEST_P(BadHdt, IsRefusedAtItsPlace) { EXPECT_EQ(error(GetParam().text), GetParam().message); }
+TEST_P(BadHdt, IsRefusedAtItsPlace) { EXPECT_EQ(hdt_error(GetParam().text), GetParam().message); }
 
 const BadCase kBad[] = {
     {"MissingTable", "LCD 0\nPSD 1 none\n",
@@ -262,13 +262,15 @@ INSTANTIATE_TEST_SUITE_P(Hdt, BadHdt, testing::ValuesIn(kBad),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(HdtReading, AFileWithoutAnyOfItsKeywordsIsNoHdt) {
-  EXPECT_THAT(error(""), HasSubstr("hdt.txt:1:1: no keyword of an HDT in it: expected EYEBOT"));
-  EXPECT_THAT(error("floor_texture x\nrobi y\n"), HasSubstr("hdt.txt:2:1: no keyword of an HDT"));
-  EXPECT_THAT(error(std::string("\0\1", 2)), HasSubstr("expected a text file"));
+  EXPECT_THAT(hdt_error(""), HasSubstr("hdt.txt:1:1: no keyword of an HDT in it: expected EYEBOT"));
+  EXPECT_THAT(hdt_error("floor_texture x\nrobi y\n"),
+              HasSubstr("hdt.txt:2:1: no keyword of an HDT"));
+  EXPECT_THAT(hdt_error(std::string("\0\1", 2)), HasSubstr("expected a text file"));
 }
 
 TEST(HdtReading, ATableMayNotGrowForEver) {
-  EXPECT_THAT(error(table("t", 65537)), HasSubstr("table 't' is too long: expected at most 65536"));
+  EXPECT_THAT(hdt_error(table("t", 65537)),
+              HasSubstr("table 't' is too long: expected at most 65536"));
 }
 
 TEST(ServoLimits, AreInTensOfMicrosecondsAndAtMost255) {

@@ -18,7 +18,7 @@ constexpr const char* kRoom =
     "floor 2000 2000\n0 0 2000 0\n2000 0 2000 2000\n2000 2000 0 2000\n"
     "0 2000 0 0\n";
 
-std::string error(const std::filesystem::path& path, const std::string& robot = "S4") {
+std::string load_error(const std::filesystem::path& path, const std::string& robot = "S4") {
   return error_of([&] { load_scenario(path, robot); });
 }
 
@@ -55,30 +55,31 @@ TEST(Load, ARobotInAWallIsAnErrorAtTheLineThatPlacesIt) {
   const Folder folder;
   folder.write("a.wld", kRoom);
   const auto path = folder.write("a.sim", "world a.wld\n  S4 50 1000 0\n");
-  EXPECT_EQ(error(path), path.string() +
-                             ":2:3: S4 (186 mm across) at (50, 1000) mm stands in the "
-                             "wall from (0, 2000) mm to (0, 0) mm: expected a free "
-                             "place");
+  EXPECT_EQ(load_error(path), path.string() +
+                                  ":2:3: S4 (186 mm across) at (50, 1000) mm stands in the "
+                                  "wall from (0, 2000) mm to (0, 0) mm: expected a free "
+                                  "place");
 }
 
 TEST(Load, AStartInAWallIsAnErrorAtItsLineOrLetter) {
   const Folder folder;
   const auto world = folder.write("a.wld", std::string(kRoom) + " position 50 1000 0\n");
-  EXPECT_THAT(error(world), HasSubstr(world.string() + ":6:2: S4 (186 mm across) at (50, 1000)"));
+  EXPECT_THAT(load_error(world),
+              HasSubstr(world.string() + ":6:2: S4 (186 mm across) at (50, 1000)"));
   folder.write("p.p", "diameter 200\nworld a.wld\n");
-  EXPECT_THAT(error(folder.path() / "p.p"), HasSubstr("a.wld:6:2: "));
+  EXPECT_THAT(load_error(folder.path() / "p.p"), HasSubstr("a.wld:6:2: "));
   const auto maze = folder.write("m.maz", " _\n|S|\n100\n");
-  EXPECT_THAT(error(maze), HasSubstr(maze.string() + ":2:2: S4 (186 mm across) at (50, 50)"));
+  EXPECT_THAT(load_error(maze), HasSubstr(maze.string() + ":2:2: S4 (186 mm across) at (50, 50)"));
 }
 
 TEST(Load, ARobotTooBigForAMazeIsToldWhichOneFits) {
   const Folder folder;
   constexpr const char* kHint = "; a smaller robot fits: --robot Mouse";
-  EXPECT_THAT(error(folder.write("m.maz", " _\n|S|\n100\n")), EndsWith(kHint));
-  EXPECT_THAT(error(folder.write("n.maz", " _\n|_|\n100\n")), EndsWith(kHint));
-  EXPECT_EQ(error(folder.path() / "m.maz", "Mouse"), "no error");
-  EXPECT_THAT(error(folder.write("tiny.maz", " _\n|S|\n30\n")), Not(HasSubstr("Mouse")));
-  EXPECT_THAT(error(folder.write("a.wld", "floor 100 100\n0 0 100 100\n")),
+  EXPECT_THAT(load_error(folder.write("m.maz", " _\n|S|\n100\n")), EndsWith(kHint));
+  EXPECT_THAT(load_error(folder.write("n.maz", " _\n|_|\n100\n")), EndsWith(kHint));
+  EXPECT_EQ(load_error(folder.path() / "m.maz", "Mouse"), "no error");
+  EXPECT_THAT(load_error(folder.write("tiny.maz", " _\n|S|\n30\n")), Not(HasSubstr("Mouse")));
+  EXPECT_THAT(load_error(folder.write("a.wld", "floor 100 100\n0 0 100 100\n")),
               Not(HasSubstr("--robot")));
 }
 
@@ -122,9 +123,9 @@ TEST(Load, AFloorTextureLiesBesideItsWorld) {
 TEST(Load, ARobotInAnotherOneOrInACanIsAnError) {
   const Folder folder;
   folder.write("a.wld", kRoom);
-  EXPECT_THAT(error(folder.write("a.sim", "world a.wld\nS4 500 500 0\nS4 600 500 0\n")),
+  EXPECT_THAT(load_error(folder.write("a.sim", "world a.wld\nS4 500 500 0\nS4 600 500 0\n")),
               HasSubstr("a.sim:3:1: S4 (186 mm across) at (600, 500) mm stands in the S4 at"));
-  EXPECT_THAT(error(folder.write("b.sim", "world a.wld\nS4 500 500 0\nCan 600 500 0\n")),
+  EXPECT_THAT(load_error(folder.write("b.sim", "world a.wld\nS4 500 500 0\nCan 600 500 0\n")),
               HasSubstr("b.sim:2:1: S4 (186 mm across) at (500, 500) mm stands in the can at"));
 }
 
@@ -165,7 +166,7 @@ TEST(Load, FilesAreSearchedBesideInTheHomeAndAmongOurWorlds) {
   const Folder folder;
   folder.write("sim/worlds/room.wld", kRoom);
   const auto path = folder.write("a.sim", "world %SIM%\\worlds\\room.wld\nS4 500 500 0\n");
-  EXPECT_THAT(error(path),
+  EXPECT_THAT(load_error(path),
               HasSubstr("a.sim:1:7: '%SIM%\\worlds\\room.wld' found, but EYESIM_HOME"));
   SearchPlaces places;
   places.eyesim_home = folder.path() / "sim";
@@ -178,22 +179,22 @@ TEST(Load, FilesAreSearchedBesideInTheHomeAndAmongOurWorlds) {
 TEST(Load, MissingFilesAndNamesAreErrorsAtTheirLine) {
   const Folder folder;
   EXPECT_THAT(
-      error(folder.write("a.sim", "world C:\\no\\such.wld\n")),
+      load_error(folder.write("a.sim", "world C:\\no\\such.wld\n")),
       HasSubstr("a.sim:1:7: no file 'C:\\no\\such.wld': expected it in the working folder"));
-  EXPECT_THAT(error(folder.write("b.sim", "world empty-room.wld\nrobot no.robi\n")),
+  EXPECT_THAT(load_error(folder.write("b.sim", "world empty-room.wld\nrobot no.robi\n")),
               HasSubstr("b.sim:2:7: no file 'no.robi'"));
-  EXPECT_THAT(error(folder.write("c.sim", "S5 1 2 3\n")),
+  EXPECT_THAT(load_error(folder.write("c.sim", "S5 1 2 3\n")),
               HasSubstr("c.sim:1:1: no robot or object 'S5': expected S4, LabBot or Mouse"));
-  EXPECT_THAT(error(folder.write("d.sim", "world maze-5.maz\nS4 L\n")),
+  EXPECT_THAT(load_error(folder.write("d.sim", "world maze-5.maz\nS4 L\n")),
               HasSubstr("d.sim:2:1: no start 'L' left"));
-  EXPECT_EQ(error(folder.path() / "none.wld"),
+  EXPECT_EQ(load_error(folder.path() / "none.wld"),
             (folder.path() / "none.wld").string() + ": no such file");
-  EXPECT_THAT(error(folder.write("e.txt", "x")), HasSubstr("unknown kind of file"));
-  EXPECT_EQ(error(folder.write("f.wld", kRoom), "R2D2"),
+  EXPECT_THAT(load_error(folder.write("e.txt", "x")), HasSubstr("unknown kind of file"));
+  EXPECT_EQ(load_error(folder.write("f.wld", kRoom), "R2D2"),
             "default robot: no robot 'R2D2': expected S4, LabBot or Mouse");
   EXPECT_EQ(error_of([&] { load_scenario(folder.path() / "f.wld", "R2D2", {}, {"--robot"}); }),
             "--robot: no robot 'R2D2': expected S4, LabBot or Mouse");
-  EXPECT_THAT(error(folder.write("g.p", "diameter 100\n maze no.maz\n")),
+  EXPECT_THAT(load_error(folder.write("g.p", "diameter 100\n maze no.maz\n")),
               HasSubstr("g.p:2:7: no file 'no.maz'"));
 }
 

@@ -6,15 +6,15 @@
 namespace eyebridge::files {
 namespace {
 
-std::vector<Warning> warnings;
+std::vector<Warning> parameter_warnings;
 
-ParameterFile read(const std::string& text) {
-  warnings.clear();
-  return read_parameter_file(text, "eyesim.p", warnings);
+ParameterFile parameter_of(const std::string& text) {
+  parameter_warnings.clear();
+  return read_parameter_file(text, "eyesim.p", parameter_warnings);
 }
 
 TEST(Parameters, ReadsEveryKeyword) {
-  const auto file = read(
+  const auto file = parameter_of(
       "name Rookie\ndiameter 150 # mm\nspeed 40\nturn 180\nmaze demo.maz\n"
       "pause on\ndebug off\npsd PSD_LEFT -205 90 70 0\npsd PSD_FRONT -200 0 70 0\n"
       "ir IR_F -400 0 75 45\nbump BUMP_RIGHT -500 -180 0\n");
@@ -34,15 +34,16 @@ TEST(Parameters, ReadsEveryKeyword) {
   EXPECT_EQ(file.robot.proximity_sensors.at(0).id, 1);
   EXPECT_NEAR(file.robot.proximity_sensors.at(0).pose_in_robot.theta, kPi / 4, 1e-12);
   EXPECT_EQ(file.robot.bumpers.at(0).start, -kPi);
-  EXPECT_EQ(warnings.size(), 3u);  // one for each kind of sensor that was renumbered
+  EXPECT_EQ(parameter_warnings.size(), 3u);  // one for each kind of sensor that was renumbered
 }
 
 TEST(Parameters, KnowsOurErrorModels) {
-  EXPECT_EQ(read("psd A 1 0 0 0\nerror psd 5 0\n").robot.range_sensors.at(0).error.sigma, 0.005);
+  EXPECT_EQ(parameter_of("psd A 1 0 0 0\nerror psd 5 0\n").robot.range_sensors.at(0).error.sigma,
+            0.005);
 }
 
 TEST(Parameters, EveryMistakeIsNamed) {
-  const auto error = [](const std::string& text) { return error_of([&] { read(text); }); };
+  const auto error = [](const std::string& text) { return error_of([&] { parameter_of(text); }); };
   EXPECT_EQ(error("name X\nspeeed 3\n"),
             "eyesim.p:2:1: unknown keyword 'speeed': expected 'speed'?");
   EXPECT_THAT(

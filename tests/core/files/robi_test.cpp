@@ -6,19 +6,19 @@
 namespace eyebridge::files {
 namespace {
 
-std::vector<Warning> warnings;
+std::vector<Warning> robi_warnings;
 
-robot::RobotModel read(const std::string& text) {
-  warnings.clear();
-  return read_robi(text, "r.robi", warnings);
+robot::RobotModel robi_of(const std::string& text) {
+  robi_warnings.clear();
+  return read_robi(text, "r.robi", robi_warnings);
 }
 
-std::string error(const std::string& text) {
-  return error_of([&] { read(text); });
+std::string robi_error(const std::string& text) {
+  return error_of([&] { robi_of(text); });
 }
 
 TEST(Robi, ReadsTheOldDialect) {
-  const auto robot = read(
+  const auto robot = robi_of(
       "name My Bot \t# best\ndiameter 200\nspeed 500\nturn 90\n"
       "psd PSD_LEFT 2 56 45 30 90\ncamera 62 0 60 0 -5 80 60\n"
       "wheel 54 3600 1100 90\ndrive DIFFERENTIAL_DRIVE MOTOR_LEFT QUAD_LEFT\n"
@@ -36,11 +36,11 @@ TEST(Robi, ReadsTheOldDialect) {
   ASSERT_TRUE(robot.camera);
   EXPECT_EQ(robot.camera->tilt, deg_to_rad(-5));
   EXPECT_EQ(robot.camera->max_pan, deg_to_rad(90));  // 80 x 60 is the size of a picture
-  EXPECT_TRUE(warnings.empty());
+  EXPECT_TRUE(robi_warnings.empty());
 }
 
 TEST(Robi, ReadsTheNewDialect) {
-  const auto robot = read(
+  const auto robot = robi_of(
       "drive DIFFERENTIAL_DRIVE\nname \"S 4\"\nmass 50 0 30 -30\n"
       "collider box 60 74 80 0 46 0\naxis 22.7 10.8\n"
       "psd 2 PSD_LEFT 10 20 30 0 90 0\ncamera 62 0 60 0 0 45 30\nfisheye 120\n"
@@ -56,22 +56,23 @@ TEST(Robi, ReadsTheNewDialect) {
   EXPECT_EQ(robot.camera->horizontal_field_of_view, deg_to_rad(120));
   EXPECT_EQ(robot.lidar->points, 180);
   EXPECT_EQ(robot.lidar->tilt, deg_to_rad(-10));
-  EXPECT_TRUE(warnings.empty());
+  EXPECT_TRUE(robi_warnings.empty());
 }
 
 TEST(Robi, NegativeAndMissingIdsBecomeThoseOfPrograms) {
-  const auto robot = read(
+  const auto robot = robi_of(
       "name X\ndiameter 100\npsd PSD_BACK -212 -40 0 0 180\n"
       "psd PSD_DIAG -203 5 8 0 0\npsd PSD_FRONT 60 20 30 0\n");
   EXPECT_EQ(robot.range_sensors.at(0).id, 4);
   EXPECT_EQ(robot.range_sensors.at(1).id, 5);
   EXPECT_EQ(robot.range_sensors.at(2).id, 1);
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_THAT(warnings[0].text, testing::HasSubstr("PSD_BACK = 4, PSD_DIAG = 5, PSD_FRONT = 1"));
+  ASSERT_EQ(robi_warnings.size(), 1u);
+  EXPECT_THAT(robi_warnings[0].text,
+              testing::HasSubstr("PSD_BACK = 4, PSD_DIAG = 5, PSD_FRONT = 1"));
 }
 
 TEST(Robi, ReadsThrowsOfServosAsPanAndTilt) {
-  const auto robot = read("diameter 9\ncamera 45 0 72 SERVO1(-90,+90) SERVO2(-95,+85) 80 60\n");
+  const auto robot = robi_of("diameter 9\ncamera 45 0 72 SERVO1(-90,+90) SERVO2(-95,+85) 80 60\n");
   EXPECT_EQ(robot.camera->pan, 0);
   EXPECT_EQ(robot.camera->max_pan, deg_to_rad(90));
   EXPECT_EQ(robot.camera->tilt, deg_to_rad(-5));
@@ -79,7 +80,7 @@ TEST(Robi, ReadsThrowsOfServosAsPanAndTilt) {
 }
 
 TEST(Robi, AckermannTakesItsDrivenWheels) {
-  const auto robot = read(
+  const auto robot = robi_of(
       "drive ACKERMANN_DRIVE\naxel drive 22.7 -94\naxel turn 12 66\n"
       "wheel drive 40 7200 640 44.5\nwheel turn 28 7200 640 40\n");
   EXPECT_EQ(robot.drive.kind, robot::DriveKind::Ackermann);
@@ -89,7 +90,7 @@ TEST(Robi, AckermannTakesItsDrivenWheels) {
 }
 
 TEST(Robi, ReadsOurExtensionsAndAppliesThemToEarlierLines) {
-  const auto robot = read(
+  const auto robot = robi_of(
       "error psd 4 2\ndiameter 99\npsd A 1 0 0 0 0\npsd_range 50 800\n"
       "ir I 1 80 0 20 0 120\nbump B 1 -45 45\naccel 800 90\ncamera 1 2 3 4 5\n"
       "lidar 9 0\nerror drive 3 4\nerror wheels 1 -2\nerror encoder quantised\n"
@@ -114,24 +115,24 @@ TEST(Robi, ReadsOurExtensionsAndAppliesThemToEarlierLines) {
 }
 
 TEST(Robi, ErrorsAreOffUnlessAskedFor) {
-  const auto robot = read("diameter 99\npsd A 1 0 0 0 0\n");
+  const auto robot = robi_of("diameter 99\npsd A 1 0 0 0 0\n");
   EXPECT_TRUE(robot.range_sensors[0].error.perfect());
   EXPECT_EQ(robot.drive_error, robot::DriveError{});
 }
 
 TEST(Robi, ALikelyTypoOfAKeywordIsAnErrorInBothDialects) {
-  EXPECT_EQ(error("diameter 99\n speeed 600\n"),
+  EXPECT_EQ(robi_error("diameter 99\n speeed 600\n"),
             "r.robi:2:2: unknown keyword 'speeed': expected 'speed'?");
-  EXPECT_EQ(error("drive DIFFERENTIAL_DRIVE\ndiametre 99\n"),
+  EXPECT_EQ(robi_error("drive DIFFERENTIAL_DRIVE\ndiametre 99\n"),
             "r.robi:2:1: unknown keyword 'diametre': expected 'diameter'?");
 }
 
 TEST(Robi, OtherUnknownLinesAreCommentsOrWarnedOf) {
-  read("diameter 99\nanything else\n");
-  EXPECT_TRUE(warnings.empty());
-  read("drive DIFFERENTIAL_DRIVE\nanything else\n");
-  ASSERT_FALSE(warnings.empty());
-  EXPECT_EQ(warnings[0].str(), "r.robi:2:1: warning: unknown keyword 'anything' is ignored");
+  robi_of("diameter 99\nanything else\n");
+  EXPECT_TRUE(robi_warnings.empty());
+  robi_of("drive DIFFERENTIAL_DRIVE\nanything else\n");
+  ASSERT_FALSE(robi_warnings.empty());
+  EXPECT_EQ(robi_warnings[0].str(), "r.robi:2:1: warning: unknown keyword 'anything' is ignored");
 }
 
 TEST(Robi, EveryMistakeIsNamedWithItsPlace) {
@@ -152,9 +153,10 @@ TEST(Robi, EveryMistakeIsNamedWithItsPlace) {
       {"psd_range 80 20", "r.robi:1:14: the longest range is not above the shortest"},
       {"collider cone 1", "r.robi:1:10: 'cone' found: expected box, sphere or capsule"},
   };
-  for (const auto& [text, expected] : cases) EXPECT_EQ(error(text), expected) << text;
-  EXPECT_THAT(error(""), testing::HasSubstr("no keyword of a robot description"));
-  EXPECT_THAT(error("once upon a time"), testing::HasSubstr("no keyword of a robot description"));
+  for (const auto& [text, expected] : cases) EXPECT_EQ(robi_error(text), expected) << text;
+  EXPECT_THAT(robi_error(""), testing::HasSubstr("no keyword of a robot description"));
+  EXPECT_THAT(robi_error("once upon a time"),
+              testing::HasSubstr("no keyword of a robot description"));
 }
 
 }  // namespace

@@ -6,15 +6,15 @@
 namespace eyebridge::files {
 namespace {
 
-std::vector<Warning> warnings;
+std::vector<Warning> sim_warnings;
 
-SimFile read(const std::string& text) {
-  warnings.clear();
-  return read_sim(text, "s.sim", warnings);
+SimFile sim_of(const std::string& text) {
+  sim_warnings.clear();
+  return read_sim(text, "s.sim", sim_warnings);
 }
 
 TEST(Sim, ReadsFilesAndSettings) {
-  const auto sim = read(
+  const auto sim = sim_of(
       "maze \"a b.maz\"\nrobi x.robi\nROBOT y.robi\nobj o.esObj\n"
       "object p.esObj\nsettings trace VIS # both");
   EXPECT_EQ(sim.world, "a b.maz");
@@ -27,7 +27,7 @@ TEST(Sim, ReadsFilesAndSettings) {
 }
 
 TEST(Sim, ReadsRobotsAtPosesAndLetters) {
-  const auto sim = read("LabBot 400 500 90 go.x a 'b c'\nS4 S 100 p.py\ns4 u q.x\nlabbot d\n");
+  const auto sim = sim_of("LabBot 400 500 90 go.x a 'b c'\nS4 S 100 p.py\ns4 u q.x\nlabbot d\n");
   ASSERT_EQ(sim.robots.size(), 4u);
   EXPECT_EQ(sim.robots[0].pose, (Pose{0.4, 0.5, kPi / 2}));
   EXPECT_EQ(sim.robots[0].program, "go.x");
@@ -42,7 +42,7 @@ TEST(Sim, ReadsRobotsAtPosesAndLetters) {
 }
 
 TEST(Sim, ReadsTheOldFormThatNamesFileAndProgram) {
-  const auto sim = read(
+  const auto sim = sim_of(
       "robi a/S4.robi drive.dll 600 500 0\nrobi a/S4.robi maze.dll\n"
       "object 800 700 0 0.0 %sim%/objects/can/can.ms3d\n");
   ASSERT_EQ(sim.robots.size(), 2u);
@@ -56,7 +56,7 @@ TEST(Sim, ReadsTheOldFormThatNamesFileAndProgram) {
 }
 
 TEST(Sim, ReadsObjectsAndMarkers) {
-  const auto sim = read(
+  const auto sim = sim_of(
       "CAN 1 2 90\nSoccer 3 4 0\ngolf 5 6 0\nCrate 7 8 0\nmarker 9 10\n"
       "marker 1 2 3 4 5\nmarker 1 2 3 4 5 255\n");
   ASSERT_EQ(sim.objects.size(), 4u);
@@ -69,7 +69,7 @@ TEST(Sim, ReadsObjectsAndMarkers) {
 }
 
 TEST(Sim, EveryMistakeIsNamed) {
-  const auto error = [](const std::string& text) { return error_of([&] { read(text); }); };
+  const auto error = [](const std::string& text) { return error_of([&] { sim_of(text); }); };
   EXPECT_EQ(error(""), "s.sim:1:1: nothing in the file: expected 'world FILE' and robots");
   EXPECT_EQ(error("wrold a.wld"), "s.sim:1:1: unknown keyword 'wrold': expected 'world'?");
   EXPECT_EQ(error("world a.wld\nworld b.wld"),
@@ -83,9 +83,9 @@ TEST(Sim, EveryMistakeIsNamed) {
 }
 
 TEST(Sim, WarnsOfUnknownSettings) {
-  read("settings VIS FLY");
-  ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_EQ(warnings[0].where.column, 14);
+  sim_of("settings VIS FLY");
+  ASSERT_EQ(sim_warnings.size(), 1u);
+  EXPECT_EQ(sim_warnings[0].where.column, 14);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace eyebridge::files {
 namespace {
 
-world::WorldModel read(const std::string& text) {
+world::WorldModel world_of(const std::string& text) {
   std::vector<Warning> warnings;
   return read_world(text, "w.wld", warnings);
 }
@@ -17,17 +17,17 @@ std::vector<Warning> warnings_of(const std::string& text) {
   return warnings;
 }
 
-std::string error(const std::string& text) {
-  return error_of([&] { read(text); });
+std::string world_error(const std::string& text) {
+  return error_of([&] { world_of(text); });
 }
 
 TEST(World, ReadsBothWaysToGiveTheSize) {
-  EXPECT_EQ(read("floor 3000 2000").width, 3.0);
-  EXPECT_EQ(read("width 3000 ;BIGW\nheight 2000").height, 2.0);
+  EXPECT_EQ(world_of("floor 3000 2000").width, 3.0);
+  EXPECT_EQ(world_of("width 3000 ;BIGW\nheight 2000").height, 2.0);
 }
 
 TEST(World, ReadsWallsOfFourSixAndNineNumbers) {
-  const auto world = read("floor 9 9\n1 2 3 4\n1 2 3 4 18 100\n1 2 3 4 18 100 255 128 0\n");
+  const auto world = world_of("floor 9 9\n1 2 3 4\n1 2 3 4 18 100\n1 2 3 4 18 100 255 128 0\n");
   ASSERT_EQ(world.walls.size(), 3u);
   EXPECT_EQ(world.walls[0].b, (Vec2{0.003, 0.004}));
   EXPECT_EQ(world.walls[0].thickness, 0.0);
@@ -39,7 +39,7 @@ TEST(World, ReadsWallsOfFourSixAndNineNumbers) {
 }
 
 TEST(World, NestsPushedFrames) {
-  const auto world = read(
+  const auto world = world_of(
       "floor 3000 3000\npush 1000 1000 90\npush 100 0 90\n0 0 50 0\npop\n"
       "position 100 0 0\npop\n0 0 10 0\n");
   ASSERT_EQ(world.walls.size(), 2u);
@@ -62,13 +62,13 @@ TEST(World, TellsWhereItsStartsStand) {
 }
 
 TEST(World, KeepsAFloorTextureWithBlanks) {
-  EXPECT_EQ(read("floor_texture \"my floor.png\"\nfloor 9 9").floor_texture, "my floor.png");
+  EXPECT_EQ(world_of("floor_texture \"my floor.png\"\nfloor 9 9").floor_texture, "my floor.png");
 }
 
 TEST(World, ToleratesLineEndsAndCommentsOfAnyKind) {
-  EXPECT_EQ(
-      read("\xEF\xBB\xBF# \xE4 \xC3\xA4\r\nfloor 9 9\r\n0 0 0 4;wall\r\n0 0 4 0 # x").walls.size(),
-      2u);
+  EXPECT_EQ(world_of("\xEF\xBB\xBF# \xE4 \xC3\xA4\r\nfloor 9 9\r\n0 0 0 4;wall\r\n0 0 4 0 # x")
+                .walls.size(),
+            2u);
 }
 
 TEST(World, WarnsOfAPushThatIsNeverPopped) {
@@ -79,14 +79,14 @@ TEST(World, WarnsOfAPushThatIsNeverPopped) {
 
 TEST(World, WithoutASizeTheFloorReachesToTheWalls) {
   const std::string text = "0 0 3000 0\n3000 0 3000 1500\n";
-  EXPECT_EQ(read(text).width, 3.0);
-  EXPECT_EQ(read(text).height, 1.5);
+  EXPECT_EQ(world_of(text).width, 3.0);
+  EXPECT_EQ(world_of(text).height, 1.5);
   ASSERT_EQ(warnings_of(text).size(), 1u);
   EXPECT_THAT(warnings_of(text)[0].text, testing::HasSubstr("no size is given"));
 }
 
 TEST(World, NegativeWallsWithoutASizeAreAnError) {
-  EXPECT_THAT(error("0 0 3000 0\n0 0 0 -720\n"),
+  EXPECT_THAT(world_error("0 0 3000 0\n0 0 0 -720\n"),
               testing::HasSubstr("w.wld:1:1: no size is given and the walls lie at negative"));
 }
 
@@ -124,30 +124,30 @@ TEST(World, EveryMistakeIsNamedWithItsPlace) {
       {"floor_texture \"a",
        "w.wld:1:15: quote \" is not closed: expected another one on this line"},
   };
-  for (const auto& [text, expected] : cases) EXPECT_EQ(error(text), expected) << text;
+  for (const auto& [text, expected] : cases) EXPECT_EQ(world_error(text), expected) << text;
 }
 
 TEST(World, LimitsTheNestingOfFrames) {
   std::string text = "floor 9 9\n";
   for (int i = 0; i < 1001; ++i) text += "push 0 0 0\n";
-  EXPECT_THAT(error(text), testing::HasSubstr("w.wld:1002:1: 'push' nested 1001 deep"));
+  EXPECT_THAT(world_error(text), testing::HasSubstr("w.wld:1002:1: 'push' nested 1001 deep"));
 }
 
 TEST(World, ReadWriteReadIsTheIdentity) {
-  const auto first = read(
+  const auto first = world_of(
       "floor 3333.3 2000\nfloor_texture 'a b.png'\nposition 100.7 1 33.3\n"
       "push 1234.5 777.7 17\nposition 10 20 30\n0 0 100 3\n1 2 3 4 18 99.9\n"
       "0 0 7 7 1 1 1 2 3\npop\n0.001 0 5 5\n");
   const std::string text = write_world(first);
-  EXPECT_EQ(read(text), first) << text;
-  EXPECT_EQ(write_world(read(text)), text);
+  EXPECT_EQ(world_of(text), first) << text;
+  EXPECT_EQ(write_world(world_of(text)), text);
 }
 
 TEST(World, RefusesToWriteWhatAWorldFileCannotHold) {
-  auto world = read("floor 9 9");
+  auto world = world_of("floor 9 9");
   world.markers.push_back({});
   EXPECT_THAT(error_of([&] { write_world(world); }), testing::HasSubstr("objects or markers"));
-  world = read("floor 9 9");
+  world = world_of("floor 9 9");
   world.starts.push_back({'S', {}});
   EXPECT_THAT(error_of([&] { write_world(world); }), testing::HasSubstr("start letters"));
 }

@@ -16,14 +16,14 @@ using testing::UnorderedElementsAre;
 
 MATCHER_P2(Points, x, y, "") { return norm(arg - Vec2{double(x), double(y)}) < 1e-14; }
 
-constexpr double kStep = 0.01;
+constexpr double kMotionStep = 0.01;
 
 Arc forward(double metres) { return {{metres, 0.0}, {}}; }
 
 TEST(Motion, FreeWayIsDrivenWhole) {
   World world(shared(room(2, 2)));
   const BodyId robot = world.add_robot({1, 1, kPi / 2}, 0.1, 0.1, {});
-  const MoveResult result = world.move(robot, {{0.3, 0.1}, Heading::from_angle(0.25)}, kStep);
+  const MoveResult result = world.move(robot, {{0.3, 0.1}, Heading::from_angle(0.25)}, kMotionStep);
   EXPECT_EQ(result.fraction, 1.0);
   EXPECT_FALSE(result.blocked());
   EXPECT_NEAR(world.pose(robot).x, 0.9, 1e-15);
@@ -34,7 +34,7 @@ TEST(Motion, FreeWayIsDrivenWhole) {
 TEST(Motion, StopsAtTheWallAtTheGapAndTurnsByTheSameFraction) {
   World world(shared(room(2, 2)));
   const BodyId robot = world.add_robot({1, 1, 0}, 0.1, 0.1, {});
-  const MoveResult result = world.move(robot, {{1.8, 0.0}, Heading::from_angle(0.5)}, kStep);
+  const MoveResult result = world.move(robot, {{1.8, 0.0}, Heading::from_angle(0.5)}, kMotionStep);
   EXPECT_TRUE(result.hit_wall);
   EXPECT_EQ(result.hit_body, kNoBody);
   EXPECT_NEAR(result.fraction, 0.5 - kContactGap / 1.8, 1e-14);
@@ -47,7 +47,7 @@ TEST(Motion, SlantedApproachStopsWhereTheClosedFormSays) {
   World world(shared(room(2, 2)));
   const double theta = deg_to_rad(30);
   const BodyId robot = world.add_robot({1, 1, theta}, 0.1, 0.1, {});
-  const MoveResult result = world.move(robot, forward(2.0), kStep);
+  const MoveResult result = world.move(robot, forward(2.0), kMotionStep);
   EXPECT_NEAR(result.fraction, (0.9 - kContactGap) / (2.0 * std::cos(theta)), 1e-14);
   EXPECT_NEAR(world.position(robot).y, 1 + (0.9 - kContactGap) * std::tan(theta), 1e-14);
 }
@@ -60,7 +60,7 @@ TEST(Motion, AWallsEndIsMetAsAPoint) {
   model.walls.push_back(wall);
   World world(shared(model));
   const BodyId robot = world.add_robot({1, 1.06, 0}, 0.1, 0.1, {});
-  const MoveResult result = world.move(robot, forward(2.0), kStep);
+  const MoveResult result = world.move(robot, forward(2.0), kMotionStep);
   const double reach = 0.1 + kContactGap;
   EXPECT_NEAR(world.position(robot).x, 2 - std::sqrt(reach * reach - 0.06 * 0.06), 1e-14);
   EXPECT_NEAR(result.contact.y, -0.6, 1e-5);
@@ -70,7 +70,7 @@ TEST(Motion, RobotsMeetAtTheSumOfTheirRadii) {
   World world(shared(room(4, 4)));
   const BodyId robot = world.add_robot({1, 1, 0}, 0.1, 0.1, {});
   const BodyId other = world.add_robot({3, 1.12, 0}, 0.2, 0.1, {});
-  const MoveResult result = world.move(robot, forward(2.5), kStep);
+  const MoveResult result = world.move(robot, forward(2.5), kMotionStep);
   EXPECT_EQ(result.hit_body, other);
   EXPECT_FALSE(result.hit_wall);
   const double reach = 0.3 + kContactGap;
@@ -80,22 +80,22 @@ TEST(Motion, RobotsMeetAtTheSumOfTheirRadii) {
 TEST(Motion, TouchingRobotMayLeaveDriveAlongAndTurnButNotPush) {
   World world(shared(room(2, 2)));
   const BodyId robot = world.add_robot({1.5, 1, 0}, 0.1, 0.1, {});
-  ASSERT_TRUE(world.move(robot, forward(1), kStep).blocked());
-  EXPECT_EQ(world.move(robot, forward(0.01), kStep).fraction, 0.0);
-  EXPECT_EQ(world.move(robot, {{0, 0.2}, {}}, kStep).fraction, 1.0);  // along the wall
-  EXPECT_EQ(world.move(robot, {{0, -0.2}, {}}, kStep).fraction, 1.0);
-  EXPECT_EQ(world.move(robot, {{}, Heading::from_angle(1)}, kStep).fraction, 1.0);
+  ASSERT_TRUE(world.move(robot, forward(1), kMotionStep).blocked());
+  EXPECT_EQ(world.move(robot, forward(0.01), kMotionStep).fraction, 0.0);
+  EXPECT_EQ(world.move(robot, {{0, 0.2}, {}}, kMotionStep).fraction, 1.0);  // along the wall
+  EXPECT_EQ(world.move(robot, {{0, -0.2}, {}}, kMotionStep).fraction, 1.0);
+  EXPECT_EQ(world.move(robot, {{}, Heading::from_angle(1)}, kMotionStep).fraction, 1.0);
   EXPECT_NEAR(world.pose(robot).theta, 1.0, 1e-15);
-  EXPECT_EQ(world.move(robot, forward(-0.05), kStep).fraction, 1.0);
+  EXPECT_EQ(world.move(robot, forward(-0.05), kMotionStep).fraction, 1.0);
 }
 
 TEST(Motion, DrivingAlongARowOfWallsMeetsNoJoint) {
   WorldModel model = random_maze(1, 12, 0.0);  // its boundary is a row of single walls
   World world(shared(model));
   const BodyId robot = world.add_robot({0.5, 0.3, -kPi / 2}, 0.1, 0.1, {});
-  ASSERT_TRUE(world.move(robot, forward(1), kStep).hit_wall);
+  ASSERT_TRUE(world.move(robot, forward(1), kMotionStep).hit_wall);
   for (int i = 0; i < 300; ++i) {
-    ASSERT_EQ(world.move(robot, {{0, 0.01}, {}}, kStep).fraction, 1.0) << i;
+    ASSERT_EQ(world.move(robot, {{0, 0.01}, {}}, kMotionStep).fraction, 1.0) << i;
   }
   EXPECT_NEAR(world.position(robot).x, 3.5, 1e-12);
 }
@@ -105,7 +105,7 @@ TEST(Motion, NothingTunnelsAtAnySpeed) {
   const BodyId robot = world.add_robot({1, 1, 0.3}, 0.05, 0.1, {});
   for (const double speed : {1.0, 1e3, 1e6, 1e9}) {
     world.set_pose(robot, {1, 1, 0.3});
-    EXPECT_TRUE(world.move(robot, forward(speed), kStep).hit_wall);
+    EXPECT_TRUE(world.move(robot, forward(speed), kMotionStep).hit_wall);
     EXPECT_LT(world.position(robot).x, 1.95);
   }
 }
@@ -122,10 +122,10 @@ TEST(Motion, RobotPutIntoAWallDrivesOutButNotDeeper) {
     const BodyId robot = world.add_robot({1, 2, 0}, 0.1, 0.1, {});
     const double edge = 2 - thickness / 2;
     world.set_pose(robot, {edge - 0.04, 2, 0});
-    EXPECT_EQ(world.move(robot, forward(0.01), kStep).fraction, 0.0) << thickness;
-    EXPECT_EQ(world.move(robot, forward(-0.01), kStep).fraction, 1.0) << thickness;
+    EXPECT_EQ(world.move(robot, forward(0.01), kMotionStep).fraction, 0.0) << thickness;
+    EXPECT_EQ(world.move(robot, forward(-0.01), kMotionStep).fraction, 1.0) << thickness;
     world.set_pose(robot, {2.01, 2, 0});  // centre in the wall, or just beyond it
-    EXPECT_EQ(world.move(robot, forward(0.5), kStep).fraction, 1.0) << thickness;
+    EXPECT_EQ(world.move(robot, forward(0.5), kMotionStep).fraction, 1.0) << thickness;
   }
 }
 
@@ -163,7 +163,7 @@ TEST(World, ContactsPointAtWallsAndBodies) {
 TEST(World, ContactsWithoutReachNameWhatStoppedTheRobot) {
   World world(shared(room(2, 2)));
   const BodyId robot = world.add_robot({1, 1, 0.7}, 0.1, 0.1, {});
-  const MoveResult result = world.move(robot, forward(5), kStep);
+  const MoveResult result = world.move(robot, forward(5), kMotionStep);
   std::vector<Vec2> contacts;
   world.contacts(robot, 0.0, contacts);
   EXPECT_THAT(contacts, testing::ElementsAre(result.contact));

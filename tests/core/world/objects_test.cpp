@@ -9,7 +9,7 @@
 namespace eyebridge::world {
 namespace {
 
-constexpr double kStep = 0.01;
+constexpr double kObjectStep = 0.01;
 
 ObjectSpec object(ObjectKind kind, double x, double y) {
   ObjectSpec spec;
@@ -26,13 +26,13 @@ World world_with(WorldModel model, std::initializer_list<ObjectSpec> objects) {
 
 void drive(World& world, BodyId robot, double step, int steps) {
   for (int i = 0; i < steps; ++i) {
-    world.move(robot, {{step, 0}, {}}, kStep);
-    world.step_objects(kStep);
+    world.move(robot, {{step, 0}, {}}, kObjectStep);
+    world.step_objects(kObjectStep);
   }
 }
 
 void roll(World& world, int steps) {
-  for (int i = 0; i < steps; ++i) world.step_objects(kStep);
+  for (int i = 0; i < steps; ++i) world.step_objects(kObjectStep);
 }
 
 TEST(Objects, AreTheFirstBodiesInTheirOrder) {
@@ -68,7 +68,7 @@ TEST(Objects, ACanAtTheWallHoldsTheRobot) {
   drive(world, robot, 0.01, 200);
   EXPECT_NEAR(world.position(0).x, 2 - 0.03, 1e-6);
   EXPECT_NEAR(world.position(robot).x, 2 - 0.06 - 0.1, 1e-6);
-  const MoveResult result = world.move(robot, {{0.01, 0}, {}}, kStep);
+  const MoveResult result = world.move(robot, {{0.01, 0}, {}}, kObjectStep);
   EXPECT_EQ(result.hit_body, 0u);
   EXPECT_FALSE(result.hit_wall);
   EXPECT_LT(result.fraction, 1e-6);
@@ -81,8 +81,8 @@ TEST(Objects, WhatIsSqueezedObliquelyAgainstAWallSlipsAlongIt) {
     World world = world_with(room(4, 2), {spec});
     const BodyId robot = world.add_robot({1, 0.11, 0}, 0.1, 0.1, {});
     for (int i = 0; i < 150; ++i) {
-      ASSERT_FALSE(world.move(robot, {{0.01, 0}, {}}, kStep).blocked()) << i;
-      world.step_objects(kStep);
+      ASSERT_FALSE(world.move(robot, {{0.01, 0}, {}}, kObjectStep).blocked()) << i;
+      world.step_objects(kObjectStep);
     }
     EXPECT_NEAR(world.position(robot).x, 2.5, 1e-12) << "it did not slow the robot";
     EXPECT_NEAR(world.position(robot).y, 0.11, 1e-12);
@@ -105,7 +105,7 @@ TEST(Objects, ACanThatIsPushedSteeplyAgainstAWallJams) {
   const BodyId robot = world.add_robot({1.5, 1, 0}, 0.1, 0.1, {});
   drive(world, robot, 0.01, 100);
   EXPECT_LT(world.position(robot).x, 2 - 0.06 - 0.09);
-  EXPECT_EQ(world.move(robot, {{0.01, 0}, {}}, kStep).hit_body, 0u);
+  EXPECT_EQ(world.move(robot, {{0.01, 0}, {}}, kObjectStep).hit_body, 0u);
 }
 
 TEST(Objects, ARowOfCansIsPushedTogether) {
@@ -137,7 +137,8 @@ TEST(Objects, AHitBallLeavesFasterThanTheRobotAndRollsOutInAParabola) {
   constexpr double kDeceleration = 0.3;
   const double start = world.position(0).x;
   roll(world, 1);
-  const double speed = (world.position(0).x - start) / kStep + kDeceleration * kStep / 2;
+  const double speed =
+      (world.position(0).x - start) / kObjectStep + kDeceleration * kObjectStep / 2;
   EXPECT_LT(speed, 0.75) << "1.5 times the robot's";
   EXPECT_GT(speed, 0.70);
   roll(world, 1000);
@@ -184,7 +185,7 @@ TEST(Objects, BallsLoseEnergyAndStayInTheirRoom) {
     double way = 0;
     for (int i = 0; i < steps; ++i) {
       for (BodyId id = 0; id < 20; ++id) before[id] = world.position(id);
-      world.step_objects(kStep);
+      world.step_objects(kObjectStep);
       for (BodyId id = 0; id < 20; ++id) way += norm_squared(world.position(id) - before[id]);
     }
     return way;
