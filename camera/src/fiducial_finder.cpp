@@ -157,8 +157,9 @@ class FiducialFinder final : public PoseFinder {
 
 }  // namespace
 
-std::unique_ptr<PoseFinder> make_fiducial_finder(std::vector<Fiducial> map, const Calibration& lens,
-                                                 LogSink& log, std::string_view world) {
+std::unique_ptr<PoseFinder> make_fiducial_finder(const std::vector<Fiducial>& map,
+                                                 const Calibration& lens, LogSink& log,
+                                                 std::string_view world) {
   if (map.empty()) {
     throw ConfigError({}, fmt::format("{} has no wall that fiducials fit on", world));
   }

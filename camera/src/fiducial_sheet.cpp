@@ -175,8 +175,9 @@ void draw(Paper& paper, const FiducialSheet& sheet, const Grid& grid, int page, 
   for (int i = 0; i < grid.per_page(); ++i) {
     const auto index = static_cast<std::size_t>(first + i);
     if (index >= sheet.fiducials.size()) return;
-    const Vec2 corner{Paper::kMargin + (i % grid.columns) * grid.pitch,
-                      kTop + (i / grid.columns) * (grid.pitch + kLabel)};
+    const int row = i / grid.columns;
+    const int column = i % grid.columns;
+    const Vec2 corner{Paper::kMargin + column * grid.pitch, kTop + row * (grid.pitch + kLabel)};
     draw_fiducial(paper, sheet, sheet.fiducials[index], corner);
   }
 }

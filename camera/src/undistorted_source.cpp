@@ -25,7 +25,7 @@ class UndistortedSource final : public Source {
       : inner_(std::move(inner)), lens_(lens), file_(std::move(file)) {}
 
   Result<void> set_size(int width, int height) override {
-    const Result<void> set = inner_->set_size(width, height);
+    Result<void> set = inner_->set_size(width, height);
     if (!set) return set;
     // Of a camera that gives what is asked for, the aspect shows only now.
     const std::string wrong = mismatch();

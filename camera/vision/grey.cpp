@@ -8,8 +8,7 @@ cv::Mat grey_of(const Frame& frame) {
   // OpenCV has no matrix of constant bytes.
   void* bytes = const_cast<std::uint8_t*>(frame.bytes.data());
   const auto stride = static_cast<std::size_t>(frame.stride);
-  const cv::Mat pixels(frame.height, frame.width, CV_8UC(bytes_per_pixel(frame.format)), bytes,
-                       stride);
+  cv::Mat pixels(frame.height, frame.width, CV_8UC(bytes_per_pixel(frame.format)), bytes, stride);
   if (frame.format == PixelFormat::Grey8) return pixels;
   cv::Mat grey;
   cv::cvtColor(pixels, grey,

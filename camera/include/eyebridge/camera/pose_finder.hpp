@@ -40,8 +40,8 @@ class PoseFinder {
 /// Fiducials that do not fit together (of another world, or moved) are said once to `log`, which
 /// outlives the finder; `world` is what they should fit, as messages name it. Throws ConfigError
 /// for an empty map or lens.
-std::unique_ptr<PoseFinder> make_fiducial_finder(std::vector<Fiducial> map, const Calibration& lens,
-                                                 LogSink& log,
+std::unique_ptr<PoseFinder> make_fiducial_finder(const std::vector<Fiducial>& map,
+                                                 const Calibration& lens, LogSink& log,
                                                  std::string_view world = "this world");
 
 }  // namespace eyebridge::camera
