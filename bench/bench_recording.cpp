@@ -1,5 +1,6 @@
 // What recording a frame costs, a rendered-like one without noise and a webcam's with it: our
 // lossless codec against zlib alone and a PNG, MJPEG, and the whole way into the file.
+#include <algorithm>
 #include <filesystem>
 
 #include <benchmark/benchmark.h>

@@ -1,5 +1,6 @@
 #include "camera_input.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <string_view>
 

@@ -19,7 +19,6 @@
 namespace eyebridge::apps {
 namespace {
 
-
 struct MarkerOptions {
   std::string world;
   std::string out;

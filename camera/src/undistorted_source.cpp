@@ -1,5 +1,6 @@
 #include "src/undistorted_source.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include <fmt/format.h>

@@ -1,5 +1,7 @@
 #include "vision/board_finder.hpp"
 
+#include <algorithm>
+
 #include <opencv2/aruco/charuco.hpp>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>

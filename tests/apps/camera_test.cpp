@@ -1,5 +1,6 @@
 // `eyebridge camera show` and `camera record`, as a user types them.
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 

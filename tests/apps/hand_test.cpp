@@ -1,4 +1,6 @@
 // `--drive hand`, as a user types it. What a person then does is tested in tests/hal/hand_*.
+#include <algorithm>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

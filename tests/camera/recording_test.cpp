@@ -1,5 +1,6 @@
 // Frames in recordings: packed and unpacked, damaged, and what is left when a program is killed.
 
+#include <algorithm>
 #include <csignal>
 
 #include <gmock/gmock.h>

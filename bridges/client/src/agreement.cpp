@@ -1,6 +1,7 @@
 #include "agreement.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "opcodes.h"
