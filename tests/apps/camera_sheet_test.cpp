@@ -1,3 +1,5 @@
+#include <filesystem>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,7 +16,7 @@ using testing::ScratchFolder;
 
 constexpr const char* kMaze = " _ _\n|   |\n|S|_|\n";
 
-ProgramRun camera(const ScratchFolder& folder, std::vector<std::string> arguments) {
+ProgramRun run_camera(const ScratchFolder& folder, std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "camera");
   return run_command(arguments, folder.path());
 }
@@ -22,7 +24,8 @@ ProgramRun camera(const ScratchFolder& folder, std::vector<std::string> argument
 TEST(CameraMarkers, WritesAPdfAndSaysHowManyThereAre) {
   const ScratchFolder folder;
   folder.write("small.maz", kMaze);
-  const ProgramRun r = camera(folder, {"markers", "--world", "small.maz", "--out", "sheet.pdf"});
+  const ProgramRun r =
+      run_camera(folder, {"markers", "--world", "small.maz", "--out", "sheet.pdf"});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   // 8 edges of the boundary from inside, one wall from both sides.
   EXPECT_THAT(r.out, HasSubstr("sheet.pdf: 10 fiducials on 6 pages"));
@@ -31,8 +34,8 @@ TEST(CameraMarkers, WritesAPdfAndSaysHowManyThereAre) {
 TEST(CameraMarkers, WritesAPageAsAPicture) {
   const ScratchFolder folder;
   folder.write("small.maz", kMaze);
-  const ProgramRun r = camera(folder, {"markers", "--world", "small.maz", "--out", "page.png",
-                                       "--page", "2", "--size", "6cm"});
+  const ProgramRun r = run_camera(folder, {"markers", "--world", "small.maz", "--out", "page.png",
+                                           "--page", "2", "--size", "6cm"});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_EQ(camera::read_png(folder.path() + "/page.png").width, 1260);
 }
@@ -50,7 +53,7 @@ TEST_P(CameraBadCall, IsOneClearMessage) {
   const ScratchFolder folder;
   folder.write("small.maz", kMaze);
   folder.write("bare.wld", "floor 2000 1000\n");
-  const ProgramRun r = camera(folder, GetParam().arguments);
+  const ProgramRun r = run_camera(folder, GetParam().arguments);
   EXPECT_EQ(r.exit_code, 2) << r.out;
   EXPECT_THAT(r.err, HasSubstr(GetParam().message));
 }
@@ -89,15 +92,15 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(CameraCalibrate, PrintsTheBoard) {
   const ScratchFolder folder;
-  const ProgramRun r = camera(folder, {"calibrate", "--print", "board.png"});
+  const ProgramRun r = run_camera(folder, {"calibrate", "--print", "board.png"});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_EQ(camera::read_png(folder.path() + "/board.png").height, 1782);
 }
 
 TEST(CameraCalibrate, ACameraThatShowsNoBoardGivesNoCalibration) {
   const ScratchFolder folder;
-  const ProgramRun r =
-      camera(folder, {"calibrate", "--camera", "pattern", "--out", "cam.toml", "--seconds", "1"});
+  const ProgramRun r = run_camera(
+      folder, {"calibrate", "--camera", "pattern", "--out", "cam.toml", "--seconds", "1"});
   EXPECT_EQ(r.exit_code, 1);
   EXPECT_THAT(r.err, HasSubstr("no calibration: found 0 different views"));
   EXPECT_THAT(r.err, HasSubstr("1 s are over"));
