@@ -12,7 +12,7 @@ namespace {
 
 /// Counts of containers without an index are estimates.
 constexpr std::int64_t kFewMissing = 2;
-constexpr double kHighestRate = 1000.0;
+constexpr double kHighestVideoRate = 1000.0;
 
 /// A reader gives one frame at a time; to know when the next is due it must be grabbed, and what
 /// was there before is kept as a picture until then.
@@ -21,7 +21,7 @@ class VideoSeries final : public FrameSeries {
   VideoSeries(std::unique_ptr<VideoReader> reader, std::filesystem::path file)
       : reader_(std::move(reader)), file_(std::move(file)) {
     const double rate = reader_->rate();
-    period_ = from_seconds(rate > 0.0 ? 1.0 / std::min(rate, kHighestRate)
+    period_ = from_seconds(rate > 0.0 ? 1.0 / std::min(rate, kHighestVideoRate)
                                       : 1.0 / FrameSchedule::kFramesPerSecond);
     here_ = grab();
     if (!here_) throw ConfigError({file_.string()}, "found no frame in this video");

@@ -10,7 +10,7 @@
 namespace eyebridge::camera {
 namespace {
 
-constexpr Rgb kInk{0, 0, 0};
+constexpr Rgb kBoardInk{0, 0, 0};
 
 /// Squares of a board along and down the paper.
 struct Squares {
@@ -51,7 +51,7 @@ void draw(Paper& paper, const Board& board) {
   paper.text({Paper::kMargin, 14.0},
              fmt::format("eyebridge camera calibrate --board {}:{}x{} --square {:g}mm",
                          charuco ? "charuco" : "chessboard", board.columns, board.rows, square),
-             4.0, kInk);
+             4.0, kBoardInk);
   const Vec2 corner{0.5 * (Paper::kWidth - columns * square),
                     20.0 + 0.5 * (Paper::kHeight - 40.0 - rows * square)};
   int id = 0;
@@ -60,7 +60,7 @@ void draw(Paper& paper, const Board& board) {
       const Vec2 at = corner + Vec2{column * square, row * square};
       // OpenCV counts rows from below: the square at the lower left is black.
       if ((rows - 1 - row) % 2 == column % 2) {
-        paper.fill(at, {square, square}, kInk);
+        paper.fill(at, {square, square}, kBoardInk);
       } else if (charuco) {
         const double margin = 0.5 * (1.0 - kCharucoFiducial) * square;
         paper.fiducial(at + Vec2{margin, margin}, kCharucoFiducial * square, id++);

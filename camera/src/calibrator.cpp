@@ -12,8 +12,8 @@
 namespace eyebridge::camera {
 namespace {
 
-constexpr int kFewest = 3;
-constexpr int kMost = 30;
+constexpr int kFewestSquares = 3;
+constexpr int kMostSquares = 30;
 
 std::optional<int> number(std::string_view text) {
   int value = 0;
@@ -37,9 +37,10 @@ Board parse_board(std::string_view text, double square) {
                                          "charuco:5x7 (squares)",
                                          in_quotes(text)));
   }
-  if (*columns < kFewest || *columns > kMost || *rows < kFewest || *rows > kMost) {
+  if (*columns < kFewestSquares || *columns > kMostSquares || *rows < kFewestSquares ||
+      *rows > kMostSquares) {
     throw ConfigError(where, fmt::format("found {} x {}, expected {} to {} each", *columns, *rows,
-                                         kFewest, kMost));
+                                         kFewestSquares, kMostSquares));
   }
   if (!(square >= 0.001 && square <= 1.0)) {
     throw ConfigError(

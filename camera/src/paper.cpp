@@ -13,7 +13,7 @@ namespace eyebridge::camera {
 namespace {
 
 constexpr double kPointsPerMm = 72.0 / 25.4;
-constexpr Rgb kBlack{0, 0, 0};
+constexpr Rgb kPrintBlack{0, 0, 0};
 
 struct Free {
   void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
@@ -151,7 +151,7 @@ void Paper::centred_text(Vec2 at, const std::string& text, double size, Rgb colo
 
 void Paper::fiducial(Vec2 corner, double size, int id) {
   const FiducialBits bits = fiducial_bits(id);
-  cairo_t* pen = sheet_->with(kBlack);
+  cairo_t* pen = sheet_->with(kPrintBlack);
   const double cell = size / kFiducialCells;
   // All black cells as one path: no seams between neighbours.
   for (int row = 0; row < kFiducialCells; ++row) {
@@ -165,11 +165,11 @@ void Paper::fiducial(Vec2 corner, double size, int id) {
 
 void Paper::ruler() {
   const double y = kHeight - kMargin;
-  line({kMargin, y}, {kMargin + 100.0, y}, 0.3, kBlack);
+  line({kMargin, y}, {kMargin + 100.0, y}, 0.3, kPrintBlack);
   for (int mm = 0; mm <= 100; mm += 10) {
-    line({kMargin + mm, y}, {kMargin + mm, y - (mm % 50 == 0 ? 2.5 : 1.5)}, 0.3, kBlack);
+    line({kMargin + mm, y}, {kMargin + mm, y - (mm % 50 == 0 ? 2.5 : 1.5)}, 0.3, kPrintBlack);
   }
-  text({kMargin + 104.0, y}, "100 mm, if printed at 100 % (\"actual size\")", 3.2, kBlack);
+  text({kMargin + 104.0, y}, "100 mm, if printed at 100 % (\"actual size\")", 3.2, kPrintBlack);
 }
 
 }  // namespace eyebridge::camera

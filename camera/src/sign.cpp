@@ -15,7 +15,7 @@ constexpr Vec2 kSheet{4.0, 2.8};
 constexpr Vec2 kMiddle{2.0, 1.8};
 constexpr double kShaft = 0.28;
 constexpr Rgb kPaper{255, 255, 255};
-constexpr Rgb kInk{20, 20, 20};
+constexpr Rgb kSignInk{20, 20, 20};
 constexpr Rgb kGo{0, 110, 60};
 constexpr Rgb kHalt{190, 30, 30};
 
@@ -94,8 +94,8 @@ void draw_arrow(Painter& painter, Arrow arrow) {
 Frame draw_sign(const Sign& sign, int longest_side) {
   Painter painter(longest_side);
   draw_arrow(painter, sign.arrow);
-  painter.word({0.5 * kSheet.x, 0.6}, sign.headline, size_of(sign.headline, 0.62), kInk);
-  painter.word({0.5 * kSheet.x, 0.15}, sign.detail, size_of(sign.detail, 0.26), kInk);
+  painter.word({0.5 * kSheet.x, 0.6}, sign.headline, size_of(sign.headline, 0.62), kSignInk);
+  painter.word({0.5 * kSheet.x, 0.15}, sign.detail, size_of(sign.detail, 0.26), kSignInk);
   return painter.picture();
 }
 

@@ -12,7 +12,7 @@ namespace eyebridge::camera {
 namespace {
 
 // No camera has as many; a broken driver may list for ever.
-constexpr std::uint32_t kMost = 256;
+constexpr std::uint32_t kMostOffers = 256;
 
 Size make_size(std::uint32_t width, std::uint32_t height) {
   return {static_cast<int>(width), static_cast<int>(height)};
@@ -26,7 +26,7 @@ double rate_of(const v4l2_fract& interval) {
 
 std::vector<OfferedSize> sizes_of(const VideoHandle& camera, std::uint32_t fourcc) {
   std::vector<OfferedSize> out;
-  for (std::uint32_t index = 0; index < kMost; ++index) {
+  for (std::uint32_t index = 0; index < kMostOffers; ++index) {
     v4l2_frmsizeenum found{};
     found.index = index;
     found.pixel_format = fourcc;
@@ -71,7 +71,7 @@ bool OfferedSize::has(Size size) const { return nearest(size) == size; }
 
 std::vector<double> rates_of(const VideoHandle& camera, std::uint32_t fourcc, Size size) {
   std::vector<double> out;
-  for (std::uint32_t index = 0; index < kMost; ++index) {
+  for (std::uint32_t index = 0; index < kMostOffers; ++index) {
     v4l2_frmivalenum found{};
     found.index = index;
     found.pixel_format = fourcc;
@@ -93,7 +93,7 @@ std::vector<double> rates_of(const VideoHandle& camera, std::uint32_t fourcc, Si
 
 std::vector<OfferedFormat> offers_of(const VideoHandle& camera) {
   std::vector<OfferedFormat> out;
-  for (std::uint32_t index = 0; index < kMost; ++index) {
+  for (std::uint32_t index = 0; index < kMostOffers; ++index) {
     v4l2_fmtdesc found{};
     found.index = index;
     found.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;

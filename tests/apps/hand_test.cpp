@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 using testing::ProgramRun;
 using testing::ScratchFolder;
 
-const std::string kMaze = EYEBRIDGE_SOURCE_DIR "/worlds/maze-5.maz";
+const std::string kHandMaze = EYEBRIDGE_SOURCE_DIR "/worlds/maze-5.maz";
 
 ProgramRun run_hand(const std::vector<std::string>& flags, const ScratchFolder& folder,
                     const std::string& program = "/bin/true") {
@@ -51,7 +51,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{
             "ABadText", {"--drive", "feet"}, "--drive", "found 'feet', expected hand or hand:free"},
         Wrong{"ABoard",
-              {"--drive", "hand", "--hal", "serial:/dev/none", "--world", kMaze},
+              {"--drive", "hand", "--hal", "serial:/dev/none", "--world", kHandMaze},
               "--drive",
               "found a person to drive 'serial:/dev/none', expected a simulated robot: --hal sim"},
         Wrong{"NoWorld",
@@ -59,19 +59,19 @@ INSTANTIATE_TEST_SUITE_P(
               "--drive",
               "found no world, expected --world with the maze that you walk in"},
         Wrong{"ARenderNobodyAskedFor",
-              {"--drive", "hand", "--world", kMaze},
+              {"--drive", "hand", "--world", kHandMaze},
               "default",
               "found 'render' with --drive hand, expected a camera that sees the real maze"},
         Wrong{"ARender",
-              {"--drive", "hand", "--world", kMaze, "--camera", "render:osmesa"},
+              {"--drive", "hand", "--world", kHandMaze, "--camera", "render:osmesa"},
               "--camera",
               "found 'render:osmesa' with --drive hand"},
         Wrong{"NoCamera",
-              {"--drive", "hand", "--world", kMaze, "--camera", "none"},
+              {"--drive", "hand", "--world", kHandMaze, "--camera", "none"},
               "--camera",
               "found 'none' with --drive hand"},
         Wrong{"ACameraThatIsNone",
-              {"--drive", "hand", "--world", kMaze, "--camera", "film"},
+              {"--drive", "hand", "--world", kHandMaze, "--camera", "film"},
               "--camera",
               "\"film\" is not known"},
         Wrong{
@@ -80,19 +80,20 @@ INSTANTIATE_TEST_SUITE_P(
             "--drive",
             "found no wall in open.wld that a marker fits on, expected walls to put markers up on"},
         Wrong{"ALiveCameraInVirtualTime",
-              {"--drive", "hand", "--world", kMaze, "--camera", "v4l2:/dev/video0", "--fast"},
+              {"--drive", "hand", "--world", kHandMaze, "--camera", "v4l2:/dev/video0", "--fast"},
               "--camera",
               "v4l2 gives frames in real time and the robot lives in virtual time"},
-        Wrong{"OtherMotors",
-              {"--drive", "hand", "--world", kMaze, "--camera", "pattern", "--mix", "motor=sim"},
-              "--drive",
-              "found a person and a motor under mix, expected one to drive"}),
+        Wrong{
+            "OtherMotors",
+            {"--drive", "hand", "--world", kHandMaze, "--camera", "pattern", "--mix", "motor=sim"},
+            "--drive",
+            "found a person and a motor under mix, expected one to drive"}),
     [](const auto& test) { return test.param.name; });
 
 TEST(HandCommand, WithoutAnyMarkerSensorsFailAndSayWhy) {
   const ScratchFolder folder;
   const ProgramRun r =
-      run_hand({"--drive", "hand", "--world", kMaze, "--camera", "pattern", "--fast"}, folder,
+      run_hand({"--drive", "hand", "--world", kHandMaze, "--camera", "pattern", "--fast"}, folder,
                EYEBRIDGE_TEST_LOST);
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_EQ(r.out, "psd -1\nmotor 1\nstop 0\nwait 1\nframe 0\n");

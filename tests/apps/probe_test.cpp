@@ -27,7 +27,7 @@ using testing::run_command;
 using testing::RunningFirmware;
 using testing::ScratchFolder;
 
-const std::string kMaze = EYEBRIDGE_SOURCE_DIR "/worlds/maze-5.maz";
+const std::string kProbeMaze = EYEBRIDGE_SOURCE_DIR "/worlds/maze-5.maz";
 
 class Probe : public ::testing::Test {
  protected:
@@ -47,7 +47,7 @@ class Probe : public ::testing::Test {
 };
 
 TEST_F(Probe, TellsWhatABoardOnASerialPortIs) {
-  RunningFirmware board({"--world", kMaze, "--pty", "./eyebot.tty", "--verbose", "--prompt"},
+  RunningFirmware board({"--world", kProbeMaze, "--pty", "./eyebot.tty", "--verbose", "--prompt"},
                         folder_.path());
   EXPECT_EQ(board.hal(), "serial:./eyebot.tty");
   const ProgramRun r = probe({"./eyebot.tty", "--trace", "trace.txt"});
@@ -67,7 +67,7 @@ TEST_F(Probe, TellsWhatABoardOnASerialPortIs) {
 }
 
 TEST_F(Probe, TellsWhatABoardBehindATcpPortIs) {
-  RunningFirmware board({"--world", kMaze, "--tcp", "0", "--lsb", "--no-vw", "--binary"});
+  RunningFirmware board({"--world", kProbeMaze, "--tcp", "0", "--lsb", "--no-vw", "--binary"});
   const ProgramRun r = probe({board.hal()});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.out, AllOf(HasSubstr("least significant byte first"),

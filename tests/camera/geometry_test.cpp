@@ -16,11 +16,11 @@
 namespace eyebridge::camera::testing {
 namespace {
 
-struct Size {
+struct ShotSize {
   int width;
   int height;
 };
-void PrintTo(const Size& size, std::ostream* out) { *out << size.width << "x" << size.height; }
+void PrintTo(const ShotSize& size, std::ostream* out) { *out << size.width << "x" << size.height; }
 
 bool is_red(const std::uint8_t* p) { return p[0] > 60 && p[1] < 20 && p[2] < 20; }
 bool is_green(const std::uint8_t* p) { return p[1] > 60 && p[0] < 20 && p[2] < 20; }
@@ -61,7 +61,7 @@ Extent column_extent(const Frame& frame, int column, bool (*is)(const std::uint8
   return found;
 }
 
-class Projection : public ::testing::TestWithParam<Size> {
+class Projection : public ::testing::TestWithParam<ShotSize> {
  protected:
   Projection() { shot_.carrier = 99; }
 
@@ -257,7 +257,8 @@ TEST_P(Projection, NoSkyShowsBetweenTheFloorAndTheWallsRoundIt) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, Projection,
-                         ::testing::Values(Size{160, 120}, Size{320, 240}, Size{640, 480}),
+                         ::testing::Values(ShotSize{160, 120}, ShotSize{320, 240},
+                                           ShotSize{640, 480}),
                          [](const auto& test) { return std::to_string(test.param.width); });
 
 }  // namespace

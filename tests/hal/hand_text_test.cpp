@@ -9,7 +9,7 @@
 namespace eyebridge::hal {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 TEST(HandText, NamesAPersonWithOrWithoutMarkers) {
   EXPECT_EQ(parse_hand("hand", {}), HandSetting{});

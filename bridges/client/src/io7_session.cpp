@@ -23,11 +23,6 @@ constexpr int kSpoiltMode = 2;  // after so many of them a spoiled byte may have
 // an argument that is "stop", as a letter it is none.
 constexpr std::array<std::uint8_t, 6> kCompletion{};
 
-/// Whether a request may be sent twice when nobody knows if it arrived: not a relative movement.
-bool may_repeat(char letter) {
-  return letter != IO7_VW_STRAIGHT && letter != IO7_VW_TURN && letter != IO7_VW_CURVE;
-}
-
 bool is_lost(const Error& error) { return error.code == Errc::Disconnected; }
 
 }  // namespace
@@ -85,7 +80,7 @@ Result<io7::Reply> Io7Session::exchange_once(const io7::Request& request,
     quality_.note_fault(clock_.now());
     if (auto found = resync(); !found) return tl::unexpected(std::move(found.error()));
     const int most = noisy() ? kNoisyAttempts : kAttempts;
-    if (attempt >= most || !may_repeat(request.letter)) break;
+    if (attempt >= most || is_movement(request.letter)) break;
     ++statistics_.retries;
     // A line that was slow once may be so again, and the last time there is no other.
     const bool last = attempt + 1 >= most;

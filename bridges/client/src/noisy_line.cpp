@@ -12,10 +12,6 @@ namespace {
 
 constexpr int kReadings = 6;  // that are compared before none is believed
 
-bool is_movement(char letter) {
-  return letter == IO7_VW_STRAIGHT || letter == IO7_VW_TURN || letter == IO7_VW_CURVE;
-}
-
 }  // namespace
 
 Result<io7::Reply> Io7Session::confirmed(const io7::Request& request,

@@ -7,10 +7,6 @@ namespace {
 
 constexpr int kSpeed = IO7_MOTOR_LAST;  // the index of v-omega, behind those of the motors
 
-bool is_movement(char letter) {
-  return letter == IO7_VW_STRAIGHT || letter == IO7_VW_TURN || letter == IO7_VW_CURVE;
-}
-
 /// Where `request` is remembered; -1 where it is not.
 int index_of(const io7::Request& request) {
   const int id = request.arguments[0];
@@ -30,6 +26,10 @@ int index_of(const io7::Request& request) {
 }
 
 }  // namespace
+
+bool is_movement(char letter) {
+  return letter == IO7_VW_STRAIGHT || letter == IO7_VW_TURN || letter == IO7_VW_CURVE;
+}
 
 void StandingOrders::note(const io7::Request& request, Time now) {
   const int index = index_of(request);

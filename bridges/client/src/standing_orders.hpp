@@ -7,6 +7,10 @@
 
 namespace eyebridge::bridges {
 
+/// Whether `letter` moves the robot by so much: nobody may send it twice who does not know whether
+/// it arrived.
+bool is_movement(char letter);
+
 /// What a board was told last and should be doing now: speeds of motors, positions of servos,
 /// levels of outputs. Nothing answers such a request, so nobody can know whether it arrived as it
 /// was sent; repeating it undoes what a spoiled byte did, to this device or to another one.

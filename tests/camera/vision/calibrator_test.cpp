@@ -18,7 +18,7 @@ using ::testing::HasSubstr;
 
 constexpr double kPixelsPerMillimetre = 4.0;
 
-Calibration webcam() {
+Calibration bent_webcam() {
   Calibration lens = pinhole({320, 240}, deg_to_rad(62.0));
   lens.distortion = {-0.25, 0.06, 0.001, -0.001, 0.0};
   lens.cx += 4.0;
@@ -55,7 +55,7 @@ class Boards : public ::testing::TestWithParam<Board> {};
 TEST_P(Boards, GiveBackTheLensTheyAreSeenThrough) {
   // The fiducials of a ChArUco board are smaller than the squares of a chessboard.
   const bool charuco = GetParam().kind == Board::Kind::Charuco;
-  const Calibration truth = charuco ? scaled(webcam(), {640, 480}) : webcam();
+  const Calibration truth = charuco ? scaled(bent_webcam(), {640, 480}) : bent_webcam();
   const auto lens = measured(GetParam(), truth, 0.4);
   ASSERT_TRUE(lens) << lens.error().what;
   EXPECT_NEAR(lens->fx, truth.fx, 0.01 * truth.fx);
@@ -80,7 +80,7 @@ TEST(Calibrator, KeepsAViewOnce) {
   const Frame page = draw_page(board, kPixelsPerMillimetre);
   const auto calibrator = make_calibrator(board);
   const EyePose eye = views(0.4)[5];
-  const Frame frame = look_at_page(page, kPixelsPerMillimetre, webcam(), eye);
+  const Frame frame = look_at_page(page, kPixelsPerMillimetre, bent_webcam(), eye);
   EXPECT_EQ(*calibrator->take(frame), BoardView::Kept);
   EXPECT_EQ(*calibrator->take(frame), BoardView::Same);
   EXPECT_EQ(calibrator->views(), 1);
@@ -98,7 +98,7 @@ TEST(Calibrator, RefusesWhatDeterminesNoLens) {
   const auto calibrator = make_calibrator(board);
   EXPECT_THAT(calibrator->solve().error().what, HasSubstr("found 0 different views"));
   for (const std::size_t i : {1U, 5U, 9U}) {
-    calibrator->take(look_at_page(page, kPixelsPerMillimetre, webcam(), views(0.4)[i]));
+    calibrator->take(look_at_page(page, kPixelsPerMillimetre, bent_webcam(), views(0.4)[i]));
   }
   const auto lens = calibrator->solve();
   ASSERT_FALSE(lens);

@@ -17,7 +17,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr double kPixelsPerMillimetre = 4.0;
+constexpr double kPagePixelsPerMillimetre = 4.0;
 
 world::WorldModel maze() {
   return files::load_scenario(EYEBRIDGE_SOURCE_DIR "/worlds/maze-5.maz").world;
@@ -31,9 +31,9 @@ TEST(FiducialSheet, HasEveryFiducialTrueToSizeOnItsPages) {
     std::set<int> ids;
     for (int page = 2; page <= pages_of(sheet); ++page) {
       for (const auto& seen :
-           vision().find_fiducials(draw_page(sheet, page, kPixelsPerMillimetre))) {
+           vision().find_fiducials(draw_page(sheet, page, kPagePixelsPerMillimetre))) {
         EXPECT_TRUE(ids.insert(seen.id).second) << seen.id;
-        const double edge = size * 1000.0 * kPixelsPerMillimetre;
+        const double edge = size * 1000.0 * kPagePixelsPerMillimetre;
         for (std::size_t i = 0; i < 4; ++i) {
           EXPECT_NEAR(norm(seen.corners[i] - seen.corners[(i + 1) % 4]), edge, 0.8);
         }
