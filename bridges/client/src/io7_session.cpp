@@ -39,7 +39,7 @@ Io7Session::Io7Session(std::unique_ptr<ByteStream> stream, io7::ProbeReport repo
 }
 
 Time Io7Session::reply_patience() const {
-  if (smoothed_latency_ == Time{0}) return settings_.reply_timeout;
+  if (smoothed_latency_ == Time{0} || quality_.late(clock_.now())) return settings_.reply_timeout;
   const Time least = noisy() ? settings_.noisy_least : settings_.reply_least;
   return std::clamp(10 * smoothed_latency_, least, settings_.reply_timeout);
 }
@@ -78,7 +78,10 @@ Result<io7::Reply> Io7Session::exchange_once(const io7::Request& request,
   auto reply = ask(request, bytes, reply_patience());
   for (int attempt = 1; !reply && !is_lost(reply.error()); ++attempt) {
     quality_.note_fault(clock_.now());
+    const bool timed_out = reply.error().code == Errc::Timeout;
+    const std::uint64_t stray = statistics_.stray;
     if (auto found = resync(); !found) return tl::unexpected(std::move(found.error()));
+    if (timed_out && statistics_.stray > stray) quality_.note_late(clock_.now());
     const int most = noisy() ? kNoisyAttempts : kAttempts;
     if (attempt >= most || is_movement(request.letter)) break;
     ++statistics_.retries;

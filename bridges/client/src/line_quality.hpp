@@ -5,7 +5,8 @@
 namespace eyebridge::bridges {
 
 /// Whether a line spoils bytes at present: it does from the second fault within a memory's length
-/// on, until it had none for as long. One alone is a hiccup of the board or of this computer.
+/// on, until it had none for as long. One alone is a hiccup of the board or of this computer. And
+/// whether replies come too late, as on a busy computer: who then waits less makes it worse.
 class LineQuality {
  public:
   static constexpr Time kMemory = std::chrono::seconds(5);
@@ -15,12 +16,15 @@ class LineQuality {
     last_ = now;
     any_ = true;
   }
+  void note_late(Time now) { late_until_ = now + kMemory; }
+  [[nodiscard]] bool late(Time now) const { return now < late_until_; }
   [[nodiscard]] bool noisy(Time now) const { return now < noisy_until_; }
 
  private:
   bool any_ = false;
   Time last_{0};
   Time noisy_until_ = Time::min();
+  Time late_until_ = Time::min();
 };
 
 }  // namespace eyebridge::bridges

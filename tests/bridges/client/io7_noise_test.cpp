@@ -86,6 +86,19 @@ TEST_F(Io7NoiseTest, ACommandIsSentTwiceAndThenOnceInAPeriod) {
   EXPECT_GT(client.statistics().repeated, 4U);
 }
 
+TEST_F(Io7NoiseTest, ABoardThatAnswersLateIsWaitedForLonger) {
+  for (int i = 0; i < 50; ++i) psd();  // of replies that take 1 ms
+  const auto late = [](ScriptedLine& to, const std::string& answer) { to.arrive(answer, 30ms); };
+  for (int i = 0; i < 2; ++i) {
+    damage = late;
+    EXPECT_EQ(psd(), 512);
+  }
+  const auto timeouts = client.statistics().timeouts;
+  damage = late;
+  EXPECT_EQ(psd(), 512);
+  EXPECT_EQ(client.statistics().timeouts, timeouts);
+}
+
 TEST_F(Io7NoiseTest, ACleanLineRepeatsNothing) {
   EXPECT_TRUE(client.exchange(io7::motor(1, 50)));
   clock.spend(50ms);
