@@ -71,8 +71,8 @@ std::string amount_of(const Way& way) {
 }
 
 std::string speed_of(const Twist& speed) {
-  const std::string linear = metres(speed.linear) + "/s";
-  const std::string angular = degrees(speed.angular) + "/s";
+  std::string linear = metres(speed.linear) + "/s";
+  std::string angular = degrees(speed.angular) + "/s";
   if (speed.linear == 0.0) return angular;
   return speed.angular == 0.0 ? linear : linear + ", " + angular;
 }

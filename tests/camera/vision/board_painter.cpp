@@ -42,8 +42,8 @@ Frame look_at_page(const Frame& colour_page, double pixels_per_mm, const Calibra
     for (int x = 0; x < lens.size.width; ++x) {
       double sum = 0.0;
       for (int ray = 0; ray < kSide * kSide; ++ray) {
-        const Vec2 pixel{x + (ray % kSide + 0.5) / kSide - 0.5,
-                         y + (ray / kSide + 0.5) / kSide - 0.5};
+        const int row = ray / kSide;
+        const Vec2 pixel{x + (ray % kSide + 0.5) / kSide - 0.5, y + (row + 0.5) / kSide - 0.5};
         const Vec2 d = undistorted(lens, to_plane(lens, pixel));
         const double right = r.cos * d.x - r.sin * d.y;
         const double down = r.sin * d.x + r.cos * d.y;

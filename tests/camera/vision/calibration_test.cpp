@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/units.hpp"
@@ -179,7 +180,9 @@ INSTANTIATE_TEST_SUITE_P(
 class CalibratedSource : public ::testing::Test {
  protected:
   std::string write(const Calibration& lens) {
-    const std::string path = ::testing::TempDir() + "/eyebridge_lens.toml";
+    // Other presets run the same test at the same time.
+    std::string path =
+        ::testing::TempDir() + "/eyebridge_lens_" + std::to_string(getpid()) + ".toml";
     write_calibration(lens, path);
     return path;
   }

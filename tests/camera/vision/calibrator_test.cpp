@@ -30,7 +30,8 @@ std::vector<EyePose> views(double distance) {
   std::vector<EyePose> eyes;
   for (int i = 0; i < 12; ++i) {
     const double aside = -0.5 + (i % 4) / 3.0;
-    const double above = 0.45 * (i / 4 - 1);
+    const int row = i / 4;
+    const double above = 0.45 * (row - 1);
     // Past the board's middle, each time to another side.
     const double heading = std::atan(aside) + 0.3 * std::cos(2.4 * i);
     const double pitch = -std::atan(0.7 * above) + 0.13 * std::sin(2.4 * i);

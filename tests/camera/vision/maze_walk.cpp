@@ -65,8 +65,8 @@ MazeWalk::MazeWalk(const world::WorldModel& model, double speed) : speed_(speed)
       static_cast<int>(start.y / maze.cell) * maze.columns + static_cast<int>(start.x / maze.cell);
   std::vector<Vec2> corners;
   for (const int cell : longest_way(maze, from)) {
-    corners.push_back(
-        {(cell % maze.columns + 0.5) * maze.cell, (cell / maze.columns + 0.5) * maze.cell});
+    const int row = cell / maze.columns;
+    corners.push_back({(cell % maze.columns + 0.5) * maze.cell, (row + 0.5) * maze.cell});
   }
   std::vector<Vec2> points;
   for (std::size_t i = 1; i < corners.size(); ++i) {

@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/files/load.hpp"
@@ -59,7 +60,8 @@ TEST(FiducialSheet, IsWrittenAsAPdfOfThatManyPages) {
   const auto model = maze();
   const auto fiducials = place_fiducials(model);
   const FiducialSheet sheet{model, fiducials, "maze-5.maz"};
-  const std::filesystem::path path = ::testing::TempDir() + "/eyebridge_sheet.pdf";
+  const std::filesystem::path path =
+      ::testing::TempDir() + "/eyebridge_sheet_" + std::to_string(getpid()) + ".pdf";
   write_pdf(sheet, path);
   std::ifstream in(path, std::ios::binary);
   const std::string pdf((std::istreambuf_iterator<char>(in)), {});
