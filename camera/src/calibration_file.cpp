@@ -8,6 +8,7 @@
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/text.hpp"
+#include "eyebridge/base/toml_names.hpp"
 #include "eyebridge/camera/calibration.hpp"
 
 namespace eyebridge::camera {
@@ -115,6 +116,7 @@ void refuse_beyond_ascii(std::string_view text, const std::string& file) {
 
 Calibration parse_calibration(std::string_view text, const std::string& file) {
   refuse_beyond_ascii(text, file);
+  check_table_names(text, file);
   toml::table table;
   try {
     table = toml::parse(text, file);

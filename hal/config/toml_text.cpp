@@ -8,6 +8,7 @@
 #include "config/mix_text.hpp"
 #include "config/toml_ascii.hpp"
 #include "config/values.hpp"
+#include "eyebridge/base/toml_names.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -140,6 +141,11 @@ std::vector<TomlEntry> read_toml(std::string_view text, const std::string& file)
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   const std::string ascii = to_ascii(text, file);
   const Source source{ascii, file};
+  try {
+    check_table_names(ascii, file);
+  } catch (const ConfigError& error) {
+    throw ConfigError(original_place(ascii, error.where()), error.text());
+  }
   toml::table table;
   try {
     table = toml::parse(std::string_view(ascii), file);

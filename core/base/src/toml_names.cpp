@@ -1,0 +1,40 @@
+#include "eyebridge/base/toml_names.hpp"
+
+#include <algorithm>
+
+#include "eyebridge/base/config_error.hpp"
+
+namespace eyebridge {
+namespace {
+
+/// Letters, digits, '-', '_', a quote; and ']', which toml++ refuses itself.
+bool begins_name(char c) {
+  const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  return is_letter || (c >= '0' && c <= '9') ||
+         std::string_view("-_\"']").find(c) != std::string_view::npos;
+}
+
+std::size_t past_blanks(std::string_view text, std::size_t at) {
+  return std::min(text.find_first_not_of(" \t", at), text.size());
+}
+
+}  // namespace
+
+void check_table_names(std::string_view toml, const std::string& file) {
+  int line = 1;
+  for (std::size_t begin = 0; begin < toml.size(); ++line) {
+    std::size_t at = past_blanks(toml, begin);
+    if (at < toml.size() && toml[at] == '[') {
+      at = past_blanks(toml, at + 1);
+      if (at < toml.size() && toml[at] == '[') at = past_blanks(toml, at + 1);
+      if (at < toml.size() && !begins_name(toml[at])) {
+        throw ConfigError(
+            {file, line, static_cast<int>(at - begin) + 1},
+            "found a table without a name, expected a letter, digit, '-', '_' or quote");
+      }
+    }
+    begin = std::min(toml.find('\n', begin), toml.size() - 1) + 1;
+  }
+}
+
+}  // namespace eyebridge
