@@ -52,7 +52,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # 105562) and operator+ of strings as overlapping or endless copies (its bug 105651). The dev build, without
   # optimisation, keeps these warnings in what they are good at; ASan finds the rest.
   target_compile_options(eyebridge_warnings INTERFACE -Wno-maybe-uninitialized
-    $<$<NOT:$<CONFIG:Debug>>:-Wno-restrict;-Wno-array-bounds;-Wno-stringop-overflow>)
+    $<$<NOT:$<CONFIG:Debug>>:-Wno-restrict;-Wno-array-bounds;-Wno-stringop-overflow;-Wno-stringop-overread>)
   if(CMAKE_UNITY_BUILD)
     # What a source keeps to itself looks like a header's when sources are compiled together.
     target_compile_options(eyebridge_warnings INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-subobject-linkage>)

@@ -30,22 +30,34 @@ function(eyebridge_library name)
   target_precompile_headers(eyebridge_${name} REUSE_FROM headers_libraries)
 endfunction()
 
-# eyebridge_test(core_base SOURCES … LIBRARIES … [LABEL slow]): one GoogleTest program; every test in
-# it becomes a ctest named core_base.Suite.Test@preset, so that `./test core` picks a group by its
-# prefix. LABEL is unit unless given: unit tests together stay under two minutes. Those with LABEL
-# threads or realtime are all that the thread sanitizer runs; the fuzz preset runs only fuzzers.
+# eyebridge_hot(world): a library where time goes; all others are optimised for the compiler's time as well.
+function(eyebridge_hot name)
+  target_compile_options(eyebridge_${name} PRIVATE $<$<CONFIG:Release>:-O3>)
+endfunction()
+
+# eyebridge_test(core_base SOURCES … LIBRARIES … [LABEL slow] [OPTIMISED]): one GoogleTest program. In the
+# dev preset every test in it becomes a ctest named core_base.Suite.Test@dev; elsewhere the program is
+# one ctest, core_base@preset (EYEBRIDGE_TEST_PROGRAMS): a process with a sanitizer starts in a tenth of
+# a second, in which it can run a dozen tests. LABEL is unit unless given: unit tests together stay under
+# two minutes. Those with LABEL threads or realtime are all that the thread sanitizer runs; the fuzz preset
+# runs only fuzzers. What runs with sanitizers needs no second run without them (label repeated, which
+# `./test` leaves to `./test all`), unless it is OPTIMISED: bits that must be the same, code that is chosen.
 # SHARDS n, for tests that mostly wait: a single ctest, named after the program, runs them in n
-# processes at once. With EYEBRIDGE_TEST_PROGRAMS every program is a single ctest: a process with a
-# sanitizer starts in a tenth of a second, in which it can run a dozen tests.
+# processes at once.
 function(eyebridge_test name)
-  cmake_parse_arguments(arg "" "LABEL;SHARDS" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "OPTIMISED" "LABEL;SHARDS" "SOURCES;LIBRARIES" ${ARGN})
   if(NOT arg_LABEL)
     set(arg_LABEL unit)
+  endif()
+  set(labels ${arg_LABEL})
+  if(NOT EYEBRIDGE_SANITIZE AND NOT arg_OPTIMISED AND arg_LABEL MATCHES "^(unit|threads|realtime)$")
+    list(APPEND labels repeated)
   endif()
   add_executable(test_${name} ${arg_SOURCES})
   target_link_libraries(test_${name} PRIVATE ${arg_LIBRARIES} GTest::gmock GTest::gtest_main
                         eyebridge_warnings)
   target_precompile_headers(test_${name} REUSE_FROM headers_tests)
+  target_compile_options(test_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   target_compile_definitions(test_${name} PRIVATE
                              EYEBRIDGE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                              EYEBRIDGE_SHARED_DIR="${CMAKE_SOURCE_DIR}/../shared")
@@ -57,20 +69,24 @@ function(eyebridge_test name)
     add_test(NAME ${name}@${preset}
              COMMAND "${CMAKE_SOURCE_DIR}/cmake/run-shards.sh" $<TARGET_FILE:test_${name}> ${arg_SHARDS})
     # Alone on a computer of two cores: others would only make them late.
-    set_tests_properties(${name}@${preset} PROPERTIES LABELS ${arg_LABEL} TIMEOUT 300 PROCESSORS 2)
+    set_tests_properties(${name}@${preset} PROPERTIES LABELS "${labels}" TIMEOUT 300 PROCESSORS 2)
   elseif(EYEBRIDGE_TEST_PROGRAMS)
     add_test(NAME ${name}@${preset} COMMAND test_${name} --gtest_brief=1)
-    set_tests_properties(${name}@${preset} PROPERTIES LABELS ${arg_LABEL} TIMEOUT 600)
+    set_tests_properties(${name}@${preset} PROPERTIES LABELS "${labels}" TIMEOUT 600)
   else()
     gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_SUFFIX @${preset} NO_PRETTY_VALUES
-                         DISCOVERY_TIMEOUT 60 PROPERTIES LABELS ${arg_LABEL} TIMEOUT 300)
+                         DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${labels}" TIMEOUT 300)
   endif()
   if(arg_LABEL MATCHES "^(threads|realtime)$")
     add_dependencies(threaded_tests test_${name})
   endif()
+  if(NOT labels MATCHES "slow|repeated")
+    add_dependencies(optimised_tests test_${name})
+  endif()
 endfunction()
 
-add_custom_target(threaded_tests)  # What `./test` builds with the thread sanitizer.
+add_custom_target(threaded_tests)  # What `./test` builds with the thread sanitizer,
+add_custom_target(optimised_tests)  # and what it builds without one.
 add_custom_target(fuzzers)
 
 # eyebridge_fuzzer(world HEADER entry.hpp LIBRARIES …): fuzz_world, which hands its inputs to the

@@ -13,7 +13,7 @@ using ::testing::Not;
 
 /// Runs `script` in the guest, in simulated time, with our commands first in PATH. There,
 /// `firmware NODE…` starts a process of boards on vcan0 and returns when they are there.
-ProgramRun guest(const std::string& script) {
+ProgramRun shell(const std::string& script) {
   const std::string prelude =
       "PATH=" EYEBRIDGE_BIN
       ":/usr/sbin:/sbin:$PATH; cd /tmp\n"
@@ -30,7 +30,7 @@ ProgramRun guest(const std::string& script) {
 }
 
 TEST(LabProbe, EachRobotOnABusIsToldWithHowToRunIt) {
-  const ProgramRun run = guest("firmware --node 1 --node 3; eyebridge probe can:vcan0");
+  const ProgramRun run = shell("firmware --node 1 --node 3; eyebridge probe can:vcan0");
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out,
               AllOf(HasSubstr("vcan0: virtual, no wire, CAN FD, queue of "),
@@ -40,38 +40,38 @@ TEST(LabProbe, EachRobotOnABusIsToldWithHowToRunIt) {
 }
 
 TEST(LabProbe, TwoRobotsWithOneNumberAreSaid) {
-  const ProgramRun run = guest("firmware --node 2; firmware --node 2; eyebridge probe vcan0");
+  const ProgramRun run = shell("firmware --node 2; firmware --node 2; eyebridge probe vcan0");
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_THAT(run.out, AllOf(HasSubstr("1 robot heard"), HasSubstr("two robots have this number")));
 }
 
 TEST(LabProbe, ASilentBusIsRefused) {
-  const ProgramRun run = guest("eyebridge probe can:vcan1");
+  const ProgramRun run = shell("eyebridge probe can:vcan1");
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.err, HasSubstr("vcan1: no robot was heard for 1.5s; expected its heartbeat"));
 }
 
 TEST(LabProbe, AnInterfaceThatIsDownIsRefusedWithTheCommand) {
-  const ProgramRun run = guest("ip link set vcan0 down; eyebridge probe can:vcan0");
+  const ProgramRun run = shell("ip link set vcan0 down; eyebridge probe can:vcan0");
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_EQ(run.err, "eyebridge: vcan0: the interface is down; as root: ip link set vcan0 up\n");
 }
 
 TEST(LabProbe, AnInterfaceThatIsNotThereIsRefusedWithThoseThatAre) {
-  const ProgramRun run = guest("eyebridge probe can:can9");
+  const ProgramRun run = shell("eyebridge probe can:can9");
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_THAT(run.err, AllOf(HasSubstr("can9: no such CAN interface"), HasSubstr("(errno 19)"),
                              HasSubstr("expected one of vcan0, vcan1")));
 }
 
 TEST(LabProbe, ANetworkInterfaceIsNoCanInterface) {
-  const ProgramRun run = guest("eyebridge probe can:lo");
+  const ProgramRun run = shell("eyebridge probe can:lo");
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_EQ(run.err, "eyebridge: lo: is a network interface, but not for CAN\n");
 }
 
 TEST(LabProbe, TheListHasTheInterfaces) {
-  const ProgramRun run = guest("eyebridge probe");
+  const ProgramRun run = shell("eyebridge probe");
   EXPECT_THAT(run.out, AllOf(ContainsRegex("can:vcan0 +virtual, no wire, CAN FD"),
                              ContainsRegex("can:vcan1 +virtual")))
       << run.err;
@@ -95,7 +95,7 @@ os.write(board, b')" + state + R"(\rt12310F\r')
 bus.recv(16)  # the frame behind it: so the state has been taken
 subprocess.call(['eyebridge', 'doctor'])
 )";
-  const ProgramRun run = guest("/usr/bin/python3 -c \"$(cat <<'END'\n" + program + "END\n)\"");
+  const ProgramRun run = shell("/usr/bin/python3 -c \"$(cat <<'END'\n" + program + "END\n)\"");
   return run.out + run.err;
 }
 

@@ -22,9 +22,9 @@ constexpr std::size_t kSound = 2000;
 
 /// Carries what is there from one to the other, and counts it; false when either is gone.
 bool carry(ByteStream& from, ByteStream& to, Clock& clock, std::size_t& carried) {
-  constexpr Time kPatience = 200us;
+  constexpr Time kRelayPatience = 200us;
   std::array<std::uint8_t, 512> buffer{};
-  const auto count = from.read_some(buffer, clock.now() + kPatience);
+  const auto count = from.read_some(buffer, clock.now() + kRelayPatience);
   if (!count) return count.error().code == Errc::Timeout;
   carried += *count;
   return to.write_all(std::span(buffer).first(*count), clock.now() + 1s).has_value();

@@ -12,6 +12,7 @@
 #include "eyebridge/camera/source.hpp"
 #include "jpeg_pictures.hpp"
 #include "loopback_writer.hpp"
+#include "patience.hpp"
 #include "reference_colours.hpp"
 
 namespace eyebridge::camera::testing {
@@ -23,7 +24,6 @@ using ::testing::HasSubstr;
 constexpr int kWidth = 320;
 constexpr int kHeight = 240;
 constexpr int kFrames = 90;
-constexpr Time kPatience = std::chrono::seconds(2);
 
 std::string device() {
   const char* name = std::getenv("EYEBRIDGE_TEST_VIDEO");

@@ -10,6 +10,7 @@
 #include "all_log.hpp"
 #include "eyebridge/base/random.hpp"
 #include "eyebridge/bridges/monotonic_clock.hpp"
+#include "patience.hpp"
 #include "v4l2/controls.hpp"
 #include "v4l2/v4l2_source.hpp"
 #include "v4l2/video_handle.hpp"
@@ -20,7 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr Time kSoak = std::chrono::minutes(30);
-constexpr Time kPatience = std::chrono::seconds(2);
 
 /// Runs a shell command of the guest's.
 void shell(const std::string& command) { ASSERT_EQ(std::system(command.c_str()), 0) << command; }

@@ -8,6 +8,7 @@
 #include "eyebridge/bridges/monotonic_clock.hpp"
 #include "eyebridge/camera/devices.hpp"
 #include "eyebridge/camera/source.hpp"
+#include "patience.hpp"
 #include "v4l2/controls.hpp"
 #include "v4l2/v4l2_source.hpp"
 #include "v4l2/video_handle.hpp"
@@ -20,7 +21,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
-constexpr Time kPatience = std::chrono::seconds(3);
 const std::string kDevice = "/dev/video0";
 
 class Vivid : public ::testing::Test {
