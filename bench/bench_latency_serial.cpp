@@ -5,7 +5,6 @@
 // EYEBRIDGE_BENCH_BOARD names the terminal of another board, which takes lines and answers with raw
 // bytes: eyebridge firmware --world worlds/maze-5.maz --cortex-m3 --pty ./eyebot.tty
 #include <cstdlib>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <thread>
@@ -17,6 +16,7 @@
 #include "eb_board.h"
 #include "eyebridge/ports/lines.hpp"
 #include "latencies.hpp"
+#include "run_program.hpp"
 #include <eyebot.h>
 
 namespace eyebridge::bench {
@@ -53,21 +53,14 @@ class Board {
   ~Board() {
     thread_ = {};
     port_.reset();
-    std::filesystem::remove_all(folder_);
   }
   Board(const Board&) = delete;
   Board& operator=(const Board&) = delete;
   [[nodiscard]] const std::string& path() const { return path_; }
 
  private:
-  static std::string new_folder() {
-    std::string name = std::filesystem::temp_directory_path() / "eyebridge-bench-XXXXXX";
-    need(::mkdtemp(name.data()) != nullptr, "mkdtemp");
-    return name;
-  }
-
-  std::string folder_ = new_folder();
-  std::string path_ = folder_ + "/eyebot.tty";
+  testing::ScratchFolder folder_;
+  std::string path_ = folder_.path() + "/eyebot.tty";
   eb_board board_{};
   std::unique_ptr<ports::Port> port_;
   std::jthread thread_;

@@ -2,16 +2,15 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <turbojpeg.h>
-#include <unistd.h>
 
 #include "eyebridge/camera/convert.hpp"
+#include "run_program.hpp"
 
 namespace eyebridge::camera::testing {
 
@@ -20,24 +19,17 @@ using Bytes = std::vector<std::uint8_t>;
 /// A folder of the test's own, removed at its end.
 class Folder {
  public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "eyebridge-XXXXXX").string();
-    path_ = mkdtemp(name.data());
+  [[nodiscard]] std::filesystem::path operator/(const char* name) const {
+    return std::filesystem::path(str()) / name;
   }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { std::filesystem::remove_all(path_); }
-  [[nodiscard]] std::filesystem::path operator/(const char* name) const { return path_ / name; }
   /// Makes a file of `bytes`.
   void write(const char* name, const Bytes& bytes) const {
-    std::ofstream(path_ / name, std::ios::binary)
-        .write(reinterpret_cast<const char*>(bytes.data()),
-               static_cast<std::streamsize>(bytes.size()));
+    scratch_.write(name, {bytes.begin(), bytes.end()});
   }
-  [[nodiscard]] std::string str() const { return path_.string(); }
+  [[nodiscard]] const std::string& str() const { return scratch_.path(); }
 
  private:
-  std::filesystem::path path_;
+  eyebridge::testing::ScratchFolder scratch_;
 };
 
 /// Red and blue halves, left and right.
