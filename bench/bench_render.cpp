@@ -8,6 +8,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "eyebridge/base/jumping_clock.hpp"
 #include "eyebridge/base/random.hpp"
 #include "eyebridge/camera/birdseye.hpp"
 #include "eyebridge/camera/source.hpp"
@@ -40,16 +41,7 @@ std::shared_ptr<const world::WorldModel> random_maze(int side) {
   return model;
 }
 
-class StillClock final : public Clock {
- public:
-  [[nodiscard]] Time now() const override { return now_; }
-  void wait_until(Time deadline) override { now_ = std::max(now_, deadline); }
-  void spend(Time cost) override { now_ += cost; }
-  [[nodiscard]] bool is_virtual() const override { return true; }
-
- private:
-  Time now_{0};
-};
+;
 
 /// Robots in a world of `side` x `side` cells.
 world::Scene robots_in(std::shared_ptr<const world::WorldModel> model, int side, int robots) {
@@ -110,7 +102,7 @@ constexpr Time kForever{1'000'000'000'000'000};
 void render(benchmark::State& state, const char* url) {
   const auto width = static_cast<int>(state.range(0));
   const auto side = static_cast<int>(state.range(1));
-  StillClock clock;
+  JumpingClock clock;
   const world::Scene scene = robots_in(random_maze(side), side, 10);
   JumpingView view(scene, side, 0);
   const auto source = camera::open_source(url, {&clock, &view, nullptr});
@@ -149,7 +141,7 @@ BENCHMARK_CAPTURE(render, fiducials, "render:osmesa?fiducials=on")
 void render_robots(benchmark::State& state) {
   constexpr int kSide = 43;
   const auto robots = static_cast<int>(state.range(0));
-  StillClock clock;
+  JumpingClock clock;
   const world::Scene scene = robots_in(random_maze(kSide), kSide, robots);
   std::vector<std::unique_ptr<JumpingView>> views;
   std::vector<std::unique_ptr<camera::Source>> sources;
@@ -172,7 +164,7 @@ BENCHMARK(render_robots)->Arg(1)->Arg(30)->Unit(benchmark::kMillisecond);
 /// From nothing to the first frame of a context, in a thread that has none yet.
 void first_frame(benchmark::State& state, const char* url) {
   const world::Scene scene = robots_in(random_maze(43), 43, 10);
-  StillClock clock;
+  JumpingClock clock;
   for (auto _ : state) {
     std::thread([&] {
       JumpingView view(scene, 43, 0);
@@ -187,7 +179,7 @@ BENCHMARK_CAPTURE(first_frame, osmesa, "render:osmesa")
 
 /// What each picture costs before anything is drawn: the baseline.
 void render_nothing(benchmark::State& state) {
-  StillClock clock;
+  JumpingClock clock;
   world::Scene scene;
   scene.model = std::make_shared<const world::WorldModel>();
   JumpingView view(scene, 1, 0);

@@ -7,7 +7,7 @@
 #include <cairo.h>
 
 #include "eyebridge/base/units.hpp"
-#include "eyebridge/camera/convert.hpp"
+#include "src/cairo_picture.hpp"
 
 namespace eyebridge::camera {
 namespace {
@@ -148,16 +148,7 @@ void Canvas::scale_bar(double length, const std::string& label, Rgb colour) {
 }
 
 Frame Canvas::picture() const {
-  cairo_surface_t* surface = sheet_->surface.get();
-  cairo_surface_flush(surface);
-  Frame frame;  // cairo's RGB24 is a 32-bit word, the same bytes as Bgra32 on our machines
-  frame.width = cairo_image_surface_get_width(surface);
-  frame.height = cairo_image_surface_get_height(surface);
-  frame.stride = cairo_image_surface_get_stride(surface);
-  frame.format = PixelFormat::Bgra32;
-  const unsigned char* data = cairo_image_surface_get_data(surface);
-  frame.bytes.assign(data, data + static_cast<std::ptrdiff_t>(frame.stride) * frame.height);
-  return to_rgb24(frame);
+  return cairo_picture(sheet_->surface.get());
 }
 
 }  // namespace eyebridge::camera

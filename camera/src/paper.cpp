@@ -7,7 +7,7 @@
 #include <cairo-pdf.h>
 #include <cairo.h>
 
-#include "eyebridge/camera/convert.hpp"
+#include "src/cairo_picture.hpp"
 
 namespace eyebridge::camera {
 namespace {
@@ -85,15 +85,7 @@ void Paper::finish() {
 Frame Paper::picture() const {
   cairo_surface_t* surface = sheet_->surface.get();
   assert(cairo_surface_get_type(surface) == CAIRO_SURFACE_TYPE_IMAGE);
-  cairo_surface_flush(surface);
-  Frame frame;
-  frame.width = cairo_image_surface_get_width(surface);
-  frame.height = cairo_image_surface_get_height(surface);
-  frame.stride = cairo_image_surface_get_stride(surface);
-  frame.format = PixelFormat::Bgra32;
-  const unsigned char* data = cairo_image_surface_get_data(surface);
-  frame.bytes.assign(data, data + static_cast<std::ptrdiff_t>(frame.stride) * frame.height);
-  return to_rgb24(frame);
+  return cairo_picture(surface);
 }
 
 void Paper::fill(Vec2 corner, Vec2 size, Rgb colour) {

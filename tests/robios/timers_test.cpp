@@ -1,32 +1,22 @@
 #include "timers.hpp"
 
-#include <algorithm>
-
 #include <gtest/gtest.h>
 
 #include "costs.hpp"
+#include "eyebridge/base/jumping_clock.hpp"
 
 namespace eyebridge::robios {
 namespace {
 
 using std::chrono::milliseconds;
 
-class VirtualClock final : public Clock {
- public:
-  [[nodiscard]] Time now() const override { return now_; }
-  void wait_until(Time deadline) override { now_ = std::max(now_, deadline); }
-  void spend(Time cost) override { now_ += cost; }
-  [[nodiscard]] bool is_virtual() const override { return true; }
-
- private:
-  Time now_{0};
-};
+;
 
 int calls = 0;
 Timers* nested = nullptr;
 
 TEST(Timers, CallsEveryPeriodFromTheMomentOfAttaching) {
-  VirtualClock clock;
+  JumpingClock clock;
   clock.wait_until(milliseconds(7));
   Timers timers(clock);
   calls = 0;
@@ -42,7 +32,7 @@ TEST(Timers, CallsEveryPeriodFromTheMomentOfAttaching) {
 }
 
 TEST(Timers, ALateTimerIsCalledOnceAndKeepsItsRhythm) {
-  VirtualClock clock;
+  JumpingClock clock;
   Timers timers(clock);
   calls = 0;
   timers.attach(milliseconds(10), [] { ++calls; });
@@ -53,7 +43,7 @@ TEST(Timers, ALateTimerIsCalledOnceAndKeepsItsRhythm) {
 }
 
 TEST(Timers, DetachingEndsTheCallsAndAnUnknownHandleIsRefused) {
-  VirtualClock clock;
+  JumpingClock clock;
   Timers timers(clock);
   calls = 0;
   const int handle = timers.attach(milliseconds(10), [] { ++calls; });
@@ -66,7 +56,7 @@ TEST(Timers, DetachingEndsTheCallsAndAnUnknownHandleIsRefused) {
 }
 
 TEST(Timers, ACallbackThatCallsTheApiDoesNotStartCallbacks) {
-  VirtualClock clock;
+  JumpingClock clock;
   Timers timers(clock);
   calls = 0;
   nested = &timers;
@@ -81,7 +71,7 @@ TEST(Timers, ACallbackThatCallsTheApiDoesNotStartCallbacks) {
 }
 
 TEST(Timers, StoppedTimersCallNoMore) {
-  VirtualClock clock;
+  JumpingClock clock;
   Timers timers(clock);
   calls = 0;
   timers.attach(milliseconds(10), [] { ++calls; });

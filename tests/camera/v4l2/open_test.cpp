@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/jumping_clock.hpp"
 #include "rig.hpp"
 
 namespace eyebridge::camera::testing {
@@ -229,16 +230,8 @@ TEST(LiveCameraUrl, BadOptionsAreRefusedWithoutOpeningAnything) {
   EXPECT_THAT(error_of("v4l2:?size=3x3&size=4x4"), HasSubstr("twice"));
 }
 
-class VirtualClock final : public Clock {
- public:
-  [[nodiscard]] Time now() const override { return Time(0); }
-  void wait_until(Time) override {}
-  void spend(Time) override {}
-  [[nodiscard]] bool is_virtual() const override { return true; }
-};
-
 TEST(LiveCameraUrl, VirtualTimeIsRefusedAtTheStart) {
-  VirtualClock clock;
+  JumpingClock clock;
   EXPECT_THROW(check_source("v4l2:", {&clock, nullptr, nullptr}), ConfigError);
 }
 
