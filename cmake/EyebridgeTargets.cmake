@@ -35,6 +35,11 @@ function(eyebridge_hot name)
   target_compile_options(eyebridge_${name} PRIVATE $<$<CONFIG:Release>:-O3>)
 endfunction()
 
+set(EYEBRIDGE_REPEATED "")
+if(NOT EYEBRIDGE_SANITIZE)
+  set(EYEBRIDGE_REPEATED repeated)
+endif()
+
 # eyebridge_test(core_base SOURCES … LIBRARIES … [LABEL slow] [OPTIMISED]): one GoogleTest program. In the
 # dev preset every test in it becomes a ctest named core_base.Suite.Test@dev; elsewhere the program is
 # one ctest, core_base@preset (EYEBRIDGE_TEST_PROGRAMS): a process with a sanitizer starts in a tenth of
@@ -50,8 +55,8 @@ function(eyebridge_test name)
     set(arg_LABEL unit)
   endif()
   set(labels ${arg_LABEL})
-  if(NOT EYEBRIDGE_SANITIZE AND NOT arg_OPTIMISED AND arg_LABEL MATCHES "^(unit|threads|realtime)$")
-    list(APPEND labels repeated)
+  if(NOT arg_OPTIMISED AND arg_LABEL MATCHES "^(unit|threads|realtime)$")
+    list(APPEND labels ${EYEBRIDGE_REPEATED})
   endif()
   add_executable(test_${name} ${arg_SOURCES})
   target_link_libraries(test_${name} PRIVATE ${arg_LIBRARIES} GTest::gmock GTest::gtest_main

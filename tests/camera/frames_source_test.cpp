@@ -1,5 +1,7 @@
 // Folders of pictures and recordings as cameras: what comes when, and what cannot be one.
 
+#include <fstream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
