@@ -6,6 +6,7 @@
 
 #include <libyuv/convert_argb.h>
 #include <libyuv/convert_from_argb.h>
+#include <libyuv/scale_argb.h>
 
 #include "eyebridge/camera/convert.hpp"
 
@@ -73,8 +74,15 @@ Result<Frame> PixelDecoder::decode(const RawPicture& picture, Size size) {
     return fail(Errc::Corrupt, "a frame of " + std::to_string(picture.bytes.size()) +
                                    " bytes, expected " + std::to_string(least));
   }
-  Frame frame = make_frame(picture.size.width, picture.size.height, PixelFormat::Rgb24);
-  to_rgb(picture, stride, frame);
+  const bool by_four = picture.format == RawFormat::Yuyv || picture.format == RawFormat::Grey;
+  const bool is_half = picture.size == Size{2 * size.width, 2 * size.height};
+  const Size made = by_four && is_half ? size : picture.size;
+  Frame frame = make_frame(made.width, made.height, PixelFormat::Rgb24);
+  if (by_four) {
+    strips_to_rgb(picture, stride, frame);
+  } else {
+    to_rgb(picture, stride, frame);
+  }
   return fit(std::move(frame), size.width, size.height);
 }
 
@@ -83,28 +91,40 @@ void PixelDecoder::to_rgb(const RawPicture& picture, std::size_t stride, Frame& 
   const int in_stride = static_cast<int>(stride);
   const std::uint8_t* in = picture.bytes.data();
   std::uint8_t* out = frame.bytes.data();
-  const auto out_stride = static_cast<std::size_t>(frame.stride);
-  if (picture.format == RawFormat::Rgb24) {
-    for (int y = 0; y < height; ++y, in += stride, out += out_stride) {
-      std::memcpy(out, in, out_stride);
-    }
-    return;
-  }
   if (picture.format == RawFormat::Nv12) {
     libyuv::NV12ToRAW(in, in_stride, in + stride * static_cast<std::size_t>(height), in_stride, out,
                       frame.stride, width, height);
     return;
   }
-  // libyuv has no way from these to three bytes a pixel but by four.
+  const auto out_stride = static_cast<std::size_t>(frame.stride);
+  for (int y = 0; y < height; ++y, in += stride, out += out_stride) {
+    std::memcpy(out, in, out_stride);
+  }
+}
+
+// libyuv has no way from these to three bytes a pixel but by four.
+void PixelDecoder::strips_to_rgb(const RawPicture& picture, std::size_t stride, Frame& frame) {
+  const auto [width, height] = picture.size;
+  const bool halved = frame.width != width;
+  const int in_stride = static_cast<int>(stride);
   const int strip_stride = 4 * width;
   strip_.resize(static_cast<std::size_t>(strip_stride) * kStripRows);
   const auto to_bgra = picture.format == RawFormat::Yuyv ? libyuv::YUY2ToARGB : libyuv::J400ToARGB;
+  const std::uint8_t* in = picture.bytes.data();
+  std::uint8_t* out = frame.bytes.data();
   for (int y = 0; y < height; y += kStripRows) {
-    const int rows = std::min(kStripRows, height - y);
+    int rows = std::min(kStripRows, height - y);
     to_bgra(in, in_stride, strip_.data(), strip_stride, width, rows);
-    libyuv::ARGBToRAW(strip_.data(), strip_stride, out, frame.stride, width, rows);
     in += stride * static_cast<std::size_t>(rows);
-    out += out_stride * static_cast<std::size_t>(rows);
+    if (halved) {
+      rows /= 2;
+      half_strip_.resize(strip_.size() / 4);
+      libyuv::ARGBScale(strip_.data(), strip_stride, width, 2 * rows, half_strip_.data(),
+                        4 * frame.width, frame.width, rows, libyuv::kFilterBox);
+    }
+    const std::vector<std::uint8_t>& bgra = halved ? half_strip_ : strip_;
+    libyuv::ARGBToRAW(bgra.data(), 4 * frame.width, out, frame.stride, frame.width, rows);
+    out += static_cast<std::size_t>(frame.stride) * static_cast<std::size_t>(rows);
   }
 }
 

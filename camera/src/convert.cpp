@@ -73,13 +73,21 @@ void mean_columns(const std::vector<std::uint32_t>& sums, const std::vector<Span
   }
 }
 
-/// The same for boxes of four pixels, the usual case.
+/// A row of means of boxes of four pixels, the usual case: two passes that compilers make vectors
+/// of.
 template <int kChannels>
-void mean_of_fours(const std::vector<std::uint32_t>& sums, int left, int width, std::uint8_t* out) {
-  const std::uint32_t* in = sums.data() + static_cast<std::ptrdiff_t>(left) * kChannels;
+void halve(const std::uint8_t* upper, const std::uint8_t* lower, int width,
+           std::vector<std::uint16_t>& sums, std::uint8_t* out) {
+  const std::size_t bytes = static_cast<std::size_t>(2 * width) * kChannels;
+  sums.resize(bytes);
+  std::uint16_t* const sum = sums.data();
+  for (std::size_t i = 0; i < bytes; ++i) {
+    sum[i] = static_cast<std::uint16_t>(upper[i] + lower[i] + 1);
+  }
+  const std::uint16_t* in = sum;
   for (int x = 0; x < width; ++x, in += 2 * kChannels) {
     for (int c = 0; c < kChannels; ++c) {
-      *out++ = static_cast<std::uint8_t>((in[c] + in[c + kChannels] + 2) / 4);
+      *out++ = static_cast<std::uint8_t>((in[c] + in[c + kChannels]) / 4);
     }
   }
 }
@@ -99,13 +107,18 @@ void scale(const Frame& frame, Span cut_columns, Span cut_rows, Frame& to) {
   const bool is_small =
       static_cast<long long>(cut_width / to.width + 1) * (cut_height / to.height + 1) < kMost;
   std::vector<std::uint32_t> sums;
+  std::vector<std::uint16_t> sums_of_two;
   for (int y = 0; y < to.height; ++y) {
     const Span rows = box(y, to.height, cut_rows.begin, cut_height);
     const int count = rows.end - rows.begin;
-    sum_rows(frame, rows, sums);
     if (is_half) {
-      mean_of_fours<kChannels>(sums, cut_columns.begin, to.width, row_of(to, y));
-    } else if (is_small) {
+      const std::ptrdiff_t left = static_cast<std::ptrdiff_t>(cut_columns.begin) * kChannels;
+      halve<kChannels>(frame.row(rows.begin).data() + left, frame.row(rows.begin + 1).data() + left,
+                       to.width, sums_of_two, row_of(to, y));
+      continue;
+    }
+    sum_rows(frame, rows, sums);
+    if (is_small) {
       mean_columns<std::uint32_t, kChannels>(sums, columns, count, row_of(to, y));
     } else {
       mean_columns<std::uint64_t, kChannels>(sums, columns, count, row_of(to, y));
