@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "board_painter.hpp"
+#include "board_views.hpp"
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/camera/convert.hpp"
@@ -18,33 +19,10 @@ using ::testing::HasSubstr;
 
 constexpr double kPixelsPerMillimetre = 4.0;
 
-Calibration bent_webcam() {
-  Calibration lens = pinhole({320, 240}, deg_to_rad(62.0));
-  lens.distortion = {-0.25, 0.06, 0.001, -0.001, 0.0};
-  lens.cx += 4.0;
-  return lens;
-}
-
-/// Somebody who holds the board into the picture: here and there, slanted to all sides.
-std::vector<EyePose> views(double distance) {
-  std::vector<EyePose> eyes;
-  for (int i = 0; i < 12; ++i) {
-    const double aside = -0.5 + (i % 4) / 3.0;
-    const int row = i / 4;
-    const double above = 0.45 * (row - 1);
-    // Past the board's middle, each time to another side.
-    const double heading = std::atan(aside) + 0.3 * std::cos(2.4 * i);
-    const double pitch = -std::atan(0.7 * above) + 0.13 * std::sin(2.4 * i);
-    eyes.push_back({{distance * aside, -distance, 0.7 * distance * above, kPi / 2 + heading, pitch,
-                     0.2 * aside}});
-  }
-  return eyes;
-}
-
 Result<Calibration> measured(const Board& board, const Calibration& lens, double distance) {
   const Frame page = draw_page(board, kPixelsPerMillimetre);
   const auto calibrator = make_calibrator(board);
-  for (const EyePose& eye : views(distance)) {
+  for (const EyePose& eye : board_views(distance)) {
     const auto view = calibrator->take(look_at_page(page, kPixelsPerMillimetre, lens, eye));
     if (!view) return tl::unexpected(view.error());
   }
@@ -80,7 +58,7 @@ TEST(Calibrator, KeepsAViewOnce) {
   const Board board{Board::Kind::Chessboard, 6, 9, 0.02};
   const Frame page = draw_page(board, kPixelsPerMillimetre);
   const auto calibrator = make_calibrator(board);
-  const EyePose eye = views(0.4)[5];
+  const EyePose eye = board_views(0.4)[5];
   const Frame frame = look_at_page(page, kPixelsPerMillimetre, bent_webcam(), eye);
   EXPECT_EQ(*calibrator->take(frame), BoardView::Kept);
   EXPECT_EQ(*calibrator->take(frame), BoardView::Same);
@@ -99,7 +77,7 @@ TEST(Calibrator, RefusesWhatDeterminesNoLens) {
   const auto calibrator = make_calibrator(board);
   EXPECT_THAT(calibrator->solve().error().what, HasSubstr("found 0 different views"));
   for (const std::size_t i : {1U, 5U, 9U}) {
-    calibrator->take(look_at_page(page, kPixelsPerMillimetre, bent_webcam(), views(0.4)[i]));
+    calibrator->take(look_at_page(page, kPixelsPerMillimetre, bent_webcam(), board_views(0.4)[i]));
   }
   const auto lens = calibrator->solve();
   ASSERT_FALSE(lens);

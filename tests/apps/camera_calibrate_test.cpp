@@ -1,0 +1,59 @@
+// `eyebridge camera calibrate` from pictures of a board to a file that sources read.
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "board_painter.hpp"
+#include "board_views.hpp"
+#include "command.hpp"
+#include "eyebridge/base/units.hpp"
+#include "eyebridge/camera/calibrator.hpp"
+#include "eyebridge/camera/png.hpp"
+#include "eyebridge/camera/sheet.hpp"
+
+namespace eyebridge {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::ProgramRun;
+using testing::run_command;
+using testing::ScratchFolder;
+
+/// Pictures of a chessboard through a bent lens, as a person would hold it.
+void film_board(const std::filesystem::path& folder) {
+  constexpr double kPixelsPerMm = 4.0;
+  const camera::Board board{camera::Board::Kind::Chessboard, 6, 9, 0.02};
+  const camera::Frame page = camera::draw_page(board, kPixelsPerMm);
+  int number = 0;
+  for (const camera::EyePose& eye : camera::testing::board_views(0.4)) {
+    camera::write_png(
+        camera::testing::look_at_page(page, kPixelsPerMm, camera::testing::bent_webcam(), eye),
+        folder / fmt::format("view{}.png", ++number));
+  }
+}
+
+TEST(CalibrateCommand, ViewsOfABoardGiveTheLensThatOtherCommandsUse) {
+  const ScratchFolder folder;
+  film_board(folder.path());
+  const ProgramRun run =
+      run_command({"camera", "calibrate", "--camera", "frames:.", "--board", "chessboard:9x6",
+                   "--square", "20mm", "--views", "12", "--out", "cam.toml"},
+                  folder.path());
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("cam.toml: 320x240 pixels"));
+  const camera::Calibration truth = camera::testing::bent_webcam();
+  const camera::Calibration lens = camera::read_calibration(folder.path() + "/cam.toml");
+  EXPECT_NEAR(lens.fx, truth.fx, 0.01 * truth.fx);
+  EXPECT_NEAR(lens.fy, truth.fy, 0.01 * truth.fy);
+  EXPECT_NEAR(lens.distortion[0], truth.distortion[0], 0.04);
+
+  const ProgramRun shown = run_command(
+      {"camera", "show", "--camera", "frames:.?calibration=cam.toml", "--out", "straight.png"},
+      folder.path());
+  EXPECT_EQ(shown.exit_code, 0) << shown.err;
+  EXPECT_EQ(camera::read_png(folder.path() + "/straight.png").width, 320);
+}
+
+}  // namespace
+}  // namespace eyebridge
