@@ -75,6 +75,14 @@ std::vector<std::uint8_t> deflated(const std::vector<std::uint8_t>& bytes) {
 }
 
 Frame inflated(std::span<const std::uint8_t> data, Size size, PixelFormat format) {
+  // No bit of deflate's holds more than that (zlib.net, "Technical Details"): a few damaged bytes
+  // must not cost the memory of a huge picture.
+  constexpr std::uint64_t kMostPerByte = 1032;
+  const auto pixels =
+      static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
+  if (pixels * static_cast<std::uint64_t>(bytes_per_pixel(format)) > kMostPerByte * data.size()) {
+    throw std::runtime_error("fewer pixels than its size says");
+  }
   Frame frame = make_frame(size.width, size.height, format);
   uLongf length = frame.bytes.size();
   const int code = uncompress(frame.bytes.data(), &length, data.data(), data.size());
