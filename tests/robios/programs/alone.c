@@ -6,7 +6,8 @@ int main() {
   int ids[256], id = 0, n;
 
   printf("off %d %d %d\n", RADIOSend(1, "x"), RADIOCheck(), RADIOStatus(ids));
-  printf("init %d id %d check %d\n", RADIOInit(), RADIOGetID(), RADIOCheck());
+  printf("init %d", RADIOInit());
+  printf(" id %d check %d\n", RADIOGetID(), RADIOCheck());
   n = RADIOStatus(ids);
   printf("status %d %d\n", n, ids[0]);
   printf("send %d %d %d %d\n", RADIOSend(1, "hello, world"), RADIOSend(2, "nobody"),
@@ -16,10 +17,12 @@ int main() {
   printf("received %d from %d: %s, check %d\n", n, id, text, RADIOCheck());
   RADIOSend(1, "again");
   printf("bad %d %d\n", RADIOReceive(&id, NULL, 8), RADIOReceive(&id, text, 0));
-  printf("without sender %d %s\n", RADIOReceive(NULL, text, sizeof text), text);
+  n = RADIOReceive(NULL, text, sizeof text);
+  printf("without sender %d %s\n", n, text);
   RADIOSend(1, "gone");
   printf("release %d", RADIORelease());
-  printf(" init %d check %d status %d\n", RADIOInit(), RADIOCheck(), RADIOStatus(NULL));
+  printf(" init %d", RADIOInit());
+  printf(" check %d status %d\n", RADIOCheck(), RADIOStatus(NULL));
   RADIOReceive(&id, text, sizeof text); /* nobody can send any more */
   printf("never\n");
   return 0;
