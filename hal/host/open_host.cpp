@@ -61,7 +61,8 @@ std::unique_ptr<Sound> make_sound(const Config& config, Clock& clock) {
 
 std::unique_ptr<Radio> make_radio(Backend& robot, const BackendContext& context) {
   const RadioSetting setting = radio_setting(context.config);
-  const RadioErrors errors{setting.loss, setting.delay,
+  const RadioConditions model = robot.radio_conditions();
+  const RadioErrors errors{setting.loss.value_or(model.loss), setting.delay.value_or(model.delay),
                            static_cast<std::uint64_t>(context.config.integer("seed"))};
   const int id = setting.id.value_or(robot.robot_id());
   switch (setting.medium) {

@@ -23,8 +23,8 @@ struct RadioSetting {
   std::uint16_t port = 0;               ///< Udp.
   std::string interface = "127.0.0.1";  ///< Udp: the address of the interface to use.
   std::optional<int> id;                ///< Of this robot; none: its number in its world.
-  double loss = 0.0;                    ///< Share of the messages that get lost, 0 … 1.
-  Time delay{0};                        ///< On the robot's clock.
+  std::optional<double> loss;           ///< Share of the messages that get lost, 0 … 1; else as
+  std::optional<Time> delay;            ///< the robot's model says. On the robot's clock.
 
   friend bool operator==(const RadioSetting&, const RadioSetting&) = default;
 };

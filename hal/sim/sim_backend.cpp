@@ -59,6 +59,11 @@ Motor* SimBackend::motor(int id) { return find(motors_, id); }
 Encoder* SimBackend::encoder(int id) { return find(encoders_, id); }
 Servo* SimBackend::servo(int id) { return find(servos_, id); }
 
+RadioConditions SimBackend::radio_conditions() const {
+  const robot::RadioError& error = world_->model(robot_).radio_error;
+  return {error.loss, from_seconds(error.delay)};
+}
+
 void SimBackend::stop() noexcept {
   world_->locked([&](auto& sim) { sim.stop(robot_); });
 }

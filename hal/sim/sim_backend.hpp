@@ -47,6 +47,7 @@ class SimBackend final : public Backend {
   SerialPort* serial_port(int) override { return nullptr; }
   Sound* sound() override { return nullptr; }
   Radio* radio() override { return nullptr; }
+  [[nodiscard]] RadioConditions radio_conditions() const override;
   WorldControl* world() override { return &control_; }
   camera::View* camera_view() override { return view_ ? &*view_ : nullptr; }
   camera::Source* camera_source() override { return nullptr; }

@@ -22,7 +22,8 @@ inline void radio(std::string_view text) {
   try {
     const hal::RadioSetting setting = hal::parse_radio(text, {});
     const int id = setting.id.value_or(hal::Radio::kFirstId);
-    const bool sane = setting.loss >= 0.0 && setting.loss <= 1.0 && setting.delay >= Time{0} &&
+    const double loss = setting.loss.value_or(0.0);
+    const bool sane = loss >= 0.0 && loss <= 1.0 && setting.delay.value_or(Time{0}) >= Time{0} &&
                       id >= hal::Radio::kFirstId && id <= hal::Radio::kLastId &&
                       (setting.medium != Medium::Udp || setting.port != 0);
     if (!sane) std::abort();

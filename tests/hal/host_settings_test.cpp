@@ -48,6 +48,25 @@ TEST_F(HostSettings, NameTheRadio) {
   EXPECT_THAT(must(robot->radio()->robots()), ElementsAre(7));
 }
 
+TEST_F(HostSettings, TheRobotFileSaysWhatMessagesSufferUnlessTheSettingDoes) {
+  const testing::ScratchFolder folder;
+  const std::string deaf = folder.write("deaf.robi",
+                                        "name Deaf\ndiameter 186\nspeed 600\nturn 300\n"
+                                        "wheel 54 3600 1100 90\ndrive DIFFERENTIAL_DRIVE\n"
+                                        "error radio 100 20\n");
+  const auto hears = [&](const std::string& radio) {
+    const auto robot = open({{"world", deaf}, {"radio", radio}});
+    EXPECT_TRUE(robot->radio()->start());
+    EXPECT_TRUE(robot->radio()->send(1, "me"));
+    robot->clock().spend(std::chrono::milliseconds(19));
+    EXPECT_FALSE(must(robot->radio()->receive()));
+    robot->clock().spend(std::chrono::milliseconds(1));
+    return must(robot->radio()->receive()).has_value();
+  };
+  EXPECT_FALSE(hears("world"));
+  EXPECT_TRUE(hears("world?loss=0%"));
+}
+
 TEST_F(HostSettings, NameTheSerialPorts) {
   const testing::ScratchFolder folder;
   const std::string hdt = folder.write("hdt.txt",

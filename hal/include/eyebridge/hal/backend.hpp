@@ -66,6 +66,9 @@ class Backend {
   virtual Sound* sound() = 0;
   virtual Radio* radio() = 0;
 
+  /// What a radio on this robot suffers; nothing where nobody says.
+  [[nodiscard]] virtual RadioConditions radio_conditions() const { return {}; }
+
   /// Null on real hardware.
   virtual WorldControl* world() = 0;
   /// What a rendered camera on this robot looks at; null when nothing here can be rendered.

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "eyebridge/base/clock.hpp"
 #include "eyebridge/base/result.hpp"
 
 namespace eyebridge::hal {
@@ -14,6 +15,12 @@ struct RadioMessage {
   std::string text;  ///< Any bytes.
 
   friend bool operator==(const RadioMessage&, const RadioMessage&) = default;
+};
+
+/// What messages to a robot suffer on their way, as its model says.
+struct RadioConditions {
+  double loss = 0.0;  ///< Share that gets lost, 0 … 1.
+  Time delay{0};      ///< Until one arrives, on the robot's clock.
 };
 
 /// The radio of a robot: messages to other robots by number.
