@@ -31,7 +31,7 @@ std::map<int, Device> make_pair_of(SimWorld& world, robot::RobotIndex robot) {
 }  // namespace
 
 SimBackend::SimBackend(std::unique_ptr<SimWorld> world, std::unique_ptr<Clock> clock,
-                       robot::RobotIndex robot)
+                       robot::RobotIndex robot, double supply_voltage)
     : world_(std::move(world)),
       clock_(std::move(clock)),
       robot_(robot),
@@ -45,7 +45,9 @@ SimBackend::SimBackend(std::unique_ptr<SimWorld> world, std::unique_ptr<Clock> c
       bumpers_(make_devices<SimBumper>(*world_, robot, world_->model(robot).bumpers)),
       motors_(make_pair_of<SimMotor>(*world_, robot)),
       encoders_(make_pair_of<SimEncoder>(*world_, robot)),
-      servos_(make_pair_of<SimServo>(*world_, robot)) {
+      servos_(make_pair_of<SimServo>(*world_, robot)),
+      digital_(*world_, robot),
+      analog_(supply_voltage) {
   if (world_->model(robot).lidar) lidar_.emplace(*world_, robot);
   if (world_->model(robot).camera) view_.emplace(*world_, robot);
 }
@@ -56,6 +58,11 @@ SwitchSensor* SimBackend::bumper(int id) { return find(bumpers_, id); }
 Motor* SimBackend::motor(int id) { return find(motors_, id); }
 Encoder* SimBackend::encoder(int id) { return find(encoders_, id); }
 Servo* SimBackend::servo(int id) { return find(servos_, id); }
+
+RadioConditions SimBackend::radio_conditions() const {
+  const robot::RadioError& error = world_->model(robot_).radio_error;
+  return {error.loss, from_seconds(error.delay)};
+}
 
 void SimBackend::stop() noexcept {
   world_->locked([&](auto& sim) { sim.stop(robot_); });

@@ -9,8 +9,8 @@ namespace eyebridge::files {
 namespace {
 
 constexpr std::size_t kMaxSensors = 1000;
-constexpr std::array<std::string_view, 9> kErrors = {
-    "psd", "drive", "wheels", "encoder", "compass", "camera", "ir", "bump", "lidar"};
+constexpr std::array<std::string_view, 10> kErrors = {
+    "psd", "drive", "wheels", "encoder", "compass", "camera", "ir", "bump", "lidar", "radio"};
 
 /// The number that programs use for a PSD of this name; 0 when the name is no standard one.
 int standard_psd(std::string_view name) {
@@ -128,6 +128,10 @@ void RobotBuilder::read_error(const Statement& s) {
     expect(2, "camera salt_and_pepper_percent sigma");
     camera_salt_ = fraction(2, "the percentage");
     camera_sigma_ = s.number(3, "sigma", 0, 255);
+  } else if (kind == "radio") {
+    expect(2, "radio loss_percent delay_ms");
+    model_.radio_error.loss = fraction(2, "the percentage");
+    model_.radio_error.delay = s.number(3, "the delay", 0, 3'600'000) / 1000;
   } else if (kind == "ir") {
     expect(1, "ir flip_percent");
     ir_flip_ = fraction(2, "the percentage");

@@ -94,7 +94,7 @@ TEST(Robi, ReadsOurExtensionsAndAppliesThemToEarlierLines) {
       "error psd 4 2\ndiameter 99\npsd A 1 0 0 0 0\npsd_range 50 800\n"
       "ir I 1 80 0 20 0 120\nbump B 1 -45 45\naccel 800 90\ncamera 1 2 3 4 5\n"
       "lidar 9 0\nerror drive 3 4\nerror wheels 1 -2\nerror encoder quantised\n"
-      "error compass 90\nerror camera 5 6\nerror ir 7\nerror bump 8\n"
+      "error compass 90\nerror camera 5 6\nerror ir 7\nerror bump 8\nerror radio 9 250\n"
       "error lidar 9 10\n");
   EXPECT_EQ(robot.range_sensors[0].error.sigma, 0.004);
   EXPECT_EQ(robot.range_sensors[0].error.sigma_relative, 0.02);
@@ -109,6 +109,8 @@ TEST(Robi, ReadsOurExtensionsAndAppliesThemToEarlierLines) {
   EXPECT_EQ(robot.drive_error, (robot::DriveError{0.03, 0.04, 0.01, -0.02, 1}));
   EXPECT_EQ(robot.compass_error.sigma, kPi / 2);
   EXPECT_EQ(robot.camera->salt_and_pepper, 0.05);
+  EXPECT_EQ(robot.radio_error.loss, 0.09);
+  EXPECT_EQ(robot.radio_error.delay, 0.25);
   EXPECT_EQ(robot.camera->sigma, 6);
   EXPECT_EQ(robot.lidar->error.sigma, 0.009);
   EXPECT_EQ(robot.lidar->error.sigma_relative, 0.1);

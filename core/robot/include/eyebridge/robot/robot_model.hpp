@@ -117,6 +117,14 @@ struct DriveError {
   friend bool operator==(const DriveError&, const DriveError&) = default;
 };
 
+/// What messages to this robot's radio suffer.
+struct RadioError {
+  double loss = 0.0;   ///< Share of the messages that get lost, 0 … 1.
+  double delay = 0.0;  ///< Seconds until one arrives.
+
+  friend bool operator==(const RadioError&, const RadioError&) = default;
+};
+
 /// Everything about one type of robot.
 struct RobotModel {
   std::string name = "S4";
@@ -130,6 +138,7 @@ struct RobotModel {
   std::optional<LidarModel> lidar;
   std::optional<CameraModel> camera;
   GaussianError compass_error;  ///< Radians.
+  RadioError radio_error;
 
   [[nodiscard]] double radius() const { return diameter / 2; }
   friend bool operator==(const RobotModel&, const RobotModel&) = default;
