@@ -1,7 +1,10 @@
 #include "canvas.hpp"
 
+#include <cassert>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
+#include <type_traits>
 #include <utility>
 
 namespace eyebridge::robios {
@@ -19,8 +22,16 @@ std::int64_t rounded_root(std::int64_t n) {
   return n - root * root > root ? root + 1 : root;
 }
 
-std::uint8_t blend(std::uint8_t paper, std::uint8_t ink, unsigned coverage) {
-  return static_cast<std::uint8_t>((paper * (255 - coverage) + ink * coverage + 127) / 255);
+// So that rows of pixels may be copied as bytes.
+static_assert(sizeof(Rgb) == 3 && std::is_trivially_copyable_v<Rgb>);
+
+void fill(Rgb* begin, std::size_t count, Rgb colour) {
+  if (colour.r == colour.g && colour.g == colour.b) {
+    std::memset(static_cast<void*>(begin), colour.r,
+                count * sizeof(Rgb));  // many times faster than three by three
+  } else {
+    std::fill_n(begin, count, colour);
+  }
 }
 
 }  // namespace
@@ -28,7 +39,22 @@ std::uint8_t blend(std::uint8_t paper, std::uint8_t ink, unsigned coverage) {
 Canvas::Canvas(int width, int height)
     : width_(width),
       height_(height),
-      pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
+      rows_(static_cast<std::size_t>(height)),
+      pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    rows_[row] = row * static_cast<std::size_t>(width);
+  }
+}
+
+std::vector<Rgb> Canvas::pixels() const {
+  std::vector<Rgb> copy;
+  copy.reserve(pixels_.size());
+  for (int y = 0; y < height_; ++y) {
+    const auto from = row(y);
+    copy.insert(copy.end(), from.begin(), from.end());
+  }
+  return copy;
+}
 
 bool Canvas::contains(int x, int y) const { return x >= 0 && y >= 0 && x < width_ && y < height_; }
 
@@ -46,8 +72,9 @@ void Canvas::span(std::int64_t x1, std::int64_t x2, std::int64_t y, Rgb colour) 
   }
   const std::int64_t first = std::max<std::int64_t>(x1, 0);
   const std::int64_t last = std::min<std::int64_t>(x2, width_ - 1);
-  for (std::int64_t x = first; x <= last; ++x) {
-    pixels_[index(static_cast<int>(x), static_cast<int>(y))] = colour;
+  if (first <= last) {
+    fill(&pixels_[index(static_cast<int>(first), static_cast<int>(y))],
+         static_cast<std::size_t>(last - first + 1), colour);
   }
 }
 
@@ -79,14 +106,14 @@ void Canvas::line(int x1, int y1, int x2, int y2, Rgb colour) {
   }
 }
 
-void Canvas::area(int x1, int y1, int x2, int y2, Rgb colour, bool fill) {
+void Canvas::area(int x1, int y1, int x2, int y2, Rgb colour, bool filled) {
   const int left = std::min(x1, x2);
   const int right = std::max(x1, x2);
   const int top = std::min(y1, y2);
   const int bottom = std::max(y1, y2);
   const int last = std::min(bottom, height_ - 1);
   for (int y = std::max(top, 0); y <= last; ++y) {
-    if (fill || y == top || y == bottom) {
+    if (filled || y == top || y == bottom) {
       span(left, right, y, colour);
     } else {
       point(left, y, colour);
@@ -95,7 +122,7 @@ void Canvas::area(int x1, int y1, int x2, int y2, Rgb colour, bool fill) {
   }
 }
 
-void Canvas::circle(int x, int y, int radius, Rgb colour, bool fill) {
+void Canvas::circle(int x, int y, int radius, Rgb colour, bool filled) {
   const std::int64_t square = std::int64_t{radius} * radius;
   // One pixel a row where the rim is steep, one a column where it is flat; the halves meet.
   for (int row = 0; row < height_; ++row) {
@@ -104,7 +131,7 @@ void Canvas::circle(int x, int y, int radius, Rgb colour, bool fill) {
       continue;
     }
     const std::int64_t half = rounded_root(square - dy * dy);
-    if (fill) {
+    if (filled) {
       span(x - half, x + half, row, colour);
     }
     if (half >= std::abs(dy)) {
@@ -131,18 +158,44 @@ void Canvas::glyph(int x, int y, const Font& font, std::uint8_t code, Rgb ink, R
   for (int row = 0; row < font.cell_height(); ++row) {
     for (int column = 0; column < font.cell_width(); ++column, ++i) {
       const unsigned c = coverage[i];
-      point(std::int64_t{x} + column, std::int64_t{y} + row,
-            {blend(paper.r, ink.r, c), blend(paper.g, ink.g, c), blend(paper.b, ink.b, c)});
+      point(std::int64_t{x} + column, std::int64_t{y} + row, inked(paper, ink, c));
     }
   }
 }
 
-void Canvas::scroll_up(int rows, int bottom, Rgb fill) {
+template <int kWidth>
+void Canvas::stamp_cell(int x, int y, int height, const Rgb* picture) {
+  for (int row = 0; row < height; ++row, picture += kWidth) {
+    std::memcpy(&pixels_[index(x, y + row)], picture, kWidth * sizeof(Rgb));
+  }
+}
+
+void Canvas::stamp(int x, int y, const Font& font, const Rgb* picture) {
+  const int height = font.cell_height();
+  // A width that the compiler knows makes each row a few moves instead of a call.
+  switch (font.cell_width()) {
+    case 5:
+      return stamp_cell<5>(x, y, height, picture);
+    case 6:
+      return stamp_cell<6>(x, y, height, picture);
+    case 7:
+      return stamp_cell<7>(x, y, height, picture);
+    case 8:
+      return stamp_cell<8>(x, y, height, picture);
+    case 11:
+      return stamp_cell<11>(x, y, height, picture);
+    default:
+      assert(font.cell_width() == 14);
+      return stamp_cell<14>(x, y, height, picture);
+  }
+}
+
+void Canvas::scroll_up(int rows, int bottom, Rgb colour) {
   const int count = std::min(rows, bottom);
-  const auto begin = pixels_.begin();
-  const auto end = begin + static_cast<std::ptrdiff_t>(index(0, bottom));
-  const auto rest = std::move(begin + static_cast<std::ptrdiff_t>(index(0, count)), end, begin);
-  std::fill(rest, end, fill);
+  std::rotate(rows_.begin(), rows_.begin() + count, rows_.begin() + bottom);
+  for (int y = bottom - count; y < bottom; ++y) {
+    fill(&pixels_[index(0, y)], static_cast<std::size_t>(width_), colour);
+  }
 }
 
 }  // namespace eyebridge::robios

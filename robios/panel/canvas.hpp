@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "eyebridge/base/colour.hpp"
@@ -18,7 +19,12 @@ class Canvas {
 
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }
-  [[nodiscard]] const std::vector<Rgb>& pixels() const { return pixels_; }
+  /// A copy, row by row.
+  [[nodiscard]] std::vector<Rgb> pixels() const;
+  /// One row; y must be inside. Valid until the canvas is changed.
+  [[nodiscard]] std::span<const Rgb> row(int y) const {
+    return {&pixels_[index(0, y)], static_cast<std::size_t>(width_)};
+  }
   [[nodiscard]] bool contains(int x, int y) const;
   /// x, y must be inside.
   [[nodiscard]] Rgb at(int x, int y) const;
@@ -27,13 +33,16 @@ class Canvas {
   /// Bresenham's line, both ends included.
   void line(int x1, int y1, int x2, int y2, Rgb colour);
   /// Rectangle, both corners included, in any order.
-  void area(int x1, int y1, int x2, int y2, Rgb colour, bool fill);
+  void area(int x1, int y1, int x2, int y2, Rgb colour, bool filled);
   /// Circle of `radius` >= 0 pixels around x, y; radius 0 is one pixel.
-  void circle(int x, int y, int radius, Rgb colour, bool fill);
+  void circle(int x, int y, int radius, Rgb colour, bool filled);
   /// One character with its cell's top-left corner at x, y, blended between paper and ink.
   void glyph(int x, int y, const Font& font, std::uint8_t code, Rgb ink, Rgb paper);
-  /// Moves the rows above `bottom` up by `rows` and fills the gap.
-  void scroll_up(int rows, int bottom, Rgb fill);
+  /// Copies a picture of a cell of `font`, row by row; the whole cell must be inside.
+  void stamp(int x, int y, const Font& font, const Rgb* picture);
+  /// Moves the rows above `bottom` up by `rows` and fills the gap. Rows change places, pixels stay:
+  /// programs that print line after line scroll all the time.
+  void scroll_up(int rows, int bottom, Rgb colour);
 
   /// Copies a picture of width x height, `Rgb of(const uint8_t*)` reading one pixel of `bytes`
   /// bytes. Only the visible part is read.
@@ -42,14 +51,16 @@ class Canvas {
 
  private:
   [[nodiscard]] std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-           static_cast<std::size_t>(x);
+    return rows_[static_cast<std::size_t>(y)] + static_cast<std::size_t>(x);
   }
+  template <int kWidth>
+  void stamp_cell(int x, int y, int height, const Rgb* picture);
   void span(std::int64_t x1, std::int64_t x2, std::int64_t y, Rgb colour);
   void point(std::int64_t x, std::int64_t y, Rgb colour);
 
   int width_;
   int height_;
+  std::vector<std::size_t> rows_;  // where in pixels_ each row begins
   std::vector<Rgb> pixels_;
 };
 
