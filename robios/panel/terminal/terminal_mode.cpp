@@ -67,7 +67,7 @@ void give_stack_for_handlers() {
 void watch_ends() {
   g_owner = getpid();
   static const bool watched = [] {
-    std::atexit(restore_terminal);
+    std::atexit(restore_keys);  // the panel is left to release_terminal(), after its last picture
     give_stack_for_handlers();
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGSEGV, SIGBUS, SIGFPE, SIGILL,
                              SIGABRT, SIGPIPE, SIGALRM, SIGUSR1, SIGUSR2, SIGXCPU}) {

@@ -4,10 +4,11 @@ namespace eyebridge::robios {
 
 // The modes of the process's terminal while a program runs: keys without Enter and without echo,
 // mouse reports, the panel. Process-wide, because a terminal's modes are, and because signal
-// handlers have to reach them. Whatever was switched is switched back by restore_terminal(), which
-// is called at exit, by SIGINT, SIGTERM, SIGHUP, SIGQUIT and the signals of crashes unless the
-// process handles these itself, when the process is stopped (SIGTSTP), and, for what no process
-// can catch (kill -9, _exit()), by a process of its own that waits for this one's end.
+// handlers have to reach them. Whatever was switched is switched back: at exit() keys by
+// themselves, the panel by release_terminal(); by SIGINT, SIGTERM, SIGHUP, SIGQUIT and the signals
+// of crashes unless the process handles these itself; when the process is stopped (SIGTSTP); and,
+// for what no process can catch (kill -9, _exit()), by a process of its own that waits for this
+// one's end.
 
 /// Takes keys without Enter and without echo from now on, and, with `mouse`, reports of clicks.
 /// Does nothing if it is so already, or after release_terminal().
