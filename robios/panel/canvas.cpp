@@ -25,6 +25,8 @@ std::int64_t rounded_root(std::int64_t n) {
 // So that rows of pixels may be copied as bytes.
 static_assert(sizeof(Rgb) == 3 && std::is_trivially_copyable_v<Rgb>);
 
+constexpr int kAhead = 128;  // columns
+
 void fill(Rgb* begin, std::size_t count, Rgb colour) {
   if (colour.r == colour.g && colour.g == colour.b) {
     std::memset(static_cast<void*>(begin), colour.r,
@@ -42,8 +44,13 @@ Canvas::Canvas(int width, int height)
       rows_(static_cast<std::size_t>(height)),
       pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
   for (std::size_t row = 0; row < rows_.size(); ++row) {
-    rows_[row] = row * static_cast<std::size_t>(width);
+    rows_[row].place = static_cast<std::uint16_t>(row);
   }
+}
+
+void Canvas::drawn(int y, int end) {
+  Row& row = rows_[static_cast<std::size_t>(y)];
+  if (row.drawn < end) row.drawn = static_cast<std::uint16_t>(end);
 }
 
 std::vector<Rgb> Canvas::pixels() const {
@@ -62,6 +69,7 @@ Rgb Canvas::at(int x, int y) const { return pixels_[index(x, y)]; }
 
 void Canvas::point(std::int64_t x, std::int64_t y, Rgb colour) {
   if (x >= 0 && y >= 0 && x < width_ && y < height_) {
+    drawn(static_cast<int>(y), static_cast<int>(x) + 1);
     pixels_[index(static_cast<int>(x), static_cast<int>(y))] = colour;
   }
 }
@@ -73,6 +81,13 @@ void Canvas::span(std::int64_t x1, std::int64_t x2, std::int64_t y, Rgb colour) 
   const std::int64_t first = std::max<std::int64_t>(x1, 0);
   const std::int64_t last = std::min<std::int64_t>(x2, width_ - 1);
   if (first <= last) {
+    if (first == 0 && last == width_ - 1) {
+      Row& row = rows_[static_cast<std::size_t>(y)];
+      row.drawn = 0;
+      row.ground = colour;
+    } else {
+      drawn(static_cast<int>(y), static_cast<int>(last) + 1);
+    }
     fill(&pixels_[index(static_cast<int>(first), static_cast<int>(y))],
          static_cast<std::size_t>(last - first + 1), colour);
   }
@@ -165,8 +180,17 @@ void Canvas::glyph(int x, int y, const Font& font, std::uint8_t code, Rgb ink, R
 
 template <int kWidth>
 void Canvas::stamp_cell(int x, int y, int height, const Rgb* picture) {
-  for (int row = 0; row < height; ++row, picture += kWidth) {
-    std::memcpy(&pixels_[index(x, y + row)], picture, kWidth * sizeof(Rgb));
+  // By pointers of its own: bytes that are written might be members, as far as the compiler knows.
+  Row* row = &rows_[static_cast<std::size_t>(y)];
+  const Row* const end = row + height;
+  Rgb* const column = pixels_.data() + x;
+  const auto width = static_cast<std::size_t>(width_);
+  const int right = x + kWidth;
+  const auto ahead = static_cast<std::uint16_t>(std::min(right + kAhead, width_));
+  for (; row != end; ++row, picture += kWidth) {
+    // A store for each character would take thrice as long: some that may come are counted in.
+    if (row->drawn < right) row->drawn = ahead;
+    std::memcpy(column + row->place * width, picture, kWidth * sizeof(Rgb));
   }
 }
 
@@ -192,9 +216,15 @@ void Canvas::stamp(int x, int y, const Font& font, const Rgb* picture) {
 
 void Canvas::scroll_up(int rows, int bottom, Rgb colour) {
   const int count = std::min(rows, bottom);
-  std::rotate(rows_.begin(), rows_.begin() + count, rows_.begin() + bottom);
+  const std::vector<Row> leaving(rows_.begin(), rows_.begin() + count);
+  std::copy(rows_.begin() + count, rows_.begin() + bottom, rows_.begin());
+  std::copy(leaving.begin(), leaving.end(), rows_.begin() + (bottom - count));
   for (int y = bottom - count; y < bottom; ++y) {
-    fill(&pixels_[index(0, y)], static_cast<std::size_t>(width_), colour);
+    Row& row = rows_[static_cast<std::size_t>(y)];
+    const int end = row.ground == colour ? row.drawn : width_;
+    fill(&pixels_[index(0, y)], static_cast<std::size_t>(end), colour);
+    row.drawn = 0;
+    row.ground = colour;
   }
 }
 

@@ -14,7 +14,7 @@ namespace eyebridge::robios {
 /// coordinates: the work of a call is bounded by the visible part. One thread.
 class Canvas {
  public:
-  /// Black. Both at least 1.
+  /// Black. Both 1 … 65535.
   Canvas(int width, int height);
 
   [[nodiscard]] int width() const { return width_; }
@@ -50,9 +50,19 @@ class Canvas {
   void picture(int x, int y, int width, int height, const std::uint8_t* data, int bytes, Of of);
 
  private:
+  /// A row changes its place when the screen scrolls. Right of what was drawn in it, it has one
+  /// colour: an empty row that scrolls in again costs next to nothing.
+  struct Row {
+    std::uint16_t place = 0;  ///< Among the rows of pixels_.
+    std::uint16_t drawn = 0;  ///< Columns from here on show `ground`.
+    Rgb ground;
+  };
+
   [[nodiscard]] std::size_t index(int x, int y) const {
-    return rows_[static_cast<std::size_t>(y)] + static_cast<std::size_t>(x);
+    return rows_[static_cast<std::size_t>(y)].place * static_cast<std::size_t>(width_) +
+           static_cast<std::size_t>(x);
   }
+  void drawn(int y, int end);
   template <int kWidth>
   void stamp_cell(int x, int y, int height, const Rgb* picture);
   void span(std::int64_t x1, std::int64_t x2, std::int64_t y, Rgb colour);
@@ -60,7 +70,7 @@ class Canvas {
 
   int width_;
   int height_;
-  std::vector<std::size_t> rows_;  // where in pixels_ each row begins
+  std::vector<Row> rows_;
   std::vector<Rgb> pixels_;
 };
 
@@ -72,6 +82,7 @@ void Canvas::picture(int x, int y, int width, int height, const std::uint8_t* da
   const std::int64_t end_x = std::min<std::int64_t>(width, std::int64_t{width_} - x);
   const std::int64_t end_y = std::min<std::int64_t>(height, std::int64_t{height_} - y);
   for (std::int64_t v = first_y; v < end_y; ++v) {
+    drawn(static_cast<int>(y + v), static_cast<int>(x + end_x));
     for (std::int64_t u = first_x; u < end_x; ++u) {
       pixels_[index(static_cast<int>(x + u), static_cast<int>(y + v))] =
           of(data + (v * width + u) * bytes);

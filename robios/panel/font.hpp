@@ -7,8 +7,8 @@
 
 namespace eyebridge::robios {
 
-enum class FontFamily { Helvetica, Times, Courier };
-enum class FontStyle { Normal, Bold, Italics };
+enum class FontFamily : std::uint8_t { Helvetica, Times, Courier };
+enum class FontStyle : std::uint8_t { Normal, Bold, Italics };
 
 /// One typeface in one size, as glyph bitmaps on a fixed grid: every glyph fills one cell.
 ///

@@ -11,8 +11,6 @@ constexpr int kTab = 8;
 // Far outside any screen, and far from overflow when the cursor moves on.
 constexpr int kFarthest = 1'000'000;
 
-void blank(std::vector<TextCell>& row) { std::fill(row.begin(), row.end(), TextCell{}); }
-
 }  // namespace
 
 TextScreen::TextScreen(int width, int height)
@@ -85,12 +83,18 @@ void TextScreen::scroll(Canvas& canvas, int count) {
   const int rows = std::min(count, rows_);
   canvas.scroll_up(rows * font_.cell_height(), rows_ * font_.cell_height(), paper_);
   std::rotate(cells_.begin(), cells_.begin() + rows, cells_.end());
-  std::for_each(cells_.end() - rows, cells_.end(), blank);
+  blank(static_cast<std::size_t>(rows_ - rows));
   position_.row = rows_ - 1;
 }
 
+void TextScreen::blank(std::size_t first_row) {
+  for (std::size_t row = first_row; row < cells_.size(); ++row) {
+    std::copy(blank_.begin(), blank_.end(), cells_[row].begin());
+  }
+}
+
 void TextScreen::clear() {
-  std::for_each(cells_.begin(), cells_.end(), blank);
+  blank(0);
   position_ = {};
   flowed_ = true;
   set_colours({255, 255, 255}, {});
@@ -128,6 +132,7 @@ void TextScreen::apply_font() {
   rows_ = height_ / font_.cell_height();
   columns_ = width_ / font_.cell_width();
   cells_.resize(static_cast<std::size_t>(rows_));
+  blank_.assign(static_cast<std::size_t>(columns_), {});
   for (auto& row : cells_) {
     row.resize(static_cast<std::size_t>(columns_));
     if (font_.cell_width() == before) continue;

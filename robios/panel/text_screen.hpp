@@ -71,6 +71,7 @@ class TextScreen {
   void new_line();
   void scroll(Canvas& canvas, int count);
   void apply_font();
+  void blank(std::size_t first_row);
   const Rgb* picture_of(std::uint8_t code);
 
   int width_;
@@ -88,6 +89,7 @@ class TextScreen {
   Rgb ink_{255, 255, 255};
   Rgb paper_{};
   std::vector<std::vector<TextCell>> cells_;  // always rows_ x columns_
+  std::vector<TextCell> blank_;               // a row of them
   // Glyphs in the present font and colours, mixed when first asked for: printing copies them.
   std::vector<Rgb> pictures_;
   std::array<bool, 256> mixed_{};
