@@ -10,7 +10,6 @@
 namespace eyebridge {
 namespace {
 
-using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::ProgramRun;
@@ -83,11 +82,12 @@ TEST_F(Dialect, LooseCppGivesWarningsOnly) {
 }
 
 TEST_F(Dialect, Cpp20NeedsNoFlagAndOlderCppMayAskForItsOwn) {
-  folder_.write("x.cpp",
-                "#include \"eyebot++.h\"\n#include <ranges>\n#include <vector>\n"
-                "struct P { int x, y; auto operator<=>(const P&) const = default; };\n"
-                "int main() { std::vector<int> v{3, 1, 2}; std::ranges::sort(v);\n"
-                "  P p{.x = 1, .y = 2}; printf(\"%d %d\\n\", v[0], p > P{0, 5}); }\n");
+  folder_.write(
+      "x.cpp",
+      "#include \"eyebot++.h\"\n#include <ranges>\n#include <vector>\nusing namespace std;\n"
+      "struct P { int x, y; auto operator<=>(const P&) const = default; };\n"
+      "int main() { vector<int> v{3, 1, 2}; ranges::sort(v);\n"
+      "  P p{.x = 1, .y = 2}; printf(\"%d %d\\n\", v[0], p > P{0, 5}); }\n");
   EXPECT_EQ(build("g++sim -o x.x x.cpp").out, "1 1\n");
   folder_.write("x.cpp",
                 "#include \"eyebot++.h\"\nint main() { printf(\"%ld\\n\", __cplusplus); }\n");
