@@ -1,4 +1,4 @@
-# How others find EyeBridge: eyebridge-cc and eyebridge-c++, eyebridge.pc, find_package(EyeBridge).
+# How others find EyeBridge: eyebridge-cc and eyebridge-c++ (gccsim, g++sim), eyebridge.pc, find_package(EyeBridge).
 # Each works from the build tree and from an installation, which can be moved: apart from the
 # headers of the build tree, all paths are relative to the file itself.
 include(CMakePackageConfigHelpers)
@@ -9,7 +9,10 @@ if(EYEBRIDGE_SANITIZE AND NOT EYEBRIDGE_FUZZ)
   set(sanitizer_flags "-fsanitize=${EYEBRIDGE_SANITIZE}")
 endif()
 
-# Writes bin/eyebridge-cc, bin/eyebridge-c++ and lib/pkgconfig/eyebridge.pc under `folder`.
+# What people's Makefiles call the wrappers: those of EyeSim, and of the robots' own computers.
+set(wrapper_aliases "gccsim:eyebridge-cc" "gccarm:eyebridge-cc" "g++sim:eyebridge-c++" "g++arm:eyebridge-c++")
+
+# Writes bin/eyebridge-cc, bin/eyebridge-c++, their aliases and lib/pkgconfig/eyebridge.pc under `folder`.
 # `include_folder` may start with @PREFIX@, which each file replaces by the way it finds itself.
 function(eyebridge_package_files folder include_folder)
   string(REPLACE "@PREFIX@" "$prefix" shell_include "${include_folder}")
@@ -22,6 +25,12 @@ function(eyebridge_package_files folder include_folder)
                    FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
                                     WORLD_READ WORLD_EXECUTE)
   endforeach()
+  foreach(alias ${wrapper_aliases})
+    string(REPLACE ":" ";" alias "${alias}")
+    list(GET alias 0 name)
+    list(GET alias 1 wrapper)
+    file(CREATE_LINK "${wrapper}" "${folder}/bin/${name}" SYMBOLIC)
+  endforeach()
   configure_file("${CMAKE_SOURCE_DIR}/cmake/eyebridge.pc.in" "${folder}/lib/pkgconfig/eyebridge.pc"
                  @ONLY)
 endfunction()
@@ -32,8 +41,7 @@ eyebridge_package_files("${for_installation}" "@PREFIX@/include/eyebridge")
 
 install(TARGETS eyebridge_robios EXPORT EyeBridgeTargets LIBRARY DESTINATION lib)
 install(TARGETS eyebridge_command RUNTIME DESTINATION bin)
-install(PROGRAMS "${for_installation}/bin/eyebridge-cc" "${for_installation}/bin/eyebridge-c++"
-        DESTINATION bin)
+install(DIRECTORY "${for_installation}/bin/" DESTINATION bin USE_SOURCE_PERMISSIONS)
 install(FILES "${for_installation}/lib/pkgconfig/eyebridge.pc" DESTINATION lib/pkgconfig)
 install(DIRECTORY "${CMAKE_SOURCE_DIR}/robios/include/" DESTINATION include/eyebridge
         FILES_MATCHING PATTERN "*.h")

@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <span>
 
+#include "eyebridge/base/colour.hpp"
+
 namespace eyebridge::robios {
 
-enum class FontFamily { Helvetica, Times, Courier };
-enum class FontStyle { Normal, Bold, Italics };
+enum class FontFamily : std::uint8_t { Helvetica, Times, Courier };
+enum class FontStyle : std::uint8_t { Normal, Bold, Italics };
 
 /// One typeface in one size, as glyph bitmaps on a fixed grid: every glyph fills one cell.
 ///
@@ -27,6 +29,14 @@ class Font {
   int cell_height_;
   const std::uint8_t* glyphs_;
 };
+
+/// What a pixel shows that the ink covers by 0 … 255: a mixture of both, rounded.
+constexpr Rgb inked(Rgb paper, Rgb ink, unsigned coverage) {
+  const auto mix = [coverage](unsigned under, unsigned over) {
+    return static_cast<std::uint8_t>((under * (255 - coverage) + over * coverage + 127) / 255);
+  };
+  return {mix(paper.r, ink.r), mix(paper.g, ink.g), mix(paper.b, ink.b)};
+}
 
 /// The sizes that LCDSetFontSize() accepts, ascending: 8, 10, 12, 14, 18, 24.
 std::span<const int> font_sizes();

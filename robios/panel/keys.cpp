@@ -70,7 +70,9 @@ void Keys::take_terminal(std::chrono::milliseconds timeout) {
     return;
   }
   const std::lock_guard lock(terminal_mutex_);
-  press(terminal_->poll(timeout));
+  const KeyEvent event = terminal_->poll(timeout);
+  press(event.key);
+  if (event.touch) touch(event.touch->x, event.touch->y);
 }
 
 int Keys::read() {
@@ -86,13 +88,14 @@ int Keys::read() {
 }
 
 std::optional<TouchPoint> Keys::read_touch() {
+  take_terminal(std::chrono::milliseconds{0});
   const std::lock_guard lock(mutex_);
   take_script();
   return std::exchange(last_touch_, std::nullopt);
 }
 
 template <class Take>
-auto Keys::wait_for(const char* wanted, const WaitUntil& wait_until, Take take)
+auto Keys::wait_for(Wanted wanted, const WaitUntil& wait_until, Take take)
     -> Result<typename decltype(take())::value_type> {
   const bool is_virtual = clock_.is_virtual();
   while (true) {
@@ -113,7 +116,7 @@ auto Keys::wait_for(const char* wanted, const WaitUntil& wait_until, Take take)
     bool typed = false;
     if (terminal_ != nullptr) {
       const std::lock_guard lock(terminal_mutex_);
-      typed = terminal_->open();
+      typed = terminal_->open() && (wanted == Wanted::Key || terminal_->has_touches());
     }
     const bool person = window || typed;
 
@@ -121,7 +124,7 @@ auto Keys::wait_for(const char* wanted, const WaitUntil& wait_until, Take take)
       wait_until(*next);
     } else if (!person) {
       return fail(Errc::Unsupported,
-                  std::string("waits for ") + wanted +
+                  std::string("waits for a ") + (wanted == Wanted::Key ? "key" : "touch") +
                       " that can never come: the key script is used up, and there is no terminal "
                       "and no window; use --keys, as in --keys \"KEY1@2s,KEY4@10s\"");
     } else if (!is_virtual) {
@@ -141,7 +144,7 @@ Result<int> Keys::wait(int mask, const WaitUntil& wait_until) {
   if ((mask & kAllKeys) == 0) {
     return fail(Errc::OutOfRange, "key mask " + std::to_string(mask) + ", expected KEY1..KEY4");
   }
-  return wait_for("a key", wait_until, [&]() -> std::optional<int> {
+  return wait_for(Wanted::Key, wait_until, [&]() -> std::optional<int> {
     while (!presses_.empty()) {
       const int key = presses_.front();
       presses_.pop_front();
@@ -154,7 +157,8 @@ Result<int> Keys::wait(int mask, const WaitUntil& wait_until) {
 }
 
 Result<TouchPoint> Keys::wait_touch(const WaitUntil& wait_until) {
-  return wait_for("a touch", wait_until, [&] { return std::exchange(last_touch_, std::nullopt); });
+  return wait_for(Wanted::Touch, wait_until,
+                  [&] { return std::exchange(last_touch_, std::nullopt); });
 }
 
 void Keys::press_remote(int code) {

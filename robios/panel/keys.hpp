@@ -60,8 +60,10 @@ class Keys {
   void flush_remote();
 
  private:
+  enum class Wanted { Key, Touch };
+
   template <class Take>
-  auto wait_for(const char* wanted, const WaitUntil& wait_until, Take take)
+  auto wait_for(Wanted wanted, const WaitUntil& wait_until, Take take)
       -> Result<typename decltype(take())::value_type>;
   void take_script();
   void take_terminal(std::chrono::milliseconds timeout);

@@ -124,7 +124,7 @@ void Lcd::set_mode(int flags) {
   menu_shown_ = chosen(kShowMenu, menu_shown_);
   auto_refresh_ = chosen(kAutoRefresh, auto_refresh_);
   if (refreshed && !auto_refresh_) {
-    frozen_ = canvas_.pixels();
+    freeze();
   }
   ++revision_;
 }
@@ -160,15 +160,7 @@ Result<Rgb> Lcd::pixel_at(int x, int y) const {
   if (!canvas_.contains(x, y)) {
     return fail(Errc::OutOfRange, "no pixel " + std::to_string(x) + ", " + std::to_string(y));
   }
-  const int strip = height_ - kMenuHeight;
-  if (menu_shown_ && y >= strip) {
-    return soft_keys_.picture().at(x, y - strip);
-  }
-  if (!auto_refresh_) {
-    return frozen_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                   static_cast<std::size_t>(x)];
-  }
-  return canvas_.at(x, y);
+  return shown_row(y)[static_cast<std::size_t>(x)];
 }
 
 void Lcd::line(int x1, int y1, int x2, int y2, Rgb colour) {
@@ -265,31 +257,63 @@ void Lcd::image_binary(const std::uint8_t* bits) {
 void Lcd::refresh() {
   const std::lock_guard lock(mutex_);
   if (!auto_refresh_) {
-    frozen_ = canvas_.pixels();
+    freeze();
     ++revision_;
   }
 }
 
+void Lcd::freeze() {
+  frozen_ = canvas_.pixels();
+  frozen_text_ = text_.cells();
+}
+
 camera::Frame Lcd::snapshot() const {
   const std::lock_guard lock(mutex_);
+  return picture();
+}
+
+camera::Frame Lcd::picture() const {
   camera::Frame frame;
   frame.width = width_;
   frame.height = height_;
   frame.stride = 3 * width_;
   frame.format = camera::PixelFormat::Rgb24;
   frame.sequence = revision_;
-  const std::vector<Rgb>& shown = auto_refresh_ ? canvas_.pixels() : frozen_;
-  const std::vector<Rgb>& strip = soft_keys_.picture().pixels();
-  const std::size_t covered = menu_shown_ ? shown.size() - strip.size() : shown.size();
-  frame.bytes.resize(shown.size() * 3);
+  frame.bytes.resize(static_cast<std::size_t>(frame.stride) * static_cast<std::size_t>(height_));
   std::uint8_t* out = frame.bytes.data();
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    const Rgb pixel = i < covered ? shown[i] : strip[i - covered];
-    *out++ = pixel.r;
-    *out++ = pixel.g;
-    *out++ = pixel.b;
+  for (int y = 0; y < height_; ++y) {
+    for (const Rgb pixel : shown_row(y)) {
+      *out++ = pixel.r;
+      *out++ = pixel.g;
+      *out++ = pixel.b;
+    }
   }
   return frame;
+}
+
+std::span<const Rgb> Lcd::shown_row(int y) const {
+  const int strip = height_ - kMenuHeight;
+  if (menu_shown_ && y >= strip) return soft_keys_.picture().row(y - strip);
+  if (auto_refresh_) return canvas_.row(y);
+  const auto width = static_cast<std::size_t>(width_);
+  return {&frozen_[static_cast<std::size_t>(y) * width], width};
+}
+
+LcdShot Lcd::shot() const {
+  const std::lock_guard lock(mutex_);
+  LcdShot shot;
+  shot.picture = picture();
+  shot.font_size = text_.font_size();
+  shot.text_rows = text_.rows();
+  shot.text_columns = text_.columns();
+  shot.text = text_.cells();
+  if (!auto_refresh_ && frozen_text_.size() == shot.text.size()) shot.text = frozen_text_;
+  shot.cursor = text_.position();
+  shot.menu_shown = menu_shown_;
+  for (std::size_t key = 0; key < shot.keys.size(); ++key) {
+    shot.keys.at(key) = soft_keys_.look(key);
+  }
+  return shot;
 }
 
 std::vector<std::string> Lcd::text_rows() const {
@@ -301,7 +325,7 @@ std::array<std::string, kSoftKeys> Lcd::menu_labels() const {
   const std::lock_guard lock(mutex_);
   std::array<std::string, kSoftKeys> labels;
   for (std::size_t key = 0; key < labels.size(); ++key) {
-    labels.at(key) = soft_keys_.label(key);
+    labels.at(key) = soft_keys_.look(key).label;
   }
   return labels;
 }

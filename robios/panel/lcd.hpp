@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <mutex>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,18 @@ struct ImageWindow {
   int height = 240;
 
   friend bool operator==(const ImageWindow&, const ImageWindow&) = default;
+};
+
+/// What the screen shows at one moment, as pixels and as what they mean.
+struct LcdShot {
+  camera::Frame picture;  ///< Rgb24, with the strip of soft keys when it is shown.
+  int font_size = 0;      ///< Of the text: its cells are on this font's grid.
+  int text_rows = 0;
+  int text_columns = 0;
+  std::vector<TextCell> text;  ///< text_rows x text_columns.
+  TextPosition cursor;
+  bool menu_shown = false;
+  std::array<SoftKeyLook, kSoftKeys> keys;
 };
 
 /// The robot's screen: a framebuffer with a text cursor, and a strip of four soft keys over its
@@ -102,6 +115,8 @@ class Lcd {
   void refresh();
   /// What the screen shows, Rgb24.
   [[nodiscard]] camera::Frame snapshot() const;
+  /// The same and what is known of it: text, soft keys, cursor.
+  [[nodiscard]] LcdShot shot() const;
   /// The text on the screen, one string (UTF-8) a row, trailing blanks cut.
   [[nodiscard]] std::vector<std::string> text_rows() const;
   /// The labels of the soft keys as last set, whether or not they are shown.
@@ -112,12 +127,17 @@ class Lcd {
  private:
   template <class Draw>
   void draw(Draw&& change);
+  void freeze();
+  // These need the lock.
+  [[nodiscard]] std::span<const Rgb> shown_row(int y) const;
+  [[nodiscard]] camera::Frame picture() const;
 
   const int width_;
   const int height_;
   mutable std::mutex mutex_;
   Canvas canvas_;            // what is drawn, without the strip
   std::vector<Rgb> frozen_;  // what is shown while auto_refresh_ is off
+  std::vector<TextCell> frozen_text_;
   TextScreen text_;
   SoftKeys soft_keys_;
   bool menu_shown_ = false;

@@ -52,7 +52,7 @@ int SoftKeys::key_at(int x) const {
 void SoftKeys::paint() {
   const Font font(FontFamily::Helvetica, FontStyle::Bold, 12);
   for (int key = 0; key < kSoftKeys; ++key) {
-    const Key& look = keys_[static_cast<std::size_t>(key)];
+    const SoftKeyLook& look = keys_[static_cast<std::size_t>(key)];
     const int left = left_of(key);
     const int right = left_of(key + 1) - 1;
     picture_.area(left, 0, right, kMenuHeight - 1, look.paper, true);

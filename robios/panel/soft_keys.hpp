@@ -15,6 +15,15 @@ inline constexpr int kMenuHeight = 38;
 /// Bytes of a label that count (LCD_MENU_STRLENGTH less the closing zero).
 inline constexpr std::size_t kLabelBytes = 31;
 
+/// How one of them looks.
+struct SoftKeyLook {
+  std::string label;  ///< '\n' separates lines.
+  Rgb ink;
+  Rgb paper;
+
+  friend bool operator==(const SoftKeyLook&, const SoftKeyLook&) = default;
+};
+
 /// The four labelled keys along the lower edge of the screen. One thread.
 class SoftKeys {
  public:
@@ -30,18 +39,14 @@ class SoftKeys {
   [[nodiscard]] int key_at(int x) const;
   /// The strip as it looks: the screen's width x kMenuHeight.
   [[nodiscard]] const Canvas& picture() const { return picture_; }
-  [[nodiscard]] const std::string& label(std::size_t key) const { return keys_.at(key).label; }
+  /// Of key 0..3.
+  [[nodiscard]] const SoftKeyLook& look(std::size_t key) const { return keys_.at(key); }
 
  private:
-  struct Key {
-    std::string label;
-    Rgb ink;
-    Rgb paper;
-  };
   [[nodiscard]] int left_of(int key) const;
   void paint();
 
-  std::array<Key, kSoftKeys> keys_;
+  std::array<SoftKeyLook, kSoftKeys> keys_;
   bool counts_from_zero_ = false;
   Canvas picture_;
 };

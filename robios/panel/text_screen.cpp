@@ -19,7 +19,15 @@ TextScreen::TextScreen(int width, int height)
 }
 
 void TextScreen::print(Canvas& canvas, std::string_view text) {
-  for (const char c : to_latin1(text)) {
+  if (std::any_of(text.begin(), text.end(), [](char c) { return (c & 0x80) != 0; })) {
+    print_latin1(canvas, to_latin1(text));
+  } else {
+    print_latin1(canvas, text);
+  }
+}
+
+void TextScreen::print_latin1(Canvas& canvas, std::string_view text) {
+  for (const char c : text) {
     switch (c) {
       case '\n':
         new_line();
@@ -56,10 +64,10 @@ void TextScreen::put(Canvas& canvas, std::uint8_t code) {
   }
   if (position_.row >= 0 && position_.row < rows_ && position_.column >= 0 &&
       position_.column < columns_) {
-    canvas.glyph(position_.column * font_.cell_width(), position_.row * font_.cell_height(), font_,
-                 code, ink_, paper_);
-    cells_[static_cast<std::size_t>(position_.row)][static_cast<std::size_t>(position_.column)] =
-        static_cast<char>(code);
+    canvas.stamp(position_.column * font_.cell_width(), position_.row * font_.cell_height(), font_,
+                 picture_of(code));
+    cells_[static_cast<std::size_t>(position_.row)][static_cast<std::size_t>(position_.column)] = {
+        static_cast<char>(code), family_, style_, true, ink_, paper_};
     flowed_ = true;
   }
   position_.column = std::min(position_.column + 1, kFarthest);
@@ -75,17 +83,21 @@ void TextScreen::scroll(Canvas& canvas, int count) {
   const int rows = std::min(count, rows_);
   canvas.scroll_up(rows * font_.cell_height(), rows_ * font_.cell_height(), paper_);
   std::rotate(cells_.begin(), cells_.begin() + rows, cells_.end());
-  std::fill(cells_.end() - rows, cells_.end(),
-            std::string(static_cast<std::size_t>(columns_), ' '));
+  blank(static_cast<std::size_t>(rows_ - rows));
   position_.row = rows_ - 1;
 }
 
+void TextScreen::blank(std::size_t first_row) {
+  for (std::size_t row = first_row; row < cells_.size(); ++row) {
+    std::copy(blank_.begin(), blank_.end(), cells_[row].begin());
+  }
+}
+
 void TextScreen::clear() {
-  std::fill(cells_.begin(), cells_.end(), std::string(static_cast<std::size_t>(columns_), ' '));
+  blank(0);
   position_ = {};
   flowed_ = true;
-  ink_ = {255, 255, 255};
-  paper_ = {};
+  set_colours({255, 255, 255}, {});
 }
 
 void TextScreen::set_position(int row, int column) {
@@ -96,8 +108,10 @@ void TextScreen::set_position(int row, int column) {
 }
 
 void TextScreen::set_colours(Rgb ink, Rgb paper) {
+  if (ink == ink_ && paper == paper_) return;
   ink_ = ink;
   paper_ = paper;
+  mixed_.fill(false);
 }
 
 void TextScreen::set_font(FontFamily family, FontStyle style) {
@@ -112,18 +126,44 @@ void TextScreen::set_font_size(int size) {
 }
 
 void TextScreen::apply_font() {
+  const int before = font_.cell_width();
   font_ = Font(family_, style_, size_);
+  mixed_.fill(false);
   rows_ = height_ / font_.cell_height();
   columns_ = width_ / font_.cell_width();
   cells_.resize(static_cast<std::size_t>(rows_));
-  for (std::string& row : cells_) {
-    row.resize(static_cast<std::size_t>(columns_), ' ');
+  blank_.assign(static_cast<std::size_t>(columns_), {});
+  for (auto& row : cells_) {
+    row.resize(static_cast<std::size_t>(columns_));
+    if (font_.cell_width() == before) continue;
+    for (TextCell& cell : row) cell.drawn = false;
   }
+}
+
+const Rgb* TextScreen::picture_of(std::uint8_t code) {
+  const auto coverage = font_.glyph(code);
+  pictures_.resize(std::max(pictures_.size(), mixed_.size() * coverage.size()));
+  Rgb* const picture = &pictures_[code * coverage.size()];
+  if (!mixed_[code]) {
+    mixed_[code] = true;
+    std::transform(coverage.begin(), coverage.end(), picture,
+                   [&](std::uint8_t c) { return inked(paper_, ink_, c); });
+  }
+  return picture;
+}
+
+std::vector<TextCell> TextScreen::cells() const {
+  std::vector<TextCell> all;
+  all.reserve(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_));
+  for (const auto& row : cells_) all.insert(all.end(), row.begin(), row.end());
+  return all;
 }
 
 std::vector<std::string> TextScreen::rows_as_text() const {
   std::vector<std::string> rows;
-  for (const std::string& row : cells_) {
+  for (const auto& cells : cells_) {
+    std::string row;
+    for (const TextCell& cell : cells) row += cell.code;
     rows.push_back(to_utf8(std::string_view(row).substr(0, row.find_last_not_of(' ') + 1)));
   }
   return rows;

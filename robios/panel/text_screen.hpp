@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -17,6 +18,18 @@ struct TextPosition {
   int column = 0;
 
   friend bool operator==(const TextPosition&, const TextPosition&) = default;
+};
+
+/// A character as it was last drawn in its cell, whatever was drawn over it since.
+struct TextCell {
+  char code = ' ';  ///< Latin-1.
+  FontFamily family = FontFamily::Helvetica;
+  FontStyle style = FontStyle::Normal;
+  bool drawn = false;  ///< False for an empty cell, and for text printed in another size.
+  Rgb ink;
+  Rgb paper;
+
+  friend bool operator==(const TextCell&, const TextCell&) = default;
 };
 
 /// Text on a canvas: cursor, cells, wrapping and scrolling, and a copy of the characters. One
@@ -45,15 +58,21 @@ class TextScreen {
 
   [[nodiscard]] int rows() const { return rows_; }
   [[nodiscard]] int columns() const { return columns_; }
+  [[nodiscard]] int font_size() const { return size_; }
+  /// Of all rows, one after the other: rows() x columns().
+  [[nodiscard]] std::vector<TextCell> cells() const;
   /// Characters as UTF-8, one string a row, trailing blanks cut.
   [[nodiscard]] std::vector<std::string> rows_as_text() const;
 
  private:
+  void print_latin1(Canvas& canvas, std::string_view text);
   void put_if_visible(Canvas& canvas, std::uint8_t code);
   void put(Canvas& canvas, std::uint8_t code);
   void new_line();
   void scroll(Canvas& canvas, int count);
   void apply_font();
+  void blank(std::size_t first_row);
+  const Rgb* picture_of(std::uint8_t code);
 
   int width_;
   int height_;
@@ -69,7 +88,11 @@ class TextScreen {
   bool wrapping_ = true;
   Rgb ink_{255, 255, 255};
   Rgb paper_{};
-  std::vector<std::string> cells_;  // Latin-1, always rows_ x columns_
+  std::vector<std::vector<TextCell>> cells_;  // always rows_ x columns_
+  std::vector<TextCell> blank_;               // a row of them
+  // Glyphs in the present font and colours, mixed when first asked for: printing copies them.
+  std::vector<Rgb> pictures_;
+  std::array<bool, 256> mixed_{};
 };
 
 }  // namespace eyebridge::robios

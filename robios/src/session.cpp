@@ -23,12 +23,14 @@
 #include "failures.hpp"
 #include "keys.hpp"
 #include "lcd.hpp"
-#include "lcd_mirror.hpp"
 #include "library_threads.hpp"
+#include "open_panel.hpp"
 #include "radio_messages.hpp"
 #include "run_output.hpp"
 #include "signals.hpp"
 #include "stderr_log.hpp"
+#include "terminal/terminal_mode.hpp"
+#include "terminal/terminal_panel.hpp"
 #include "timers.hpp"
 
 namespace eyebridge::robios {
@@ -71,9 +73,15 @@ auto from_setting(const hal::Config& config, const char* name, Use&& use) {
   }
 }
 
-std::unique_ptr<Keys> make_keys(const hal::Config& config, Clock& clock, Lcd& lcd) {
+std::unique_ptr<Keys> make_keys(const hal::Config& config, Clock& clock, Lcd& lcd,
+                                const TerminalPanel* panel) {
   auto script = from_setting(config, "keys", parse_key_script);
-  auto keys = std::make_unique<Keys>(clock, std::move(script), terminal_keys());
+  std::unique_ptr<KeyInput> input = terminal_keys();
+  if (panel != nullptr) {
+    input = std::make_unique<TerminalKeys>(
+        panel->descriptor(), [panel](int column, int row) { return panel->pixel_at(column, row); });
+  }
+  auto keys = std::make_unique<Keys>(clock, std::move(script), std::move(input));
   keys->set_touch_map([&lcd](int x, int y) { return lcd.key_at(x, y); });
   return keys;
 }
@@ -96,7 +104,8 @@ struct Session::Impl {
         backend(hal::open_backend({config, log})),
         clock(backend->clock()),
         lcd(make_lcd(config)),
-        keys(make_keys(config, clock, *lcd)),
+        panel(open_panel(config, *lcd)),
+        keys(make_keys(config, clock, *lcd, panel.get())),
         camera(config.text("camera"), {&clock, backend->camera_view(), &log},
                backend->camera_source()),
         timers(clock),
@@ -104,7 +113,6 @@ struct Session::Impl {
         cost_scale(config.number("cost_scale")) {
     check_camera(config, {&clock, backend->camera_view(), &log});
     if (config.is_set("time_limit")) limit = from_seconds(config.number("time_limit"));
-    if (config.boolean("mirror")) mirror.emplace(*lcd);
     if (config.is_set("out")) {
       from_setting(config, "out", [&](const std::string&) {
         output.emplace(config.path("out"), config.integer("save_frames"));
@@ -122,6 +130,7 @@ struct Session::Impl {
   std::unique_ptr<hal::Backend> backend;
   Clock& clock;
   std::unique_ptr<Lcd> lcd;
+  std::unique_ptr<TerminalPanel> panel;  ///< Null for none.
   std::unique_ptr<Keys> keys;
   CameraPort camera;
   Timers timers;
@@ -129,8 +138,6 @@ struct Session::Impl {
   RadioMessages messages;
   double cost_scale;
   std::optional<Time> limit;
-  std::optional<LcdMirror> mirror;
-  std::mutex mirror_mutex;
   std::optional<RunOutput> output;
   const std::chrono::steady_clock::time_point wall_start = std::chrono::steady_clock::now();
   std::once_flag ended;
@@ -147,16 +154,9 @@ struct Session::Impl {
     return ending_thread.compare_exchange_strong(nobody, me) || nobody == me;
   }
 
-  void update_mirror(bool force) {
-    if (!mirror) return;
-    const std::lock_guard lock(mirror_mutex);
-    mirror->update(clock.now(), force);
-  }
-
   /// Throws std::runtime_error when something could not be written.
   void finish() {
     const Time simulated = clock.now();
-    update_mirror(true);
     if (!output) return;
     camera::View* view = backend->camera_view();
     std::optional<world::Scene> scene;
@@ -188,6 +188,7 @@ Session& Session::instance() {
           nullptr);
       watch_forks();
       watch_signals([](int) { instance().end(); }, [] { instance().look_around(); });
+      if (made->impl_->panel) made->impl_->panel->start();
       return made;
     } catch (const ConfigError& error) {
       fmt::print(stderr, "eyebridge: {}\n", error.what());
@@ -227,7 +228,6 @@ void Session::charge(std::string_view call) {
     impl_->clock.spend(Time(static_cast<Time::rep>(cost)));
     impl_->timers.run_due();
   }
-  impl_->update_mirror(false);
   check_limit();
 }
 
@@ -303,10 +303,11 @@ void Session::end() noexcept {
   std::call_once(impl_->ended, [this] {
     impl_->claim_end();
     impl_->stage = Stage::Ended;
-    release_terminal();
     impl_->timers.stop();
     impl_->recorder.stop();
     impl_->backend->stop();
+    if (impl_->panel) impl_->panel->stop();
+    release_terminal();
     impl_->backend->trace_to(nullptr);
     try {
       impl_->finish();

@@ -33,6 +33,7 @@ int Timers::attach(Time period, Callback callback) {
   const std::lock_guard lock(mutex_);
   const int handle = next_handle_++;
   entries_.emplace(handle, Entry{period, clock_.now() + period, std::move(callback)});
+  any_ = true;
   if (!clock_.is_virtual() && !thread_.joinable() && !stopping_) {
     thread_ = std::thread([this] { run_thread(); });
   }
@@ -66,7 +67,7 @@ std::optional<Time> Timers::next_due() const {
 }
 
 void Timers::run_due() {
-  if (!clock_.is_virtual() || in_callback) return;
+  if (!any_ || !clock_.is_virtual() || in_callback) return;
   std::unique_lock lock(mutex_);
   if (stopping_ || calling_ || entries_.empty()) return;
   call_due(clock_.now(), lock);

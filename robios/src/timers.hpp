@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <functional>
 #include <map>
@@ -50,6 +51,7 @@ class Timers {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::map<int, Entry> entries_;
+  std::atomic<bool> any_ = false;  ///< Spares run_due() the lock.
   int next_handle_ = 1;
   bool stopping_ = false;
   bool calling_ = false;  ///< One thread is in callbacks: as on the robot, never two at once.

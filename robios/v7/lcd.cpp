@@ -5,6 +5,7 @@
 #include <cstdarg>
 #include <cstdio>
 #include <string>
+#include <string_view>
 
 #include "convert.hpp"
 #include "globals.hpp"
@@ -59,22 +60,31 @@ int changing(std::string_view call, Change&& change) {
   });
 }
 
-Result<std::string> formatted(const char* format, va_list arguments) {
+/// Calls `print` with the text that a format and its arguments give.
+template <class Print>
+Result<int> formatted(const char* format, va_list arguments, Print&& print) {
   if (format == nullptr) {
     return null_pointer();
   }
+  // Most texts are short: those need no memory.
+  std::array<char, 256> small;
   va_list again;
   va_copy(again, arguments);
-  const int length = std::vsnprintf(nullptr, 0, format, again);
+  const int length = std::vsnprintf(small.data(), small.size(), format, again);
   va_end(again);
   if (length < 0) {
     return fail(Errc::OutOfRange, std::string("the format \"") + format + "\" cannot be printed");
   }
   const auto size = static_cast<std::size_t>(std::min(length, kLongestText));
+  if (size < small.size()) {
+    print(std::string_view(small.data(), size));
+    return 0;
+  }
   std::string text(size + 1, '\0');
   std::vsnprintf(text.data(), text.size(), format, arguments);
   text.resize(size);
-  return text;
+  print(text);
+  return 0;
 }
 
 const char* or_empty(const char* text) { return text == nullptr ? "" : text; }
@@ -97,10 +107,7 @@ int LCDPrintf(const char* format, ...) {
   va_list arguments;
   va_start(arguments, format);
   const int result = guarded("LCDPrintf", kLcdFailed, [&](Session& session) -> Result<int> {
-    return formatted(format, arguments).map([&](const std::string& text) {
-      session.lcd().print(text);
-      return 0;
-    });
+    return formatted(format, arguments, [&](std::string_view text) { session.lcd().print(text); });
   });
   va_end(arguments);
   return result;
@@ -110,10 +117,8 @@ int LCDSetPrintf(int row, int column, const char* format, ...) {
   va_list arguments;
   va_start(arguments, format);
   const int result = guarded("LCDSetPrintf", kLcdFailed, [&](Session& session) -> Result<int> {
-    return formatted(format, arguments).map([&](const std::string& text) {
-      session.lcd().print_at(row, column, text);
-      return 0;
-    });
+    return formatted(format, arguments,
+                     [&](std::string_view text) { session.lcd().print_at(row, column, text); });
   });
   va_end(arguments);
   return result;

@@ -25,6 +25,7 @@
 #include "key_script.hpp"
 #include "pnm.hpp"
 #include "replay/ebrec.hpp"
+#include "terminal/input_decoder.hpp"
 
 // What the fuzz targets and the test over their corpus do with one input. Anything but a model or
 // a ConfigError (of an image: an Error, of a picture: a runtime_error) ends the process: that is a
@@ -189,6 +190,21 @@ inline void keys(std::string_view text) {
       last = key.at;
     }
   } catch (const ConfigError&) {  // the input is no script
+  }
+}
+
+/// What a terminal sends: a key is one of four or a click within the numbers, a byte gives one
+/// event at most.
+inline void terminal_input(std::string_view bytes) {
+  robios::InputDecoder decoder;
+  for (const char byte : bytes) {
+    const auto event = decoder.push(static_cast<std::uint8_t>(byte));
+    if (!event) continue;
+    const bool is_key = event->key == 1 || event->key == 2 || event->key == 4 || event->key == 8;
+    const bool is_click = event->key == 0 && event->column >= 0 && event->row >= 0 &&
+                          event->column < 100'000 && event->row < 100'000;
+    if (!is_key && !is_click) found();
+    if (is_key && (byte < '1' || byte > '4')) found();
   }
 }
 

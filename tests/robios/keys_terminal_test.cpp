@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <string>
 #include <string_view>
 
 #include <fcntl.h>
@@ -9,6 +11,7 @@
 #include <unistd.h>
 
 #include "key_input.hpp"
+#include "terminal/terminal_mode.hpp"
 
 namespace eyebridge::robios {
 namespace {
@@ -36,6 +39,12 @@ class FakeTerminal {
   void type(std::string_view text) const {
     ASSERT_EQ(write(person_, text.data(), text.size()), static_cast<ssize_t>(text.size()));
   }
+  /// What the program has sent since the last time.
+  [[nodiscard]] std::string seen() const {
+    char text[256];
+    const ssize_t count = read(person_, text, sizeof text);
+    return {text, static_cast<std::size_t>(std::max<ssize_t>(count, 0))};
+  }
   void hang_up() {
     if (person_ >= 0) {
       close(person_);
@@ -56,13 +65,28 @@ class FakeTerminal {
 TEST(TerminalKeys, TakesTheDigitsOneToFourWithoutEnter) {
   const FakeTerminal terminal;
   TerminalKeys keys(terminal.program());
-  EXPECT_EQ(keys.poll(milliseconds(0)), 0);
+  EXPECT_EQ(keys.poll(milliseconds(0)), KeyEvent{});
   terminal.type("1x45");
-  EXPECT_EQ(keys.poll(kPlenty), 1);
-  EXPECT_EQ(keys.poll(kPlenty), 0);  // x
-  EXPECT_EQ(keys.poll(kPlenty), 8);
-  EXPECT_EQ(keys.poll(kPlenty), 0);  // 5
+  EXPECT_EQ(keys.poll(kPlenty), (KeyEvent{1, std::nullopt}));
+  EXPECT_EQ(keys.poll(kPlenty), (KeyEvent{8, std::nullopt}));
+  EXPECT_EQ(keys.poll(kPlenty), KeyEvent{});  // 5
   EXPECT_TRUE(keys.open());
+  EXPECT_FALSE(keys.has_touches());
+}
+
+TEST(TerminalKeys, TakesClicksAsTouchesOfWhatIsUnderThem) {
+  const FakeTerminal terminal;
+  TerminalKeys keys(terminal.program(), [](int column, int row) {
+    return row == 0 ? std::nullopt : std::optional(TouchPoint{7 * column, 15 * row});
+  });
+  EXPECT_TRUE(keys.has_touches());
+  keys.poll(milliseconds(0));
+  EXPECT_EQ(terminal.seen(), "\x1b[?1000h\x1b[?1006h");
+  terminal.type("\x1b[<0;11;3M\x1b[<0;11;3m\x1b[<0;5;1M");
+  EXPECT_EQ(keys.poll(kPlenty), (KeyEvent{0, TouchPoint{70, 30}}));
+  EXPECT_EQ(keys.poll(kPlenty), KeyEvent{}) << "outside";
+  restore_keys();
+  EXPECT_EQ(terminal.seen(), "\x1b[?1006l\x1b[?1000l");
 }
 
 TEST(TerminalKeys, LeavesTheTerminalAsItWas) {
@@ -95,7 +119,7 @@ TEST(TerminalKeys, EndsWithTheTerminal) {
   TerminalKeys keys(terminal.program());
   keys.poll(milliseconds(0));
   terminal.hang_up();
-  EXPECT_EQ(keys.poll(kPlenty), 0);
+  EXPECT_EQ(keys.poll(kPlenty), KeyEvent{});
   EXPECT_FALSE(keys.open());
 }
 

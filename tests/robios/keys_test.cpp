@@ -34,19 +34,23 @@ class FakeClock final : public Clock {
 class FakeInput final : public KeyInput {
  public:
   FakeInput(std::deque<int> keys, bool ends) : keys_(std::move(keys)), ends_(ends) {}
-  int poll(milliseconds) override {
+  KeyEvent poll(milliseconds) override {
     if (keys_.empty()) {
-      return 0;
+      return {};
     }
     const int key = keys_.front();
     keys_.pop_front();
-    return key;
+    // A key beyond the four is a touch in this test.
+    return key <= 8 ? KeyEvent{key, std::nullopt} : KeyEvent{0, TouchPoint{key, key}};
   }
+  [[nodiscard]] bool has_touches() const override { return has_touches_; }
+  void give_touches() { has_touches_ = true; }
   [[nodiscard]] bool open() const override { return !(ends_ && keys_.empty()); }
 
  private:
   std::deque<int> keys_;
   bool ends_;
+  bool has_touches_ = false;
 };
 
 Keys::WaitUntil on(FakeClock& clock) {
@@ -181,6 +185,27 @@ TEST(KeysTouch, OnASoftKeyIsThatKeyAndATouch) {
   EXPECT_EQ(keys.read(), 0);
   EXPECT_EQ(keys.read_touch(), (TouchPoint{10, 20}));
   EXPECT_EQ(keys.read_touch(), std::nullopt);
+}
+
+TEST(KeysTouch, ComesFromATerminalThatHasThem) {
+  for (const bool is_virtual : {true, false}) {
+    FakeClock clock(is_virtual);
+    auto input = std::make_unique<FakeInput>(std::deque<int>{0, 60}, false);
+    input->give_touches();
+    Keys keys(clock, {}, std::move(input));
+    keys.set_touch_map([](int x, int) { return x == 60 ? 2 : 0; });
+    EXPECT_EQ(keys.wait_touch(on(clock)).value(), (TouchPoint{60, 60}));
+    EXPECT_EQ(keys.read_touch(), std::nullopt);
+    EXPECT_EQ(keys.read(), 2) << "a soft key was under it";
+  }
+}
+
+TEST(KeysTouch, IsNotWaitedForAtATerminalThatHasNone) {
+  FakeClock clock;
+  Keys keys(clock, {}, std::make_unique<FakeInput>(std::deque<int>{1}, false));
+  const auto touch = keys.wait_touch(on(clock));
+  ASSERT_FALSE(touch);
+  EXPECT_EQ(touch.error().code, Errc::Unsupported);
 }
 
 TEST(KeysTouch, IsScriptedAndWaitedFor) {
