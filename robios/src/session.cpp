@@ -20,6 +20,7 @@
 #include "eyebridge/camera/view.hpp"
 #include "eyebridge/hal/registry.hpp"
 #include "failures.hpp"
+#include "host.hpp"
 #include "keys.hpp"
 #include "lcd.hpp"
 #include "lcd_mirror.hpp"
@@ -49,8 +50,7 @@ Severity lowest_severity(const hal::Config& config) {
 
 hal::Config read_config() {
   camera::prepare_process();  // before the session's threads
-  std::error_code error;
-  return hal::Config::from_process(std::filesystem::read_symlink("/proc/self/exe", error));
+  return hal::Config::from_process(program_file());
 }
 
 std::unique_ptr<Lcd> make_lcd(const hal::Config& config) {
@@ -195,6 +195,8 @@ Session& Session::instance() {
   return *session;
 }
 
+bool Session::has_begun() { return the_session != nullptr; }
+
 Session* Session::with_own_time() {
   Session* session = the_session;
   if (session == nullptr || session->impl_->stage != Stage::Running) return nullptr;
@@ -299,6 +301,7 @@ void Session::end() noexcept {
     release_terminal();
     impl_->timers.stop();
     impl_->backend->stop();
+    host_ending();
     impl_->backend->trace_to(nullptr);
     try {
       impl_->finish();

@@ -26,6 +26,9 @@ class Session {
   /// ConfigError is printed and ends the process with exit code 2, before the call returns.
   static Session& instance();
 
+  /// True once the first call has started it.
+  static bool has_begun();
+
   /// The session when it runs and its clock is not the wall clock; else null. Starts nothing.
   static Session* with_own_time();
 
