@@ -1,4 +1,4 @@
-"""python3 -m eye PROGRAM [ARGUMENTS]: how `eyebridge run` starts a robot program in Python.
+"""python3 -m eye PROGRAM [ARGUMENTS], or python3 FOLDER/eye PROGRAM: how `eyebridge run` starts a robot program.
 
 As python3 PROGRAM, but with this `eye` and with its time from the first line on: whatever lies beside the program, and
 whatever it imports before `eye`.

@@ -46,8 +46,13 @@ class RobotError(RuntimeError):
     """A call that returns readings has none; the text says why."""
 
 
+def await_end():
+    """Waits for ever while another thread ends the process; set by _host.py."""
+
+
 def failure(call, reason):
     """The RobotError for `call`; `reason` are the bytes of EYEBRIDGELastError()."""
+    await_end()
     text = reason.decode("utf-8", "replace") if reason else "failed"
     return RobotError(text if text.startswith(call) else f"{call}: {text}")
 

@@ -8,6 +8,7 @@ import sys as _sys
 import threading as _threading
 import time as _time
 
+from . import _convert
 from ._library import library as _library
 
 _FOLDER = _os.path.dirname(_os.path.abspath(__file__))
@@ -37,9 +38,24 @@ def _interrupted():
     return 0 if waits and frame.f_code.co_name not in ("run_program", "<module>") else 1
 
 
+def _await_end():
+    """For threads that still run while another one ends the process: they shall not take what they see for failures."""
+    while _is_ending:
+        _real_sleep(1)
+
+
+_is_ending = False
+
+
 @_Ending
 def _ending():
     """The process ends without Python's own end (a time limit, a signal): what was printed must not get lost."""
+    global _is_ending
+    _is_ending = True
+    _flush()
+
+
+def _flush():
     for stream in (_sys.stdout, _sys.stderr):
         try:
             stream.flush()
@@ -88,16 +104,18 @@ def _take_over_time():
 def _program():
     """The file of the robot program, "" when there is none (python3 -c, a console)."""
     file = getattr(_sys.modules.get("__main__"), "__file__", None) or ""
-    if not file and _sys.argv[:1] == ["-m"] and "eye" in _sys.orig_argv:  # python3 -m eye prog.py
+    by_module = not file and _sys.argv[:1] == ["-m"] and "eye" in _sys.orig_argv  # python3 -m eye prog.py
+    if by_module or file.endswith("/eye/__main__.py"):
         file = _sys.argv[1] if len(_sys.argv) > 1 else ""
     return _os.path.abspath(file) if file else ""
 
 
 def _at_exit():
-    _ending()
+    _flush()
     _end()
 
 
+_convert.await_end = _await_end
 _begin(_os.fsencode(_program()), _interrupted, _ending)
 _atexit.register(_at_exit)
 _take_over_time()

@@ -24,7 +24,8 @@ void EYEBRIDGEHostBegin(const char* program, int (*interrupted)(void), void (*en
 
 /**
  * The interpreter ends: stops the motors, writes the results, and returns when no timer's function
- * runs any more. Does nothing when no RoBIOS call was ever made.
+ * runs any more. Does nothing when no RoBIOS call was ever made; never returns when a signal or a
+ * time limit is ending the process.
  */
 void EYEBRIDGEHostEnd(void);
 

@@ -94,6 +94,7 @@ void EYEBRIDGEHostEnd(void) {
   if (!Session::has_begun()) return;
   Session::instance().end();
   Session::instance().timers().finish();
+  Session::instance().await_end();
 }
 
 int EYEBRIDGEHostWait(long long nanoseconds) {

@@ -278,8 +278,12 @@ void Session::watch_forks() {
                  });
 }
 
+void Session::await_end() {
+  while (!impl_->claim_end()) pause();
+}
+
 void Session::abort_run(const Error& error) {
-  while (!impl_->claim_end()) pause();  // another thread is ending the process already
+  await_end();  // another thread may be ending the process already
   impl_->log.write(Severity::Error, error.what);
   std::exit(1);
 }

@@ -110,7 +110,7 @@ class Calls(ProgramTest):
             from eye import *
             print(PSDGet(PSD_FRONT) == PSDGetRaw(1), PSDGet(42), EYEBRIDGELastError())
             scan = LIDARGet()
-            print(type(scan).__name__, len(scan), scan[180] < 1000, LIDAR_RESOLUTION)
+            print(type(scan).__name__, len(scan), scan[180], LIDAR_RESOLUTION)
             print(LIDARSet(180, 0, 8), len(LIDARGet()), LIDARSet(0, 0, 0), len(SIMLaserScan()))
             MOTORDrive(1, 50); MOTORDrive(2, 50); OSWait(100)
             print(ENCODERRead(1) > 0, ENCODERReset(1), ENCODERRead(1) < 100, MOTORSpeed(1, 5), MOTORPID(1, 4, 1, 1))
@@ -118,7 +118,7 @@ class Calls(ProgramTest):
             """,
             """
             True -1 PSDGet: this robot has no PSD 42
-            list 360 True 360
+            list 360 1000 360
             0 8 1 360
             True 0 True 0 0
             0 0 0 0

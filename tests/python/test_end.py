@@ -10,13 +10,13 @@ from support import ProgramTest, main
 REAL_TIME = {"fast": False}
 # Says "ready" when the main thread is in a function of that name.
 ANNOUNCE = """
-import sys, threading
+import os, sys, threading
 def announce(name):
     main = threading.main_thread().ident
     def watch():
         while sys._current_frames()[main].f_code.co_name != name:
             pass
-        print("ready", flush=True)
+        os.write(1, b"ready\\n")  # and nothing of what was printed
     threading.Thread(target=watch, daemon=True).start()
 """
 
@@ -43,7 +43,8 @@ class End(ProgramTest):
                 ANNOUNCE + f"import time\nfrom eye import *\nOSWait(100)\nannounce('{name}')\nprint('before')\n{call}\n",
             )
             self.assertEqual(run.returncode, -signal.SIGINT, call + run.err)
-            self.assertEqual(run.err, "", call)
+            self.assertEqual(run.out, "before\n", call)
+            self.assertNotIn("Traceback", run.err, call)
             self.expect_results()
 
     def test_ctrl_c_is_a_keyboard_interrupt_while_python_runs(self):
@@ -145,17 +146,10 @@ class End(ProgramTest):
 
     def test_sigterm_keeps_what_was_printed(self):
         run = self.interrupt(
-            """
-            from eye import *
-            OSWait(100)
-            print("ready", flush=True)
-            print("printed")
-            while True:
-                PSDGet(1)
-            """,
+            ANNOUNCE + "from eye import *\nOSWait(100)\nannounce('PSDGet')\nprint('before')\nwhile True:\n    PSDGet(1)\n",
             signal.SIGTERM,
         )
-        self.assertEqual((run.returncode, run.out), (-signal.SIGTERM, "printed\n"), run.err)
+        self.assertEqual((run.returncode, run.out), (-signal.SIGTERM, "before\n"), run.err)
         self.expect_results()
 
     def test_a_time_limit_keeps_what_was_printed(self):

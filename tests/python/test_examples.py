@@ -18,7 +18,8 @@ class Examples(ProgramTest):
                              {"fast": True, "world": SOURCE / "worlds" / "empty-room.wld", "out": self.folder / "out"})  # fmt: skip
         self.assertEqual(run.returncode, 0, run.err)
         self.assertRegex(run.out, r"^stopped at -?\d+ -?\d+, -?\d+ deg\n$")
-        rows = list(csv.DictReader(open(self.folder / "out" / "trace.csv")))
+        with open(self.folder / "out" / "trace.csv") as file:
+            rows = list(csv.DictReader(file))
         left = [float(row["range_2"]) for row in rows if float(row["t"]) > 20]
         self.assertGreater(len(left), 400)
         self.assertGreater(sum(0.08 < value < 0.35 for value in left), 0.8 * len(left))

@@ -73,7 +73,7 @@ class Simulations(unittest.TestCase):
     def test_sensors_read_what_geometry_says(self):
         sim = eyebridge.Simulation()
         robot = sim.robots[0]
-        self.assertEqual(robot.psd_ids, [1, 2, 3])
+        self.assertEqual(robot.psd_ids, [1, 2, 3, 4])
         self.assertEqual(list(robot.psds()), [robot.psd(id) for id in robot.psd_ids])
         with self.assertRaises(IndexError):
             robot.psd(42)

@@ -93,13 +93,14 @@ class Time(ProgramTest):
                 LCDPrintf("tick\\n")
             a, b = OSAttachTimer(10, tick), OSAttachTimer(100, other)
             gc.collect()
-            OSWait(1005)
-            print(OSDetachTimer(a), OSDetachTimer(a), a != b, 90 <= count[0] <= 101, 8 <= count[1] <= 10)
+            while count[1] < 3:
+                OSWait(10)
+            print(OSDetachTimer(a), OSDetachTimer(a), a != b, count[0] > 3)
             print([OSAttachTimer(5, tick) > 0 for _ in range(40)] == [True] * 40, OSAttachTimer(0, tick), OSAttachTimer(5, 5))
             print(OSDetachTimer(OSAttachTimer(1000, type(None))))
             """
         for settings in ({"fast": True}, {"fast": False, "factor": 10}):
-            self.expect(program, "0 1 True True True\nTrue 0 0\n0", settings, err=None)
+            self.expect(program, "0 1 True True\nTrue 0 0\n0", settings, err=None)
 
     def test_an_exact_number_of_ticks_in_virtual_time(self):
         self.expect(

@@ -23,7 +23,7 @@ void SharedSimulation::begin() {
 
 void SharedSimulation::reset(std::optional<std::uint64_t> seed) {
   const std::lock_guard lock(mutex_);
-  opened();
+  (void)opened();  // throws once closed
   if (seed) settings_.seed = *seed;
   ++generation_;
   begin();
