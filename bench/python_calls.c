@@ -11,16 +11,16 @@ static double now_ns(void) {
 }
 
 /* The fastest of several rounds: what disturbs can only add. */
-#define MEASURE(name, call)                                 \
-  do {                                                      \
-    double best = 1e18;                                     \
-    for (int repeat = 0; repeat < REPEATS; ++repeat) {      \
-      const double start = now_ns();                        \
-      for (int i = 0; i < CALLS; ++i) (void)(call);         \
-      const double ns = (now_ns() - start) / CALLS;         \
-      if (ns < best) best = ns;                             \
-    }                                                       \
-    printf("%s %.1f\n", name, best);                        \
+#define MEASURE(name, call)                            \
+  do {                                                 \
+    double best = 1e18;                                \
+    for (int repeat = 0; repeat < REPEATS; ++repeat) { \
+      const double start = now_ns();                   \
+      for (int i = 0; i < CALLS; ++i) (void)(call);    \
+      const double ns = (now_ns() - start) / CALLS;    \
+      if (ns < best) best = ns;                        \
+    }                                                  \
+    printf("%s %.1f\n", name, best);                   \
   } while (0)
 
 int main(void) {

@@ -85,7 +85,8 @@ fs::path find_program(const std::string& name) {
 void become(const fs::path& program, const std::vector<std::string>& arguments) {
   offer_python_packages();
   std::vector<std::string> words;
-  // Through our package, so that it is ours even beside another eye.py, and its time from the start.
+  // Through our package, so that it is ours even beside another eye.py, and its time from the
+  // start.
   if (is_python(program)) words = {"python3", (own_files().python / "eye").string()};
   words.push_back(program.string());
   words.insert(words.end(), arguments.begin(), arguments.end());

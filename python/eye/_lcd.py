@@ -1,6 +1,7 @@
 """LCD and KEY: the panel."""
 
-from . import _convert, _format
+from . import _convert
+from ._format import c_format as _c_format
 from ._library import C as _C
 from ._library import variable as _variable
 
@@ -11,12 +12,12 @@ _image_height = _variable("IM_LENGTH")
 def LCDPrintf(format, *args):
     """Prints at the cursor as printf() does in C: surplus arguments are ignored, int and float stand in for each
     other, and for %s any value does. A conversion without an argument is printed as it stands. 0."""
-    return _C.LCDPrintf(b"%s", _convert.Text.from_param(_format.c_format(format, args)))
+    return _C.LCDPrintf(b"%s", _c_format(format, args).encode("utf-8", "replace"))
 
 
 def LCDSetPrintf(row, column, format, *args):
     """Moves the cursor to a character cell (row first, from 0 at the top left), then prints as LCDPrintf()."""
-    return _C.LCDSetPrintf(row, column, b"%s", _convert.Text.from_param(_format.c_format(format, args)))
+    return _C.LCDSetPrintf(row, column, b"%s", _c_format(format, args).encode("utf-8", "replace"))
 
 
 def LCDClear():

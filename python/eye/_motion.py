@@ -2,15 +2,14 @@
 positive), milliseconds; 0 is success unless a function says otherwise. eyebot.h says all."""
 
 import ctypes as _ctypes
-import threading as _threading
 
 from . import _convert
 from ._library import C as _C
 from ._library import variable as _variable
 
 _lidar_points = _variable("LIDAR_RESOLUTION")
-# The size of a scan must stay as it is until the scan is there.
-_lidar_lock = _threading.Lock()
+# The most that LIDARSet() takes: a timer or another thread may call it while a scan is made.
+_Scan = _ctypes.c_int * 36000
 _Two = _ctypes.c_int * 2
 _Three = _ctypes.c_int * 3
 _byref = _ctypes.byref
@@ -29,18 +28,15 @@ def PSDGetRaw(psd):
 def LIDARGet():
     """A scan, mm, as a list: of 360 values 0 is behind, 90 left, 180 front, 270 right; 9999 is nothing hit. -1
     everywhere when there is no lidar or it is lost."""
-    with _lidar_lock:
-        _C.EYEBRIDGELastError()  # begins the session: LIDAR_RESOLUTION is known from then on
-        scan = (_ctypes.c_int * _lidar_points.value)()
-        if _C.LIDARGet(scan) != 0:
-            return [-1] * len(scan)
-    return scan[:]
+    scan = _Scan()
+    if _C.LIDARGet(scan) != 0:
+        return [-1] * _lidar_points.value
+    return scan[: _lidar_points.value]
 
 
 def LIDARSet(angRange, tilt, numPoints):
     """Range 1..360 degrees centred on the front, tilt (positive down), number of points. 1 for values outside."""
-    with _lidar_lock:
-        return _C.LIDARSet(angRange, tilt, numPoints)
+    return _C.LIDARSet(angRange, tilt, numPoints)
 
 
 def SERVOSet(servo, angle):

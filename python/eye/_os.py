@@ -1,7 +1,6 @@
 """OS: system, time and timers. Milliseconds on the robot's clock."""
 
 import ctypes as _ctypes
-import threading as _threading
 
 from . import _convert
 from ._library import C as _C
@@ -9,7 +8,6 @@ from ._library import C as _C
 _Callback = _ctypes.CFUNCTYPE(None)
 # What C may still call must not be collected: a timer that is detached may be running once more.
 _callbacks = {}
-_callbacks_lock = _threading.Lock()
 
 
 def OSExecute(command):
@@ -74,10 +72,9 @@ def OSAttachTimer(scale, fct):
         _convert.warn(f"OSAttachTimer: {fct!r} cannot be called")
         return 0
     callback = fct if isinstance(fct, _ctypes._CFuncPtr) else _Callback(lambda: (fct(), None)[1])
-    with _callbacks_lock:
-        handle = _C.OSAttachTimer(scale, callback)
-        if handle > 0:
-            _callbacks[handle] = callback
+    handle = _C.OSAttachTimer(scale, callback)
+    if handle > 0:
+        _callbacks[handle] = callback
     return handle
 
 

@@ -15,10 +15,10 @@ extern "C" {
  * program, beside which eyebridge.toml is looked for; null or "" when it has none.
  *
  * interrupted(): Ctrl-C came, and the process had a handler for it when the session began. 1: that
- * handler shall have it, in the main thread; 0: the library stops the motors, writes the results and
- * ends the process. ending(): the run ends, the motors are stopped, and the process ends without
- * the interpreter's own end: the moment to write what is still buffered. Both are called from any
- * thread, may be null, and are not called any more once EYEBRIDGEHostEnd() has returned.
+ * handler shall have it, in the main thread; 0: the library stops the motors, writes the results
+ * and ends the process. ending(): the run ends, the motors are stopped, and the process ends
+ * without the interpreter's own end: the moment to write what is still buffered. Both are called
+ * from any thread, may be null, and are not called any more once EYEBRIDGEHostEnd() has returned.
  */
 void EYEBRIDGEHostBegin(const char* program, int (*interrupted)(void), void (*ending)(void));
 

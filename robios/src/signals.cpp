@@ -39,8 +39,8 @@ void on_signal(int signal) {
 
 constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
 
-// What an interpreter had for Ctrl-C before us, and whether it has it now. Both belong to the thread
-// that waits, but for the moment before it starts.
+// What an interpreter had for Ctrl-C before us, and whether it has it now. Both belong to the
+// thread that waits, but for the moment before it starts.
 bool host_has_handler = false;
 struct sigaction host_handler {};
 bool handed_over = false;

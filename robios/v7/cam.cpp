@@ -27,11 +27,11 @@ struct Size {
 };
 
 constexpr std::array<Size, 6> kCameraModes = {{{QQVGA_X, QQVGA_Y},
-                                         {QVGA_X, QVGA_Y},
-                                         {VGA_X, VGA_Y},
-                                         {CAM1MP_X, CAM1MP_Y},
-                                         {CAMHD_X, CAMHD_Y},
-                                         {CAM5MP_X, CAM5MP_Y}}};
+                                               {QVGA_X, QVGA_Y},
+                                               {VGA_X, VGA_Y},
+                                               {CAM1MP_X, CAM1MP_Y},
+                                               {CAMHD_X, CAMHD_Y},
+                                               {CAM5MP_X, CAM5MP_Y}}};
 
 void publish(int mode, Size size) {
   CAMMODE = mode;

@@ -114,57 +114,76 @@ void bind_robot(py::module_& module) {
   using robot::DriveState;
   py::class_<RobotHandle>(module, "Robot")
       .def_property_readonly("index", [](const RobotHandle& r) { return r.index; })
-      .def_property_readonly("name", [](const RobotHandle& r) {
-        return of(r, [](auto& sim, auto i) { return sim.model(i).name; });
-      })
-      .def_property_readonly("radius", [](const RobotHandle& r) {
-        return of(r, [](auto& sim, auto i) { return sim.model(i).radius(); });
-      })
-      .def_property_readonly("pose", [](const RobotHandle& r) {
-        return as_tuple(of(r, [](auto& sim, auto i) { return sim.pose(i); }));
-      })
-      .def_property_readonly("twist", [](const RobotHandle& r) {
-        return as_tuple(of(r, [](auto& sim, auto i) { return sim.twist(i); }));
-      })
-      .def_property_readonly("odometry", [](const RobotHandle& r) {
-        return as_tuple(of(r, [](auto& sim, auto i) { return sim.odometry(i); }));
-      })
-      .def_property_readonly("driving", [](const RobotHandle& r) {
-        return of(r, [](auto& sim, auto i) { return sim.drive_state(i) == DriveState::Driving; });
-      })
-      .def_property_readonly("failed", [](const RobotHandle& r) {
-        return of(r, [](auto& sim, auto i) { return sim.drive_state(i) == DriveState::Failed; });
-      })
-      .def_property_readonly("stalled", [](const RobotHandle& r) {
-        return of(r, [](auto& sim, auto i) { return sim.stalled(i) != robot::kStallNone; });
-      })
-      .def_property_readonly("encoders", [](const RobotHandle& r) {
-        return of(r, [](auto& sim, auto i) {
-          return std::pair(sim.encoder_ticks(i, 0), sim.encoder_ticks(i, 1));
-        });
-      })
+      .def_property_readonly("name",
+                             [](const RobotHandle& r) {
+                               return of(r, [](auto& sim, auto i) { return sim.model(i).name; });
+                             })
+      .def_property_readonly("radius",
+                             [](const RobotHandle& r) {
+                               return of(r,
+                                         [](auto& sim, auto i) { return sim.model(i).radius(); });
+                             })
+      .def_property_readonly(
+          "pose",
+          [](const RobotHandle& r) {
+            return as_tuple(of(r, [](auto& sim, auto i) { return sim.pose(i); }));
+          })
+      .def_property_readonly(
+          "twist",
+          [](const RobotHandle& r) {
+            return as_tuple(of(r, [](auto& sim, auto i) { return sim.twist(i); }));
+          })
+      .def_property_readonly(
+          "odometry",
+          [](const RobotHandle& r) {
+            return as_tuple(of(r, [](auto& sim, auto i) { return sim.odometry(i); }));
+          })
+      .def_property_readonly("driving",
+                             [](const RobotHandle& r) {
+                               return of(r, [](auto& sim, auto i) {
+                                 return sim.drive_state(i) == DriveState::Driving;
+                               });
+                             })
+      .def_property_readonly("failed",
+                             [](const RobotHandle& r) {
+                               return of(r, [](auto& sim, auto i) {
+                                 return sim.drive_state(i) == DriveState::Failed;
+                               });
+                             })
+      .def_property_readonly(
+          "stalled",
+          [](const RobotHandle& r) {
+            return of(r, [](auto& sim, auto i) { return sim.stalled(i) != robot::kStallNone; });
+          })
+      .def_property_readonly("encoders",
+                             [](const RobotHandle& r) {
+                               return of(r, [](auto& sim, auto i) {
+                                 return std::pair(sim.encoder_ticks(i, 0), sim.encoder_ticks(i, 1));
+                               });
+                             })
       .def("set_pose", &set_pose, py::arg("x"), py::arg("y"), py::arg("theta"), Release())
       .def("set_speed", &set_speed, py::arg("linear"), py::arg("angular") = 0.0, Release())
       .def("drive", &drive, py::arg("distance") = 0.0, py::arg("angle") = 0.0,
            py::arg("speed") = 0.3, Release())
       .def("set_wheels", &set_wheels, py::arg("left"), py::arg("right"), Release())
-      .def("stop", [](const RobotHandle& r) {
-        of(r, [](auto& sim, auto i) { sim.stop(i); });
-      })
+      .def("stop", [](const RobotHandle& r) { of(r, [](auto& sim, auto i) { sim.stop(i); }); })
       .def("psd", &psd, py::arg("id"), Release())
       .def("psds", &psds)
-      .def_property_readonly("psd_ids", [](const RobotHandle& r) {
-        return of(r, [](auto& sim, auto i) {
-          std::vector<int> ids;
-          for (const auto& sensor : sim.model(i).range_sensors) ids.push_back(sensor.id);
-          return ids;
-        });
-      })
+      .def_property_readonly("psd_ids",
+                             [](const RobotHandle& r) {
+                               return of(r, [](auto& sim, auto i) {
+                                 std::vector<int> ids;
+                                 for (const auto& sensor : sim.model(i).range_sensors)
+                                   ids.push_back(sensor.id);
+                                 return ids;
+                               });
+                             })
       .def("lidar", &lidar, py::arg("points") = py::none(), py::arg("field_of_view") = py::none(),
            py::arg("tilt") = py::none())
-      .def("compass", [](const RobotHandle& r) {
-        return of(r, [](auto& sim, auto i) { return sim.read_compass(i); });
-      })
+      .def("compass",
+           [](const RobotHandle& r) {
+             return of(r, [](auto& sim, auto i) { return sim.read_compass(i); });
+           })
       .def("camera", &open_camera, py::arg("width") = 320, py::arg("height") = 240,
            py::arg("options") = "", Release());
 }

@@ -141,15 +141,18 @@ void bind_simulation(py::module_& module) {
       .def("set_speeds", &set_speeds, py::arg("speeds"))
       .def("cast_rays", &cast_rays, py::arg("x"), py::arg("y"), py::arg("angles"),
            py::arg("max_range") = 9.999, py::arg("ignore") = py::none())
-      .def_property_readonly("time", [](const SharedSimulation& shared) {
-        return of(shared, [](auto& sim) { return sim.time(); });
-      })
-      .def_property_readonly("seed", [](const SharedSimulation& shared) {
-        return of(shared, [](auto& sim) { return sim.settings().seed; });
-      })
-      .def_property_readonly("step_length", [](const SharedSimulation& shared) {
-        return of(shared, [](auto& sim) { return sim.settings().step; });
-      })
+      .def_property_readonly("time",
+                             [](const SharedSimulation& shared) {
+                               return of(shared, [](auto& sim) { return sim.time(); });
+                             })
+      .def_property_readonly("seed",
+                             [](const SharedSimulation& shared) {
+                               return of(shared, [](auto& sim) { return sim.settings().seed; });
+                             })
+      .def_property_readonly("step_length",
+                             [](const SharedSimulation& shared) {
+                               return of(shared, [](auto& sim) { return sim.settings().step; });
+                             })
       .def_property_readonly("state_hash", [](const SharedSimulation& shared) {
         return of(shared, [](auto& sim) { return sim.state_hash(); });
       });
