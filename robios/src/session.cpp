@@ -21,6 +21,7 @@
 #include "eyebridge/camera/view.hpp"
 #include "eyebridge/hal/registry.hpp"
 #include "failures.hpp"
+#include "host.hpp"
 #include "keys.hpp"
 #include "lcd.hpp"
 #include "library_threads.hpp"
@@ -53,8 +54,7 @@ Severity lowest_severity(const hal::Config& config) {
 
 hal::Config read_config() {
   camera::prepare_process();  // before the session's threads
-  std::error_code error;
-  return hal::Config::from_process(std::filesystem::read_symlink("/proc/self/exe", error));
+  return hal::Config::from_process(program_file());
 }
 
 std::unique_ptr<Lcd> make_lcd(const hal::Config& config) {
@@ -201,6 +201,8 @@ Session& Session::instance() {
   return *session;
 }
 
+bool Session::has_begun() { return the_session != nullptr; }
+
 Session* Session::with_own_time() {
   Session* session = the_session;
   if (session == nullptr || session->impl_->stage != Stage::Running) return nullptr;
@@ -283,8 +285,12 @@ void Session::watch_forks() {
                  });
 }
 
+void Session::await_end() {
+  while (!impl_->claim_end()) pause();
+}
+
 void Session::abort_run(const Error& error) {
-  while (!impl_->claim_end()) pause();  // another thread is ending the process already
+  await_end();  // another thread may be ending the process already
   impl_->log.write(Severity::Error, error.what);
   std::exit(1);
 }
@@ -308,6 +314,7 @@ void Session::end() noexcept {
     impl_->backend->stop();
     if (impl_->panel) impl_->panel->stop();
     release_terminal();
+    host_ending();
     impl_->backend->trace_to(nullptr);
     try {
       impl_->finish();

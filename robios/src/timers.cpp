@@ -52,6 +52,13 @@ void Timers::stop() {
   changed_.notify_all();
 }
 
+void Timers::finish() {
+  stop();
+  if (in_callback) return;
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return !calling_; });
+}
+
 std::optional<Time> Timers::earliest() const {
   std::optional<Time> first;
   for (const auto& [handle, entry] : entries_) {
@@ -89,6 +96,7 @@ void Timers::call_due(Time now, std::unique_lock<std::mutex>& lock) {
   in_callback = false;
   lock.lock();
   calling_ = false;
+  changed_.notify_all();
 }
 
 void Timers::run_thread() {
