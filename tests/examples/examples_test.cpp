@@ -1,8 +1,11 @@
 #include <cstdlib>
 #include <sstream>
+#include <string>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "eyebridge/camera/recording/frame_table.hpp"
 #include "replay/ebrec.hpp"
@@ -29,6 +32,23 @@ TEST(Square, EndsWhereItStarted) {
   const ProgramRun r = run(EYEBRIDGE_SQUARE, "empty-room.wld");
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_EQ(r.out, "back at 0 0, 0 deg\n");
+}
+
+TEST(Ping, TwoRobotsCountTogether) {
+  const std::string group =
+      "udp:239.192.7.9:" + std::to_string(20000 + ::getpid() % 40000) + "?id=";
+  const auto play = [&](int id) {
+    return testing::run_program(
+        {{EYEBRIDGE_PING},
+         {{"EYEBRIDGE_FACTOR", "20"}, {"EYEBRIDGE_RADIO", group + std::to_string(id)}},
+         ""});
+  };
+  ProgramRun one;
+  std::thread other([&] { one = play(1); });
+  const ProgramRun two = play(2);
+  other.join();
+  EXPECT_EQ(one.out, "robot 1 counted to 20\n") << one.err;
+  EXPECT_EQ(two.out, "robot 2 counted to 19\n") << two.err;
 }
 
 TEST(WallFollower, KeepsItsDistanceToTheWall) {

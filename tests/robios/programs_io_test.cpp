@@ -79,6 +79,15 @@ TEST(ProgramsIo, PsdsMayCountAsIn2015) {
   EXPECT_THAT(file.out, HasSubstr("1 955 2 1440 3 955 raw 1440\n")) << file.err;
 }
 
+TEST(ProgramsIo, AnyNumberOfTimersRunOnTimeAndOsWaitDoesNotNotice) {
+  const auto r = run_named("many_timers");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("quick 1000\nwaited 1000\ncalls 5000\n"));
+  const auto real = run_named("many_timers", {{"EYEBRIDGE_FAST", "false"}});
+  EXPECT_EQ(real.exit_code, 0) << real.err;
+  EXPECT_THAT(real.out, HasSubstr("\nwaited 1"));  // not less than asked: 1000 ms and more
+}
+
 TEST(ProgramsIo, VwControlCanBeSwitchedOff) {
   const ProgramRun r = run_named("control");
   EXPECT_EQ(r.exit_code, 0) << r.err;
