@@ -63,6 +63,15 @@ TEST_F(Package, TheWrapperOfAnInstallationUsesItsOwnFiles) {
                    "moved/bin/eyebridge run ./prog\n");
 }
 
+TEST_F(Package, AnInstallationHasTheNamesOfEyeSimsWrappers) {
+  const std::string program = kConsumer + "prog.c -o prog\n";
+  expect_it_drives(installed() + "moved/bin/gccarm " + program + "moved/bin/gccsim " + program +
+                   "./prog\nmoved/bin/g++sim " + kConsumer +
+                   "prog.cpp -o prog\n"
+                   "moved/bin/g++arm " +
+                   kConsumer + "prog.cpp -o prog\n");
+}
+
 TEST_F(Package, TheDoctorOfAnInstallationFindsItsFiles) {
   const ProgramRun r = run_shell(installed() + "moved/bin/eyebridge doctor\n", folder_.path());
   EXPECT_EQ(r.exit_code, 0) << r.out;
