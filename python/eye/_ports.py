@@ -6,7 +6,7 @@ from . import _convert
 from ._library import C as _C
 
 _MOST_TEXT = 1024  # bytes of a message, as other generations of `eye` have it
-_MOST_SAMPLES = 1 << 20
+_MOST_SAMPLES = 10_000_000  # that ANALOGRecord() takes
 
 
 def _decoded(data):
@@ -23,9 +23,10 @@ def SERSendChar(interface, ch):
     return _C.SERSendChar(interface, ch)
 
 
-def SERSend(interface, buf):
-    """Sends a string."""
-    return _C.SERSend(interface, buf)
+def SERSend(interface, buf, size=None):
+    """Sends a string (its first size bytes, where an older program says how many)."""
+    data = _convert.Text.from_param(buf)
+    return _C.SERSend(interface, data if size is None or data is None else data[: int(size)])
 
 
 def SERReceiveChar(interface):
@@ -115,12 +116,17 @@ def ANALOGRecord(channel, iterations):
 
 
 def ANALOGTransfer(buffer=None):
-    """What was recorded, as bytes. Given a buffer of the program, fills it in and returns the number of bytes."""
-    if buffer is not None:
-        return _C.ANALOGTransfer(buffer if _convert.is_pointer(buffer) else _convert.memory(buffer)[0])
+    """What was recorded, as bytes. Given a buffer of the program, puts there what has room and returns how much."""
+    if _convert.is_pointer(buffer):
+        return _C.ANALOGTransfer(buffer)
     memory = (_ctypes.c_ubyte * _MOST_SAMPLES)()
-    count = _C.ANALOGTransfer(memory)
-    return bytes(memory[: max(count, 0)])
+    samples = _ctypes.string_at(memory, max(_C.ANALOGTransfer(memory), 0))
+    if buffer is None:
+        return samples
+    view = memoryview(buffer).cast("B")
+    count = min(len(view), len(samples))
+    view[:count] = samples[:count]
+    return count
 
 
 def IRTVGet():
@@ -159,10 +165,11 @@ def RADIOSend(id, buf):
 
 
 def RADIOReceive():
-    """Waits for a message: [number of the sender, text]."""
+    """Waits for a message: [number of the sender, text]. RobotError without a radio, and before RADIOInit()."""
     sender = _ctypes.c_int()
     memory = _ctypes.create_string_buffer(_MOST_TEXT + 1)
-    _C.RADIOReceive(_ctypes.byref(sender), memory, _MOST_TEXT)
+    if _C.RADIOReceive(_ctypes.byref(sender), memory, _MOST_TEXT + 1) < 0:
+        raise _convert.failure("RADIOReceive", _C.EYEBRIDGELastError())
     return [sender.value, _decoded(memory.value)]
 
 

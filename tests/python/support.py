@@ -6,6 +6,7 @@ import subprocess
 import sys
 import tempfile
 import textwrap
+import threading
 import unittest
 
 BUILD = pathlib.Path(os.environ["EYEBRIDGE_TEST_BUILD"])
@@ -34,16 +35,20 @@ class ProgramTest(unittest.TestCase):
             out["EYEBRIDGE_" + name.upper()] = str(value).lower() if isinstance(value, bool) else str(value)
         return out
 
-    def start(self, words, settings=None, **more):
-        """A process that runs `words` in the folder, its output captured."""
-        return subprocess.Popen(
+    def start(self, words, settings=None):
+        """A process that runs `words` in the folder, its output captured; killed when it takes too long."""
+        process = subprocess.Popen(
             [str(word) for word in words], cwd=self.folder, env=self.environment(settings or {"fast": True}),
-            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **more,
+            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
         )  # fmt: skip
+        process.watchdog = threading.Timer(PATIENCE, process.kill)
+        process.watchdog.daemon = True
+        process.watchdog.start()
+        return process
 
     def finish(self, process):
-        out, err = process.communicate(timeout=PATIENCE)
-        process.out, process.err = out, err
+        process.out, process.err = process.communicate()
+        process.watchdog.cancel()
         return process
 
     def run_words(self, words, settings=None):

@@ -2,6 +2,7 @@
 
 import os
 import pty
+import select
 import signal
 import sys
 
@@ -83,9 +84,10 @@ class End(ProgramTest):
         self.write("prog.py", """
             from eye import *
             OSWait(100)
-            print("ready", flush=True)
             try:
-                input()
+                print("ready", flush=True)
+                while True:
+                    input()
             except KeyboardInterrupt:
                 print("stopping")
             """)
@@ -103,7 +105,10 @@ class End(ProgramTest):
         out = b""
         while b"ready" not in out:
             out += os.read(person, 1000)
-        os.kill(pid, signal.SIGINT)
+        # As a person does: one that comes before Python reads is noticed only when something else comes.
+        while not select.select([person], [], [], 0)[0]:
+            os.kill(pid, signal.SIGINT)
+            select.select([person], [], [], 1)
         while True:
             try:
                 out += os.read(person, 1000)

@@ -164,6 +164,12 @@ class Cameras(unittest.TestCase):
             frame = sim.robots[0].camera(64, 48).frame()
         self.assertGreater(len(np.unique(frame)), 2)
 
+    def test_options_of_the_renderer(self):
+        robot = eyebridge.Simulation(eyebridge.load_scenario(WORLDS / "maze-5.maz")).robots[0]
+        plain = robot.camera().frame()
+        self.assertLess(robot.camera(options="light=0.4").frame().mean(), plain.mean())
+        self.assertTrue((robot.camera(options="fiducials=on").frame() != plain).any())
+
     def test_bad_cameras(self):
         robot = eyebridge.Simulation().robots[0]
         with self.assertRaises(ValueError):

@@ -10,7 +10,7 @@ from eye import _library
 from support import BUILD, SOURCE, main
 
 HEADERS = SOURCE / "robios" / "include" / "eyebridge_robios"
-# Nothing to do in Python, or not for programs.
+# Nothing to do in Python.
 NOT_FOR_PYTHON = {"XInitThreads"}
 
 
@@ -25,7 +25,8 @@ def declared():
     for name, words in re.findall(r"^[\w ]+?[\s*]+([A-Z]\w+)\(((?:[^()]|\([^()]*\))*)\);", headers(), re.M | re.S):
         parameters = re.sub(r"\([^()]*\)", "", words).strip()
         found[name] = 0 if parameters in ("", "void") else parameters.count(",") + 1
-    return {name: count for name, count in found.items() if name not in NOT_FOR_PYTHON}
+    # Names of ours stand for the second form of a call in C.
+    return {name: count for name, count in found.items() if name not in NOT_FOR_PYTHON and not name.startswith("EYEBRIDGE")}
 
 
 def public():
