@@ -41,8 +41,6 @@ std::shared_ptr<const world::WorldModel> random_maze(int side) {
   return model;
 }
 
-;
-
 /// Robots in a world of `side` x `side` cells.
 world::Scene robots_in(std::shared_ptr<const world::WorldModel> model, int side, int robots) {
   world::Scene scene;

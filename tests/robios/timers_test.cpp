@@ -10,8 +10,6 @@ namespace {
 
 using std::chrono::milliseconds;
 
-;
-
 int calls = 0;
 Timers* nested = nullptr;
 
