@@ -147,8 +147,6 @@ void Canvas::scale_bar(double length, const std::string& label, Rgb colour) {
   cairo_show_text(pen, label.c_str());
 }
 
-Frame Canvas::picture() const {
-  return cairo_picture(sheet_->surface.get());
-}
+Frame Canvas::picture() const { return cairo_picture(sheet_->surface.get()); }
 
 }  // namespace eyebridge::camera

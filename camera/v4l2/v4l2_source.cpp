@@ -153,7 +153,7 @@ Result<FramePtr> V4l2Source::picture_of(const RawFrame& raw) {
 
 Time V4l2Source::robot_time(Time moment) {
   // Both clocks at one moment: whoever interrupts us between the readings spoils them.
-  constexpr Time kTogether = std::chrono::microseconds(200);
+  constexpr Time kTogether = std::chrono::microseconds(50);
   constexpr int kTries = 4;
   Time monotonic = last_sign_;  // just now
   Time robot{0};
