@@ -303,6 +303,8 @@ LcdShot Lcd::shot() const {
   const std::lock_guard lock(mutex_);
   LcdShot shot;
   shot.picture = picture();
+  shot.cell_width = text_.cell_width();
+  shot.cell_height = text_.cell_height();
   shot.font_size = text_.font_size();
   shot.text_rows = text_.rows();
   shot.text_columns = text_.columns();

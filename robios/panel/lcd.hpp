@@ -31,7 +31,9 @@ struct ImageWindow {
 /// What the screen shows at one moment, as pixels and as what they mean.
 struct LcdShot {
   camera::Frame picture;  ///< Rgb24, with the strip of soft keys when it is shown.
-  int font_size = 0;      ///< Of the text: its cells are on this font's grid.
+  int cell_width = 0;     ///< Of the grid that the text is on, pixels.
+  int cell_height = 0;    ///< Likewise.
+  int font_size = 0;      ///< Of the text; 0 for glyphs of other fonts, which are to be believed.
   int text_rows = 0;
   int text_columns = 0;
   std::vector<TextCell> text;  ///< text_rows x text_columns.

@@ -59,6 +59,8 @@ class TextScreen {
   [[nodiscard]] int rows() const { return rows_; }
   [[nodiscard]] int columns() const { return columns_; }
   [[nodiscard]] int font_size() const { return size_; }
+  [[nodiscard]] int cell_width() const { return font_.cell_width(); }
+  [[nodiscard]] int cell_height() const { return font_.cell_height(); }
   /// Of all rows, one after the other: rows() x columns().
   [[nodiscard]] std::vector<TextCell> cells() const;
   /// Characters as UTF-8, one string a row, trailing blanks cut.

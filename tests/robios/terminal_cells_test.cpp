@@ -161,6 +161,17 @@ TEST(LcdCells, ShowSoftKeysInTheirColours) {
       << "in one row";
 }
 
+TEST(LcdCells, BelieveTheTextOfScreensWithOtherFonts) {
+  LcdShot shot = Lcd().shot();
+  shot.cell_width = 8;
+  shot.cell_height = 8;
+  shot.font_size = 0;
+  shot.text.front() = {'M', {}, {}, true, kRed, kBlack};
+  const LcdView view = view_of(shot, 100, 60);
+  EXPECT_EQ(view.columns, 70);
+  EXPECT_EQ(cells_of(shot, view).at(0, 0), (ScreenCell{U'M', kRed, kBlack}));
+}
+
 TEST(LcdCells, ShowWhatIsRefreshedOnly) {
   Lcd lcd;
   lcd.print("old");

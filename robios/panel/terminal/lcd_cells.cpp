@@ -77,6 +77,7 @@ Rgb colour_of(const camera::Frame& picture, const Box& box) {
 /// Whether most of the character's ink is still to be seen.
 bool still_shows(const camera::Frame& picture, const Box& box, const TextCell& text, int size) {
   if (!text.drawn) return false;
+  if (size == 0) return text.code != ' ';
   const auto coverage =
       Font(text.family, text.style, size).glyph(static_cast<std::uint8_t>(text.code));
   // Small glyphs have no pixel that is ink and nothing else.

@@ -16,9 +16,8 @@ int rounded_up(int amount, int unit) { return (amount + unit - 1) / unit; }
 
 LcdView view_of(const LcdShot& shot, int columns, int rows) {
   LcdView view;
-  const Font font(FontFamily::Helvetica, FontStyle::Normal, shot.font_size);
-  view.cell_width = font.cell_width();
-  view.cell_height = font.cell_height();
+  view.cell_width = shot.cell_width;
+  view.cell_height = shot.cell_height;
   view.lcd_width = shot.picture.width;
   view.lcd_height = shot.picture.height;
   if (columns < kFewestColumns || rows < kFewestRows) return view;
