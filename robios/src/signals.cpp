@@ -67,7 +67,8 @@ void take_back() {
   handed_over = false;
   struct sigaction present {};
   sigaction(SIGINT, nullptr, &present);
-  if (present.sa_handler == host_handler.sa_handler) take(SIGINT);
+  // Not once it has ended: then it may be about to let the signal end the process itself.
+  if (host_takes_interrupts() && present.sa_handler == host_handler.sa_handler) take(SIGINT);
 }
 
 constexpr long kLookPeriod_ns = 100'000'000;
