@@ -26,6 +26,7 @@ struct GaussianError {
 /// A distance sensor (PSD): one ray.
 struct RangeSensorModel {
   int id = 1;                   ///< As programs ask for it: PSDGet(id).
+  int semantics = 0;            ///< As classic programs do: PSDInit(-205); 0: by name only.
   std::string name;             ///< "PSD_FRONT"
   Pose pose_in_robot;           ///< Metres, radians; the ray leaves along theta.
   double height = 0.03;         ///< Metres above the floor.
@@ -40,6 +41,7 @@ struct RangeSensorModel {
 /// An infrared proximity switch: true when something is nearer than `threshold`.
 struct ProximityModel {
   int id = 1;
+  int semantics = 0;  ///< As RangeSensorModel's.
   std::string name;
   Pose pose_in_robot;
   double threshold = 0.15;        ///< Metres.
@@ -51,6 +53,7 @@ struct ProximityModel {
 /// A bumper: true when something touches the rim between two bearings.
 struct BumperModel {
   int id = 1;
+  int semantics = 0;  ///< As RangeSensorModel's.
   std::string name;
   double start = 0.0;             ///< Bearing in the robot, radians; the sector goes
   double end = 0.0;               ///< counter-clockwise from `start` to `end`.
