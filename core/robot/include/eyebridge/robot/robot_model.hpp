@@ -26,7 +26,6 @@ struct GaussianError {
 /// A distance sensor (PSD): one ray.
 struct RangeSensorModel {
   int id = 1;                   ///< As programs ask for it: PSDGet(id).
-  int semantics = 0;            ///< As classic programs do: PSDInit(-205); 0: by name only.
   std::string name;             ///< "PSD_FRONT"
   Pose pose_in_robot;           ///< Metres, radians; the ray leaves along theta.
   double height = 0.03;         ///< Metres above the floor.
@@ -34,6 +33,7 @@ struct RangeSensorModel {
   double max_range = 9.999;     ///< Farther surfaces read as `out_of_range`, metres.
   double out_of_range = 9.999;  ///< Metres: EyeSim's 9999 mm.
   GaussianError error;
+  int semantics = 0;  ///< As classic programs ask for it, PSDInit(-205); 0: by name only.
 
   friend bool operator==(const RangeSensorModel&, const RangeSensorModel&) = default;
 };
@@ -41,11 +41,11 @@ struct RangeSensorModel {
 /// An infrared proximity switch: true when something is nearer than `threshold`.
 struct ProximityModel {
   int id = 1;
-  int semantics = 0;  ///< As RangeSensorModel's.
   std::string name;
   Pose pose_in_robot;
   double threshold = 0.15;        ///< Metres.
   double flip_probability = 0.0;  ///< Of one wrong answer, 0 … 1.
+  int semantics = 0;              ///< As RangeSensorModel's.
 
   friend bool operator==(const ProximityModel&, const ProximityModel&) = default;
 };
@@ -53,11 +53,11 @@ struct ProximityModel {
 /// A bumper: true when something touches the rim between two bearings.
 struct BumperModel {
   int id = 1;
-  int semantics = 0;  ///< As RangeSensorModel's.
   std::string name;
   double start = 0.0;             ///< Bearing in the robot, radians; the sector goes
   double end = 0.0;               ///< counter-clockwise from `start` to `end`.
   double miss_probability = 0.0;  ///< Of a contact not seen, 0 … 1.
+  int semantics = 0;              ///< As RangeSensorModel's.
 
   friend bool operator==(const BumperModel&, const BumperModel&) = default;
 };
