@@ -55,7 +55,7 @@ inline long long PsdCycle::number(Time now) const {
 
 inline Time PsdCycle::began(Time now) const {
   const long long last = number(now);
-  return last == 0 ? now : started_->at + (last - 1) * kPeriod;
+  return last == 0 ? now : Time(started_->at + (last - 1) * kPeriod);
 }
 
 }  // namespace eyebridge::robios::classic
