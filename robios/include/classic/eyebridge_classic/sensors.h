@@ -6,8 +6,8 @@
 
 /** Opens a distance sensor; 0 when there is none, or it is open already, and beyond 8. */
 PSDHandle PSDInit(DeviceSemantics semantics);
-/** Stops and closes all. (The M6 closes the one that is given.) */
-int PSDRelease(void);
+/** Stops and closes all. (The M6 closes the one that is given: in C a macro of m6.h tells.) */
+int(PSDRelease)(void);
 /**
  * Measures with the sensors of the mask: once, or again and again every 60 ms (`cycle`), to which
  * more sensors can be added. 0, or 1 while a single measurement is under way, -1 for a wrong handle.
