@@ -40,7 +40,7 @@ std::vector<DeviceFacts> facts_about(const std::vector<Sensor>& sensors) {
 }  // namespace
 
 SimBackend::SimBackend(std::unique_ptr<SimWorld> world, std::unique_ptr<Clock> clock,
-                       robot::RobotIndex robot)
+                       robot::RobotIndex robot, double supply_voltage)
     : world_(std::move(world)),
       clock_(std::move(clock)),
       robot_(robot),
@@ -54,7 +54,9 @@ SimBackend::SimBackend(std::unique_ptr<SimWorld> world, std::unique_ptr<Clock> c
       bumpers_(make_devices<SimBumper>(*world_, robot, world_->model(robot).bumpers)),
       motors_(make_pair_of<SimMotor>(*world_, robot)),
       encoders_(make_pair_of<SimEncoder>(*world_, robot)),
-      servos_(make_pair_of<SimServo>(*world_, robot)) {
+      servos_(make_pair_of<SimServo>(*world_, robot)),
+      digital_(*world_, robot),
+      analog_(supply_voltage) {
   if (world_->model(robot).lidar) lidar_.emplace(*world_, robot);
   if (world_->model(robot).camera) view_.emplace(*world_, robot);
 }

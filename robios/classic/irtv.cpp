@@ -5,6 +5,7 @@
 
 #include "call.hpp"
 #include "eyebot.h"
+#include "keys.hpp"
 #include "lookup.hpp"
 
 namespace {
@@ -16,24 +17,27 @@ using robios::classic::doing;
 
 // In virtual time an hour passes in no time.
 constexpr Time kLongestWait = std::chrono::hours(1);
-constexpr int kNoReceiver = 2;
+constexpr int kNoEntry = 2;
 
 std::mutex remote_mutex;
 bool listening = false;
 std::deque<int> codes;
 
-/// Takes the codes that have come. Lock remote_mutex.
+/// Takes the codes that have come: from a receiver on the robot, and the script or window of the keys.
+/// Lock remote_mutex.
 Result<void> listen(Session& session) {
-  hal::Remote* const remote = session.backend().remote();
-  if (remote == nullptr || !listening) {
+  if (!listening) {
     return fail(Errc::Unsupported, "the remote control is not initialised: call IRTVInit first");
   }
-  for (;;) {
+  while (const int code = session.keys().read_remote()) codes.push_back(code);
+  hal::Remote* const remote = session.backend().remote();
+  while (remote != nullptr) {
     const Result<int> code = remote->read();
     if (!code) return tl::unexpected(code.error());
     if (*code == 0) return {};
     codes.push_back(*code);
   }
+  return {};
 }
 
 Result<int> next_code(Session& session, bool take) {
@@ -46,10 +50,8 @@ Result<int> next_code(Session& session, bool take) {
   });
 }
 
-int begin(const char* name, bool legal, const char* what) {
-  const bool there = Session::instance().backend().remote() != nullptr;
-  return doing(name, there ? 1 : kNoReceiver, [&](Session&) -> Result<void> {
-    if (!there) return fail(Errc::Unsupported, "this robot has no receiver of a remote control");
+int begin(const char* name, int failure, bool legal, const char* what) {
+  return doing(name, failure, [&](Session&) -> Result<void> {
     if (!legal) return fail(Errc::OutOfRange, what);
     const std::lock_guard lock(remote_mutex);
     listening = true;
@@ -62,14 +64,14 @@ int begin(const char* name, bool legal, const char* what) {
 
 int IRTVInitHDT(DeviceSemantics semantics) {
   const DeviceSemantics number = robios::classic::number_of(semantics);
-  return begin("IRTVInitHDT", number == IRTV || number == UNKNOWN_SEMANTICS,
+  return begin("IRTVInitHDT", kNoEntry, number == IRTV || number == UNKNOWN_SEMANTICS,
                "expected IRTV, the only remote control");
 }
 
 int IRTVInit(int type, int, int, int, int mode, int bufsize, int) {
   const bool legal = type >= RAW_CODE && type <= MANCHESTER_CODE && mode >= DEFAULT_MODE &&
                      mode <= REPCODE_MODE && bufsize >= 1 && bufsize <= 4;
-  return begin("IRTVInit", legal, "no such type, mode or size of the buffer");
+  return begin("IRTVInit", 1, legal, "no such type, mode or size of the buffer");
 }
 
 void IRTVTerm(void) {

@@ -138,35 +138,17 @@ void MonoLcd::set_label(std::size_t key, std::string_view label) {
   ++revision_;
 }
 
-void MonoLcd::draw_pixel(int x, int y, Pen pen) {
-  const bool black = pen == Pen::Set || (pen == Pen::Invert && canvas_.at(x, y) == kPaper);
-  canvas_.pixel(x, y, black ? kInk : kPaper);
-}
-
-template <class Shape>
-void MonoLcd::draw(Pen pen, Shape&& shape) {
-  const std::lock_guard lock(mutex_);
-  ++revision_;
-  if (pen != Pen::Invert) {
-    shape(canvas_, pen == Pen::Set ? kInk : kPaper);
-    return;
-  }
-  Canvas mask(kWidth, kHeight);
-  shape(mask, kPaper);
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
-      if (mask.at(x, y) == kPaper) draw_pixel(x, y, pen);
-    }
-  }
-}
-
 Result<void> MonoLcd::pixel(int x, int y, Pen pen) {
   const std::lock_guard lock(mutex_);
   if (!canvas_.contains(x, y)) {
     return fail(Errc::OutOfRange, "no pixel in row " + std::to_string(y) + ", column " +
                                       std::to_string(x) + ", expected 0..63 and 0..127");
   }
-  draw_pixel(x, y, pen);
+  if (pen == Pen::Invert) {
+    canvas_.invert_pixel(x, y);
+  } else {
+    canvas_.pixel(x, y, pen == Pen::Set ? kInk : kPaper);
+  }
   ++revision_;
   return {};
 }
@@ -181,11 +163,23 @@ Result<bool> MonoLcd::pixel_at(int x, int y) const {
 }
 
 void MonoLcd::line(int x1, int y1, int x2, int y2, Pen pen) {
-  draw(pen, [&](Canvas& canvas, Rgb colour) { canvas.line(x1, y1, x2, y2, colour); });
+  const std::lock_guard lock(mutex_);
+  if (pen == Pen::Invert) {
+    canvas_.invert_line(x1, y1, x2, y2);
+  } else {
+    canvas_.line(x1, y1, x2, y2, pen == Pen::Set ? kInk : kPaper);
+  }
+  ++revision_;
 }
 
 void MonoLcd::area(int x1, int y1, int x2, int y2, Pen pen) {
-  draw(pen, [&](Canvas& canvas, Rgb colour) { canvas.area(x1, y1, x2, y2, colour, true); });
+  const std::lock_guard lock(mutex_);
+  if (pen == Pen::Invert) {
+    canvas_.invert_area(x1, y1, x2, y2);
+  } else {
+    canvas_.area(x1, y1, x2, y2, pen == Pen::Set ? kInk : kPaper, true);
+  }
+  ++revision_;
 }
 
 void MonoLcd::picture(int x, int y, int width, int height, const std::uint8_t* grey,

@@ -69,9 +69,6 @@ class MonoLcd final : public Screen {
   void new_line();
   void make_room();
   void draw_cell(int row, int column, std::uint8_t code);
-  void draw_pixel(int x, int y, Pen pen);
-  template <class Shape>
-  void draw(Pen pen, Shape&& shape);
 
   mutable std::mutex mutex_;
   Canvas canvas_{kWidth, kHeight};

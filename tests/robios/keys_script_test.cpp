@@ -36,6 +36,18 @@ TEST(KeyScript, NamesTouches) {
   EXPECT_EQ(script[0], (ScriptedKey{milliseconds(1500), 0, {120, 80}}));
 }
 
+TEST(KeyScript, NamesKeysOfTheRemoteControl) {
+  const auto script = parse_key_script("IRTV_7@1s,IRTV_RIGHT@2s,IRTV_RED@3s,IRTV_POWER@4s");
+  ASSERT_EQ(script.size(), 4u);
+  EXPECT_EQ(script[0], (ScriptedKey{seconds(1), 0, {}, '7'}));
+  EXPECT_EQ(script[1], (ScriptedKey{seconds(2), 0, {}, '>'}));
+  EXPECT_EQ(script[2], (ScriptedKey{seconds(3), 0, {}, 'R'}));
+  EXPECT_EQ(script[3], (ScriptedKey{seconds(4), 0, {}, 'P'}));
+  EXPECT_EQ(error_of("IRTV_MUTE@1s").substr(0, 48),
+            "--keys:1:6: found 'MUTE@1s', expected a key of t");
+  EXPECT_NE(error_of("IRTV_12@1s"), "no error");
+}
+
 TEST(KeyScript, KeepsTheOrderOfKeysAtTheSameTime) {
   const auto script = parse_key_script("KEY3@1s,KEY1@1s");
   EXPECT_EQ(script.at(0).key, 4);
