@@ -300,6 +300,7 @@ void Session::end() noexcept {
     impl_->stage = Stage::Ended;
     release_terminal();
     impl_->timers.stop();
+    impl_->recorder.stop();
     impl_->backend->stop();
     impl_->backend->trace_to(nullptr);
     try {

@@ -94,7 +94,9 @@ TEST_P(BackendContract, OnlyABoardHasAVersionOfItsOwn) {
   const Rig rig = make(1.0);
   IoBoard* board = rig.backend->io_board();
   ASSERT_EQ(board != nullptr, !traits().world && !GetParam().replayed);
-  if (board != nullptr) EXPECT_EQ(must(board->version()).size(), 4u);
+  if (board != nullptr) {
+    EXPECT_EQ(must(board->version()).size(), 4u);
+  }
 }
 
 TEST_P(BackendContract, LostLinesAndInputsAreErrors) {

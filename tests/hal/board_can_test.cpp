@@ -31,6 +31,13 @@ class BoardCan : public CanBench {
     }
   }
 
+  /// S_Status: 7.4 V, microphone at 0x0800, the key that is held, and the uptime, which must not go
+  /// back.
+  void send_status(int key) {
+    const auto uptime = static_cast<int>((clock.now() - robot.started) / 100ms);
+    robot.send(0x2A, {0xE4, 0x02, 0x00, 0x08, key, uptime & 0xFF, uptime >> 8, 0});
+  }
+
   CanLink* link = nullptr;
   std::unique_ptr<BoardBackend> backend;
 };
@@ -152,9 +159,8 @@ TEST_F(BoardCan, TheLidarGivesTheRaysThatAreAskedFor) {
 }
 
 TEST_F(BoardCan, AKeyOfTheRemoteControlIsReportedOnceWhileItIsHeld) {
-  // S_Status: battery, microphone, key, uptime in 24 bits.
   const auto held = [&](int key) {
-    robot.send(0x2A, {0xE4, 0x02, 0x00, 0x08, key, 1, 0, 0});
+    send_status(key);
     link->client().pump(clock.now() + 1ms);
   };
   held(0);
@@ -179,7 +185,7 @@ TEST_F(BoardCan, LinesAndInputsAreInItsFrames) {
   robot.send(0x1F, {0x80, 0x01, 0x00, 0x0F, 0xFF, 0x00});
   robot.send(0x28, {1, 0, 2, 0, 3, 0, 0xFF, 0xFF});
   robot.send(0x29, {5, 0, 6, 0, 7, 0, 8, 0});
-  robot.send(0x2A, {0xE4, 0x02, 0x00, 0x08, 0, 1, 0, 0});
+  send_status(0);
   link->client().pump(clock.now() + 1ms);
   EXPECT_EQ(backend->digital()->read_all().value(), 0x0180);
   EXPECT_TRUE(backend->digital()->read(8).value());

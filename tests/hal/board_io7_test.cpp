@@ -161,20 +161,20 @@ TEST_F(BoardIo7, AnIdleBoardHearsFromUsMoreOftenThanItsWatchdogWaits) {
 
 TEST_F(BoardIo7, LinesArePortsFromZeroAndAreToldAgainAfterARestart) {
   BoardPeer peer("M e c o");
-  const auto board = peer.make_backend(default_board_tables());
-  ASSERT_NE(board->digital(), nullptr);
-  EXPECT_EQ(board->digital()->read_all().error().code, Errc::Unsupported);  // no letter I
+  const auto robot = peer.make_backend(default_board_tables());
+  ASSERT_NE(robot->digital(), nullptr);
+  EXPECT_EQ(robot->digital()->read_all().error().code, Errc::Unsupported);  // no letter I
   peer.told.clear();
-  ASSERT_TRUE(board->digital()->setup(16, LineMode::Input));
-  ASSERT_TRUE(board->digital()->setup(1, LineMode::Output));
-  ASSERT_TRUE(board->digital()->write(1, true));
+  ASSERT_TRUE(robot->digital()->setup(16, LineMode::Input));
+  ASSERT_TRUE(robot->digital()->setup(1, LineMode::Output));
+  ASSERT_TRUE(robot->digital()->write(1, true));
   EXPECT_EQ(peer.told, "c 15 i\rc 0 o\ro 0 1\r");
   peer.line->gone = true;
-  peer.live(*board, 300ms);
-  EXPECT_EQ(board->digital()->write(2, true).error().code, Errc::Disconnected);
+  peer.live(*robot, 300ms);
+  EXPECT_EQ(robot->digital()->write(2, true).error().code, Errc::Disconnected);
   peer.told.clear();
   peer.plug_in();
-  peer.live(*board, 3s);
+  peer.live(*robot, 3s);
   EXPECT_THAT(peer.told, HasSubstr("o 0 1\rc 0 o\r"));
   EXPECT_THAT(peer.told, HasSubstr("o 1 1\r"));
   EXPECT_THAT(peer.told, HasSubstr("c 15 i\r"));

@@ -92,7 +92,9 @@ class HostDevicesTest : public ::testing::Test {
     Radio& radio = *robot.radio();
     EXPECT_TRUE(radio.start());
     EXPECT_TRUE(radio.send(2, "to you"));
-    if (other != nullptr) EXPECT_TRUE(other->send(1, "to me"));
+    if (other != nullptr) {
+      EXPECT_TRUE(other->send(1, "to me"));
+    }
     const auto message = must(radio.receive());
     seen.push_back(message ? std::to_string(message->sender) + message->text : "none");
     seen.push_back(must(radio.receive()) ? "more" : "none");

@@ -116,7 +116,9 @@ std::vector<std::string> arrivals(std::uint64_t seed, bool with_another_sender) 
   for (const auto* radio : {&one, &two, &three}) EXPECT_TRUE((*radio)->start());
   for (int i = 0; i < 200; ++i) {
     EXPECT_TRUE(one->send(2, std::to_string(i)));
-    if (with_another_sender) EXPECT_TRUE(three->send(2, "noise"));
+    if (with_another_sender) {
+      EXPECT_TRUE(three->send(2, "noise"));
+    }
   }
   std::vector<std::string> out;
   while (const auto message = two->receive().value()) {

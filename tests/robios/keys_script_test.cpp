@@ -62,7 +62,7 @@ TEST(KeyScript, MayBeEmpty) {
 TEST(KeyScript, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(error_of("KEY5@2s"), "--keys:1:4: found '5@2s', expected a key number 1..4");
   EXPECT_EQ(error_of("KEY1@2s,kex"),
-            "--keys:1:9: found 'kex', expected KEY1..KEY4 or a touch like 120:80");
+            "--keys:1:9: found 'kex', expected KEY1..KEY4, IRTV_5 or a touch like 120:80");
   EXPECT_EQ(error_of("KEY1"), "--keys:1:5: found nothing, expected '@' and a time");
   EXPECT_EQ(error_of("KEY1@"), "--keys:1:6: found nothing, expected a time like 2s, 250ms or 1min");
   EXPECT_EQ(error_of("KEY1@-2s"), "--keys:1:6: found '-2s', expected a time from 0 s to 1e9 s");

@@ -18,7 +18,7 @@ TEST(ProgramsIo, LinesAndInputsAreThoseOfABoard) {
     EXPECT_EQ(r.exit_code, 0) << r.err;
     EXPECT_THAT(r.out, HasSubstr("start 00FF\n"));
     EXPECT_THAT(r.out, HasSubstr("write 0 1 0\nany state 0 1\n"));
-    EXPECT_THAT(r.out, HasSubstr("down 0 0\nup 0 1\nout 0 0\nin 0 0\n"));
+    EXPECT_THAT(r.out, HasSubstr("J 0 0\nI 0 1\no 0 0\ni 0 0\n"));
     EXPECT_THAT(r.out, HasSubstr("bad 1 1 -1 1 1\n"));
     EXPECT_THAT(r.out, HasSubstr("analog 1515 0 2048 740\nbad analog -1 -1\nmicrophone 2048\n"));
     EXPECT_THAT(r.out, HasSubstr("record 0\nsamples 100 1, waited 1\nonce 0\n"));
@@ -66,7 +66,7 @@ TEST(ProgramsIo, CommandsRunInBothForms) {
   EXPECT_THAT(r.out, HasSubstr("version 0 1.0, io 1 ''\nmachine 700000000 1 1 0 EyeBot\n"));
   const ProgramRun cpp = run_named("execute_cpp");
   EXPECT_EQ(cpp.exit_code, 0) << cpp.err;
-  EXPECT_THAT(cpp.out, HasSubstr("one\n0 two\nclosed 1 1 1 1\n"));
+  EXPECT_THAT(cpp.out, HasSubstr("one\n0 two\nclosed 1 1 1 1\nradio off -1 -1\n"));
 }
 
 TEST(ProgramsIo, PsdsMayCountAsIn2015) {

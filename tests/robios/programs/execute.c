@@ -13,8 +13,10 @@ int main() {
   printf("cut %d %d\n", done, (int)strlen(text));
   printf("null %d %d %d\n", OSExecute(NULL) == NULL, OSExecute(NULL, text),
          OSExecute("true", NULL));
-  printf("version %d %s", OSVersion(text), text);
-  printf(", io %d '%s'\n", OSVersionIO(text), text);
+  done = OSVersion(text);
+  printf("version %d %s", done, text);
+  done = OSVersionIO(text);
+  printf(", io %d '%s'\n", done, text);
   printf("machine %d %d %d", OSMachineSpeed(), OSMachineType(), OSMachineID());
   done = OSMachineName(text);
   printf(" %d %s\n", done, text);

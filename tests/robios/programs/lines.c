@@ -6,12 +6,15 @@ int main() {
   int i, n, same = 1, before;
 
   printf("start %04X\n", (unsigned)DIGITALReadAll());
-  printf("write %d %d %d\n", DIGITALWrite(9, 1), DIGITALRead(9), DIGITALRead(10));
-  printf("any state %d %d\n", DIGITALWrite(9, 7), DIGITALRead(9));
-  printf("down %d %d\n", DIGITALSetup(8, 'J'), DIGITALRead(8));
-  printf("up %d %d\n", DIGITALSetup(8, 'I'), DIGITALRead(8));
-  printf("out %d %d\n", DIGITALSetup(8, 'o'), DIGITALRead(8));
-  printf("in %d %d\n", DIGITALSetup(8, 'i'), DIGITALRead(8));
+  printf("write %d", DIGITALWrite(9, 1));
+  printf(" %d", DIGITALRead(9));
+  printf(" %d\n", DIGITALRead(10));
+  printf("any state %d", DIGITALWrite(9, 7));
+  printf(" %d\n", DIGITALRead(9));
+  for (i = 0; i < 4; i++) {
+    printf("%c %d", "JIoi"[i], DIGITALSetup(8, "JIoi"[i]));
+    printf(" %d\n", DIGITALRead(8));
+  }
   printf("bad %d %d %d %d %d\n", DIGITALSetup(0, 'i'), DIGITALSetup(1, 'x'), DIGITALRead(17),
          DIGITALWrite(-1, 0), DIGITALSetup(1, '\0'));
   printf("analog %d %d %d %d\n", ANALOGRead(0), ANALOGRead(1), ANALOGRead(8), ANALOGVoltage());

@@ -16,9 +16,9 @@ int main() {
   before = OSGetCount();
   for (i = 0; i < 10; i++) OSWait(100);
   waited = OSGetCount() - before;
+  printf("quick %d\n", quick);
   for (i = 0; i < TIMERS; i++) OSDetachTimer(timer[i]);
   printf("waited %d\n", waited);
   printf("calls %d\n", calls);
-  printf("quick %d\n", quick);
   return 0;
 }

@@ -8,9 +8,12 @@ int main() {
   code = IRTVGet();
   printf("got %c at %d\n", code, OSGetCount() / 1000);
   OSWait(2000);
-  printf("read %d %d %d\n", IRTVRead() == IRTV_RIGHT, IRTVRead() == IRTV_POWER, IRTVRead());
+  printf("read %d", IRTVRead() == IRTV_RIGHT);
+  printf(" %d", IRTVRead() == IRTV_POWER);
+  printf(" %d\n", IRTVRead());
   OSWait(2000);
-  printf("flush %d %d\n", IRTVFlush(), IRTVRead());
+  printf("flush %d", IRTVFlush());
+  printf(" %d\n", IRTVRead());
   printf("key %d\n", KEYWait(KEY2));
   IRTVGet(); /* none can come any more */
   printf("never\n");

@@ -7,7 +7,9 @@ int main() {
 
   printf("closed %d %d\n", SERSend(1, "x"), SERCheck(1));
   printf("init %d\n", SERInit(1, 115200, NONE));
-  printf("send %d %d %d\n", SERSend(1, "one"), SERSendChar(1, '.'), SERSend(1, "a\0b", 3));
+  printf("send %d", SERSend(1, "one"));
+  printf(" %d", SERSendChar(1, '.'));
+  printf(" %d\n", SERSend(1, "a\0b", 3));
   for (n = 0; n < 11; n++) text[n] = SERReceiveChar(1);
   printf("received");
   for (n = 0; n < 11; n++) printf(" %02X", (unsigned)text[n]);
@@ -20,6 +22,7 @@ int main() {
   printf("bad %d %d %d %d\n", SERSend(1, NULL), SERReceive(1, NULL, 5), SERReceive(1, text, 0),
          SERSend(1, "x", -1));
   printf("bad init %d %d %d\n", SERInit(7, 9600, 0), SERInit(1, 10, RTSCTS), SERInit(1, 9600, 5));
-  printf("close %d, char %d\n", SERClose(1), SERReceiveChar(1));
+  printf("close %d", SERClose(1));
+  printf(", char %d\n", SERReceiveChar(1));
   return 0;
 }

@@ -6,13 +6,14 @@ int main(int argc, char** argv) {
 
   (void)argc;
   printf("done at first %d\n", AUDone());
-  printf("beep %d %d\n", AUBeep(), AUDone());
+  printf("beep %d", AUBeep());
   before = OSGetCount();
-  while (!AUDone()) OSWait(10);
+  printf(" %d\n", AUDone());
+  while (!AUDone()) OSWait(1);
   printf("beeped %d\n", (OSGetCount() - before + 5) / 10 * 10);
   printf("play %d\n", AUPlay(argv[1]));
   before = OSGetCount();
-  while (!AUDone()) OSWait(10);
+  while (!AUDone()) OSWait(1);
   printf("played %d\n", (OSGetCount() - before + 5) / 10 * 10);
   printf("bad %d %d\n", AUPlay("no-such-file.wav"), AUPlay(NULL));
   return 0;
