@@ -16,14 +16,14 @@
 #define NO_HUE -1
 
 static int x = 1, y = 1, y1 = 1, j0 = 1, index = 1, phi = 1, speed = 1, push = 1, map = 1, img = 1;
-static int next = 1, path = 1, step = 1, stop = 1, scan = 1, wall = 1, round = 1, vw = 1, name = 1;
+static int next = 1, path = 1, step = 1, stop = 1, scan = 1, wall = 1, vw = 1, name = 1;
 static int min(int a, int b) { return a < b ? a : b; }
 static int drive(void) { return 1; }
 
 int classic_names_in_use(void);
 int classic_names_in_use(void) {
   return x + y + y1 + j0 + index + phi + speed + push + map + img + next + path + step + stop + scan +
-         wall + round + vw + name + min(1, 2) + drive();
+         wall + vw + name + min(1, 2) + drive();
 }
 
 /* Declared as old programs do; sizes as the manuals have them. */

@@ -1,5 +1,6 @@
 /* Two tasks that take turns by themselves, as in the text book. */
 #include "eyebot.h"
+#include "tell.h"
 #define SSIZE 4096
 
 struct tcb *task1, *task2;
@@ -17,18 +18,22 @@ void mytask()
 }
 
 int main()
-{ printf("status %d, early %d\n", OSMTStatus(), OSSpawn("t0", mytask, SSIZE, MIN_PRI, 0) == 0);
-  printf("init %d\n", OSMTInit(COOP));
-  printf("again %d, status %d\n", OSMTInit(COOP), OSMTStatus());
+{ TELL("status", OSMTStatus());
+  TELL("early", OSSpawn("t0", mytask, SSIZE, MIN_PRI, 0) != 0);
+  TELL("init", OSMTInit(COOP));
+  TELL("again", OSMTInit(COOP));
+  TELL("status", OSMTStatus());
   task1 = OSSpawn("t1", mytask, SSIZE, MIN_PRI, 1);
   task2 = OSSpawn("t2", mytask, SSIZE, MIN_PRI, 2);
   if (!task1 || !task2) OSPanic("spawn failed");
-  printf("bad priority %d\n", OSSpawn("t3", mytask, SSIZE, MAX_PRI + 1, 3) == 0);
+  TELL("bad priority", OSSpawn("t3", mytask, SSIZE, MAX_PRI + 1, 3) != 0);
   OSReady(task1);
   OSReady(task2);
   OSReschedule();
   printf("back to main, uid %d, name %s\n", OSGetUID(0), task1->name);
-  printf("dead %d %d %d\n", OSReady(task1), OSKill(task1), OSGetUID(task1));
-  printf("permit %d\n", OSPermit());
+  TELL("dead", OSReady(task1));
+  TELL("dead", OSKill(task1));
+  TELL("dead", OSGetUID(task1));
+  TELL("permit", OSPermit());
   return 0;
 }

@@ -1,6 +1,7 @@
 /* The v-omega drive in metres and radians. */
-#include "eyebot.h"
 #include <math.h>
+#include "eyebot.h"
+#include "tell.h"
 
 static VWHandle vw;
 
@@ -15,30 +16,43 @@ int main()
   int polls = 0;
   MotorHandle motor;
 
-  printf("bad %d %d %d\n", VWInit(-1, 1), VWInit(VW_DRIVE, 0), VWDriveDone(1));
+  TELL("no semantics", VWInit(-1, 1));
+  TELL("no timescale", VWInit(VW_DRIVE, 0));
+  TELL("not open", VWDriveDone(1));
   motor = MOTORInit(MOTOR_LEFT);
-  printf("taken %d\n", VWInit(VW_DRIVE, 1));
+  TELL("taken", VWInit(VW_DRIVE, 1));
   MOTORRelease(motor);
   vw = VWInit(VW, 1);
-  printf("handle %d, second %d, motor %d, encoder %d\n", vw, VWInit(VW_DRIVE, 1),
-         MOTORInit(MOTOR_LEFT), QUADInit(QUAD_RIGHT));
-  printf("control %d %d\n", VWStartControl(vw, 7, 0.3, 7, 0.1), VWStartControl(vw, 7, 0, 7, 0.1));
+  TELL("handle", vw);
+  TELL("second", VWInit(VW_DRIVE, 1));
+  TELL("its motor", MOTORInit(MOTOR_LEFT));
+  TELL("its encoder", QUADInit(QUAD_RIGHT));
+  TELL("control", VWStartControl(vw, 7, 0.3, 7, 0.1));
+  TELL("bad control", VWStartControl(vw, 7, 0, 7, 0.1));
   VWDriveStraight(vw, 0.3, 0.2);
   printf("remain %.1f\n", VWDriveRemain(vw));
   while (!VWDriveDone(vw)) polls++;
-  printf("polled %d\n", polls > 100);
+  TELL("polled", polls > 100);
   where("straight");
   VWDriveTurn(vw, M_PI / 2, 1.0);
   OSWait(80);
-  printf("turned about half %d\n", fabs(VWDriveRemain(vw) - M_PI / 4) < 0.2);
-  printf("wait %d\n", VWDriveWait(vw));
+  TELL("turned about half", fabs(VWDriveRemain(vw) - M_PI / 4) < 0.2);
+  TELL("wait", VWDriveWait(vw));
   where("turn");
+  VWDriveTurn(vw, -5, 2.0);
+  OSWait(200);
+  TELL("more than half a turn", fabs(VWDriveRemain(vw) - 1) < 0.3);
+  VWDriveWait(vw);
+  VWDriveTurn(vw, 5, 2.0);
+  VWDriveWait(vw);
   VWDriveCurve(vw, M_PI / 2 * 0.2, -M_PI / 2, 0.2);
   VWDriveWait(vw);
   where("curve");
   VWDriveStraight(vw, -0.1, 0.2);
   VWDriveWait(vw);
   where("back");
+  VWDriveCurve(vw, 0, 1, 0.2);
+  TELL("no length", VWDriveDone(vw));
   VWSetPosition(vw, 1, 2, 3);
   where("set");
   VWSetSpeed(vw, 0.1, 0.5);
@@ -46,9 +60,16 @@ int main()
   VWGetSpeed(vw, &speed);
   printf("speed %.2f %.2f\n", speed.v, speed.w);
   VWDriveStraight(vw, 5, 0.5);
-  printf("hit %d stalled %d done %d\n", VWDriveWait(vw), VWStalled(vw), VWDriveDone(vw));
-  printf("nulls %d %d %d\n", VWGetPosition(vw, NULL), VWGetSpeed(vw, NULL), VWSetSpeed(2, 1, 1));
-  printf("nan %d\n", VWSetSpeed(vw, NAN, 0));
-  printf("release %d, again %d, motor %d\n", VWRelease(vw), VWRelease(vw), MOTORInit(MOTOR_LEFT));
+  OSWait(400);
+  TELL("stalled", VWStalled(vw));
+  TELL("given up", VWDriveWait(vw));
+  TELL("done", VWDriveDone(vw));
+  TELL("null", VWGetPosition(vw, NULL));
+  TELL("null", VWGetSpeed(vw, NULL));
+  TELL("wrong", VWSetSpeed(2, 1, 1));
+  TELL("nan", VWSetSpeed(vw, NAN, 0));
+  TELL("release", VWRelease(vw));
+  TELL("again", VWRelease(vw));
+  TELL("its motor", MOTORInit(MOTOR_LEFT));
   return 0;
 }

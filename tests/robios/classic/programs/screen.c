@@ -1,7 +1,8 @@
 /* Everything that writes and draws. */
 #include "eyebot.h"
+#include "tell.h"
 
-int main()
+int main(int argc, char** argv)
 { int row = -1, column = -1;
   BYTE bits[1024] = {0};
 
@@ -22,18 +23,23 @@ int main()
   printf("at %d %d\n", row, column);
   LCDMenu("A", "", "LONGER", "END");
   LCDMenuI(2, "two");
-  printf("bad %d %d %d %d\n", LCDSetPos(7, 0), LCDSetChar(0, 16, 'x'), LCDMenuI(5, "x"),
-         LCDSetPixel(64, 0, 1));
+  TELL("no row", LCDSetPos(7, 0));
+  TELL("no column", LCDSetChar(0, 16, 'x'));
+  TELL("no key", LCDMenuI(5, "x"));
+  TELL("no pixel", LCDSetPixel(64, 0, 1));
+  TELL("no colour", LCDSetPixel(6, 0, 3));
   LCDSetPixel(20, 100, 1);
   LCDInvertPixel(20, 101);
   printf("pixels %d %d %d %d\n", LCDGetPixel(20, 100), LCDGetPixel(20, 101), LCDGetPixel(20, 102),
          LCDGetPixel(0, 128));
   LCDLine(100, 30, 120, 30, 1);
   LCDArea(100, 32, 120, 36, 2);
-  printf("area %d %d %d\n", LCDGetPixel(30, 110), LCDGetPixel(34, 110), LCDArea(5, 5, 4, 4, 1));
-  printf("nulls %d %d %d %d %d\n", LCDPrintf(NULL), LCDPutString(NULL), LCDPutGraphic(NULL),
-         LCDPutImage(NULL), LCDGetPos(NULL, NULL));
-  OSWait(50); /* for the mirror */
+  printf("area %d %d\n", LCDGetPixel(30, 110), LCDGetPixel(34, 110));
+  TELL("corners", LCDArea(5, 5, 4, 4, 1));
+  TELL("nulls", LCDPrintf(NULL) + LCDPutString(NULL) + LCDPutGraphic(NULL) + LCDPutImage(NULL) +
+                    LCDGetPos(NULL, NULL) + LCDSetString(0, 0, NULL));
+  TELL("labels", LCDMenu(NULL, NULL, NULL, NULL));
+  if (argc > 1) return 0;
   LCDClear();
   bits[0] = 0x80;
   LCDPutImage(bits);

@@ -1,5 +1,6 @@
 /* Camera and image processing. */
 #include "eyebot.h"
+#include "tell.h"
 
 image grey, edges, before;
 colimage col;
@@ -15,9 +16,10 @@ int main()
 { int version, fps, width, height, start, i;
   BYTE* bytes = (BYTE*)grey;
 
-  printf("early %d %d\n", CAMGetFrame(&grey), CAMRelease());
+  TELL("early", CAMGetFrame(&grey));
+  TELL("early", CAMRelease());
   version = CAMInit(NORMAL);
-  printf("camera %d\n", version < NOCAM && version < INITERROR && version >= COLCAM);
+  TELL("camera", version < NOCAM && version < INITERROR && version >= COLCAM);
   fps = FPS60;
   while (CAMSet(fps, 0, 0)) fps++;
   CAMGet(&fps, &width, &height);
@@ -26,25 +28,34 @@ int main()
   CAMGetColFrame((colimage*)&grey, 1);
   IPColor2Grey(&col, &before);
   IPDiffer(&grey, &before, &edges);
-  printf("same %d\n", sum(&edges));
+  TELL("difference", sum(&edges));
   CAMSet(FPS1_875, 0, 0);
   CAMGetFrame(&grey);
   start = OSGetCount();
   CAMGetFrame(&grey);
   CAMGetFrame(&grey);
   i = OSGetCount() - start;
-  printf("rate %d\n", i >= 106 && i <= 108);
-  printf("sobel %d %d, laplace %d %d\n", IPSobel(&grey, &edges), sum(&edges) > 0,
-         IPLaplace(&grey, &edges), sum(&edges) > 0);
+  TELL("rate", i >= 106 && i <= 108);
+  TELL("sobel", IPSobel(&grey, &edges));
+  TELL("edges", sum(&edges) > 0);
+  TELL("laplace", IPLaplace(&grey, &edges));
+  TELL("edges", sum(&edges) > 0);
   IPDither(&grey, &edges);
   for (i = 0; i < imagerows * imagecolumns; i++)
     if (((BYTE*)edges)[i] != 0 && ((BYTE*)edges)[i] != 255) break;
-  printf("dithered %d\n", i);
-  LCDPutGraphic(&grey);
+  TELL("dithered", i);
   LCDPutColorGraphic(&col);
-  printf("full %d %d %d\n", CAMGetFrameMono(bytes), CAMGetFrameRGB(col), CAMGetFrameBayer(bytes));
-  printf("bad %d %d %d %d %d\n", CAMGetFrame(NULL), IPSobel(&grey, &grey), IPLaplace(NULL, &grey),
-         IPDiffer(&grey, NULL, &edges), CAMMode(9));
-  printf("mode %d release %d\n", CAMMode(AUTOBRIGHTNESS), CAMRelease());
+  LCDPutGraphic(&grey);
+  TELL("shown", LCDGetPixel(20, 40) == (edges[21][41] == 0));
+  TELL("mono", CAMGetFrameMono(bytes));
+  TELL("rgb", CAMGetFrameRGB(col));
+  TELL("bayer", CAMGetFrameBayer(bytes));
+  TELL("null", CAMGetFrame(NULL));
+  TELL("same image", IPSobel(&grey, &grey));
+  TELL("null", IPLaplace(NULL, &grey));
+  TELL("null", IPDiffer(&grey, NULL, &edges));
+  TELL("mode", CAMMode(AUTOBRIGHTNESS));
+  TELL("bad mode", CAMMode(9));
+  TELL("release", CAMRelease());
   return 0;
 }

@@ -1,51 +1,79 @@
 /* Sensors by the numbers of the robot's file, bumpers that remember, a compass. */
 #include "eyebot.h"
+#include "tell.h"
 
-int main()
+static void distances()
 { PSDHandle left, front, odd;
-  IRHandle ir;
-  BumpHandle bump;
-  VWHandle vw;
-  int stamp = 7, i;
-
   left = PSDInit(PSD_LEFT);
   front = PSDInit(PSD_FRONT);
   odd = PSDInit(-260);
-  printf("handles %d %d %d, no %d, twice %d\n", left, front, odd, PSDInit(PSD_RIGHT),
-         PSDInit(PSD_LEFT));
-  printf("unstarted %d %d\n", PSDGet(front), PSDGet(left));
-  printf("start %d %d %d\n", PSDStart(front | left, TRUE), PSDStart(odd, TRUE), PSDStart(64, TRUE));
-  printf("check %d\n", PSDCheck());
+  printf("handles %d %d %d\n", left, front, odd);
+  TELL("none", PSDInit(PSD_RIGHT));
+  TELL("twice", PSDInit(PSD_LEFT));
+  TELL("unstarted", PSDGet(front));
+  TELL("start", PSDStart(front | left, TRUE));
+  TELL("join", PSDStart(odd, TRUE));
+  TELL("wrong", PSDStart(64, TRUE));
+  TELL("check", PSDCheck());
   OSWait(7);
-  printf("check %d, %d at %d, raw %d\n", PSDCheck(), PSDGet(front), PSDGet(0), PSDGetRaw(front));
-  printf("wrong %d\n", PSDGet(front | left));
-  PSDStop();
-  printf("once %d %d\n", PSDStart(front, FALSE), PSDStart(front, FALSE));
-  printf("release %d, after %d\n", PSDRelease(), PSDGet(front));
+  TELL("check", PSDCheck());
+  TELL("left", PSDGet(left));
+  TELL("odd", PSDGet(odd));
+  TELL("raw", PSDGetRaw(front));
+  TELL("tick", PSDGet(0));
+  TELL("two", PSDGet(front | left));
+  TELL("stop", PSDStop());
+  TELL("once", PSDStart(front, FALSE));
+  TELL("busy", PSDStart(front, FALSE));
+  TELL("release", PSDRelease());
+  TELL("after", PSDGet(front));
+}
 
-  ir = IRInit(IR_F);
-  bump = BUMPInit(BUMP_FRONT);
-  printf("ir %d bump %d, quiet %d, stamp %d\n", IRRead(ir), bump, BUMPCheck(bump, &stamp), stamp);
+static void touches()
+{ IRHandle ir = IRInit(IR_F);
+  BumpHandle bump = BUMPInit(BUMP_FRONT);
+  VWHandle vw;
+  int stamp = 7;
+
+  TELL("far", IRRead(ir));
+  TELL("quiet", BUMPCheck(bump, &stamp));
+  TELL("stamp", stamp);
   vw = VWInit(VW, 1);
   VWDriveStraight(vw, 3, 0.3);
   VWDriveWait(vw);
+  TELL("near", IRRead(ir));
   VWDriveStraight(vw, -0.3, 0.3);
-  printf("near %d\n", IRRead(ir));
   VWDriveWait(vw);
-  i = BUMPCheck(bump, &stamp);
-  printf("hit %d, stamped %d\n", i, stamp > 1000000);
-  printf("once only %d, released %x %x %d\n", BUMPCheck(bump, NULL), BUMPRelease(bump),
-         BUMPRelease(bump), IRRelease(ir));
+  TELL("hit", BUMPCheck(bump, &stamp));
+  TELL("stamped", stamp > 1000000);
+  TELL("once only", BUMPCheck(bump, NULL));
+  TELL("release", BUMPRelease(bump));
+  printf("again %x\n", BUMPRelease(bump));
+  TELL("ir release", IRRelease(ir));
+  TELL("after", IRRead(ir));
+  VWRelease(vw);
+}
 
-  printf("compass %d %d", COMPASSInit(COMPASS), COMPASSGet());
-  printf(" %d", COMPASSStart(TRUE));
-  printf(" %d %d", COMPASSStart(TRUE), COMPASSCheck());
+int main()
+{ VWHandle vw;
+  distances();
+  touches();
+  TELL("early", COMPASSGet());
+  TELL("compass", COMPASSInit(COMPASS));
+  TELL("start", COMPASSStart(TRUE));
+  TELL("again", COMPASSStart(TRUE));
+  TELL("check", COMPASSCheck());
+  TELL("nothing yet", COMPASSGet());
   OSWait(10);
-  printf(" %d %d\n", COMPASSCheck(), COMPASSGet());
+  TELL("check", COMPASSCheck());
+  TELL("east", COMPASSGet());
+  vw = VWInit(VW, 1);
   VWDriveTurn(vw, 1.5708, 1);
   VWDriveWait(vw);
-  i = COMPASSStop();
-  printf("stop %d, %d, calibrate %d %d, release %d\n", i, COMPASSGet(), COMPASSCalibrate(0),
-         COMPASSCalibrate(2), COMPASSRelease());
+  TELL("stop", COMPASSStop());
+  TELL("north", COMPASSGet());
+  TELL("calibrate", COMPASSCalibrate(0));
+  TELL("bad mode", COMPASSCalibrate(2));
+  TELL("release", COMPASSRelease());
   return 0;
 }

@@ -1,26 +1,40 @@
 /* Who the robot is, variables, latches, converters. */
 #include "eyebot.h"
+#include "tell.h"
 
 int main()
-{ printf("version %s, machine %d %d %s %d\n", OSVersion(), OSMachineType(), OSMachineSpeed(),
-         OSMachineName(), OSMachineID());
-  printf("put %d %d %d\n", OSPutVar(SAVEVAR1, 0x1234), OSPutVar(SAVEVAR1, 70000), OSPutVar(5, 1));
-  printf("get %x %x %x %d\n", OSGetVar(SAVEVAR1), OSGetVar(SAVEVAR1a), OSGetVar(SAVEVAR1b),
-         OSGetVar(99));
+{ printf("version %s, name %s\n", OSVersion(), OSMachineName());
+  TELL("type", OSMachineType() == VEHICLE);
+  TELL("speed", OSMachineSpeed());
+  TELL("id", OSMachineID());
+  TELL("put", OSPutVar(SAVEVAR1, 0x1234));
+  TELL("too big", OSPutVar(SAVEVAR1, 70000));
+  TELL("no variable", OSPutVar(5, 1));
+  printf("get %x %x %x\n", OSGetVar(SAVEVAR1), OSGetVar(SAVEVAR1a), OSGetVar(SAVEVAR1b));
+  TELL("no variable", OSGetVar(99));
   OSPutVar(SAVEVAR1b, 0xFF);
-  printf("byte %x\n", OSGetVar(SAVEVAR1));
-  printf("latch %x %x %x\n", OSWriteOutLatch(0, 0xFB, 0x04), OSWriteOutLatch(0, 0xFF, 0x01),
-         OSReadOutLatch(0));
-  printf("in %x, none %x %x\n", OSReadInLatch(0), OSReadInLatch(1), OSWriteOutLatch(4, 0, 0));
+  printf("word %x\n", OSGetVar(SAVEVAR1));
+  TELL("before", OSWriteOutLatch(0, 0xFB, 0x04));
+  TELL("before", OSWriteOutLatch(0, 0xFF, 0x01));
+  TELL("now", OSReadOutLatch(0));
+  TELL("in", OSReadInLatch(0));
+  TELL("no latch", OSReadInLatch(1));
+  TELL("no latch", OSWriteOutLatch(4, 0, 0));
   OSWriteParData(0x5A);
   OSWriteParCTRL(0xFF);
   printf("port %x %x %x\n", OSReadParData(), OSReadParSR(), OSReadParCTRL());
-  printf("ad %d %d, off %d %d\n", OSGetAD(0) > 0 && OSGetAD(0) < 1024, OSGetAD(16), OSOffAD(1),
-         OSOffAD(2));
-  printf("loader %d %d %d %d, hdt %d\n", OSDownload(NULL, NULL, 0, 0, 0), OSExecute(NULL),
-         USRStart(), USRResident(NULL, 0), HDT_FindEntry(1, PSD_LEFT) == NULL);
-  printf("m6 %d %d %d %d %d\n", OSLatchInit(), OSLatchBankSetup(IOBANK1, 1), OSLatchWrite(9, 1),
-         OSLatchRead(9), OSLatchRead(16));
-  printf("adc %d %d %d\n", OSGetADC(OSInitADC("ADC0")) > 0, OSInitADC("XYZ"), OSADCRelease(1));
+  TELL("ad", OSGetAD(0) > 0 && OSGetAD(0) < 1024);
+  TELL("no channel", OSGetAD(16));
+  TELL("off", OSOffAD(1));
+  TELL("bad off", OSOffAD(2));
+  TELL("loader", OSDownload(NULL, NULL, 0, 0, 0) + OSExecute(NULL) + USRStart() + USRResident(NULL, 0));
+  TELL("hdt", HDT_FindEntry(1, PSD_LEFT) == NULL);
+  TELL("m6", OSLatchInit());
+  TELL("bank", OSLatchBankSetup(IOBANK1, 1));
+  TELL("write", OSLatchWrite(9, 1));
+  TELL("read", OSLatchRead(9));
+  TELL("no line", OSLatchRead(16));
+  TELL("adc", OSGetADC(OSInitADC("ADC0")) == OSGetAD(0));
+  TELL("no adc", OSInitADC("XYZ"));
   return 0;
 }

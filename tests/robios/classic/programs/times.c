@@ -1,5 +1,6 @@
 /* Ticks, timers, the clock. */
 #include "eyebot.h"
+#include "tell.h"
 
 int fast = 0, slow = 0;
 void tick() { fast++; }
@@ -9,15 +10,16 @@ int main()
 { int h = -1, m = -1, s = -1, t = -1, i, day, month, year;
   TimerHandle a, b, last = 1;
 
-  printf("count %d\n", OSGetCount());
+  TELL("count", OSGetCount());
   OSWait(150);
-  printf("count %d\n", OSGetCount());
+  TELL("count", OSGetCount());
   OSSleep(50);
-  printf("count %d\n", OSGetCount());
+  TELL("count", OSGetCount());
   OSSleepms(250);
   OSGetTime(&h, &m, &s, &t);
   printf("time %d:%d:%d.%d\n", h, m, s, t);
-  printf("set %d %d\n", OSSetTime(23, 59, 59), OSSetTime(24, 0, 0));
+  TELL("set", OSSetTime(23, 59, 59));
+  TELL("no time", OSSetTime(24, 0, 0));
   OSWait(200);
   OSGetTime(&h, &m, &s, &t);
   OSShowTime();
@@ -32,12 +34,16 @@ int main()
   OSEnable();
   OSWait(1);
   printf("held %d, then %d\n", i == 100, fast > i);
-  printf("detach %d %d %d\n", OSDetachTimer(a), OSDetachTimer(a), OSDetachTimer(b));
-  printf("bad %d %d\n", OSAttachTimer(0, tick), OSAttachTimer(1, NULL));
+  TELL("detach", OSDetachTimer(a));
+  TELL("again", OSDetachTimer(a));
+  TELL("detach", OSDetachTimer(b));
+  TELL("bad", OSAttachTimer(0, tick));
+  TELL("bad", OSAttachTimer(1, NULL));
   for (i = 0; last != 0; i++) last = OSAttachTimer(1000, tick);
-  printf("timers %d\n", i - 1);
+  TELL("timers", i - 1);
   OSGetDate(&day, &month, &year);
-  printf("date %d.%d.%d, set %d %d\n", day, month, year, OSSetDate(29, 2, 2004),
-         OSSetDate(29, 2, 2005));
+  printf("date %d.%d.%d\n", day, month, year);
+  TELL("leap year", OSSetDate(29, 2, 2004));
+  TELL("no date", OSSetDate(29, 2, 2005));
   return 0;
 }
