@@ -37,8 +37,8 @@ Result<hal::Sound*> sound_of(Session& session) {
 /// The sound as a file without a name, as others see it.
 Result<std::string> as_file(const robios::classic::Sample& sample) {
   UniqueFd file(::memfd_create("eyebridge-sample", MFD_CLOEXEC));
-  if (!file.valid() ||
-      ::write(file.get(), sample.wav.data(), sample.wav.size()) != static_cast<ssize_t>(sample.wav.size())) {
+  if (!file.valid() || ::write(file.get(), sample.wav.data(), sample.wav.size()) !=
+                           static_cast<ssize_t>(sample.wav.size())) {
     return fail(Errc::Unsupported, "there is no memory for the sample");
   }
   const std::lock_guard lock(sample_mutex);
@@ -57,7 +57,8 @@ int is_silent(const char* name) {
 
 int play_tone(const char* name, double hertz, double seconds) {
   return doing(name, 1, [&](Session& session) {
-    return sound_of(session).and_then([&](hal::Sound* sound) { return sound->tone(hertz, seconds); });
+    return sound_of(session).and_then(
+        [&](hal::Sound* sound) { return sound->tone(hertz, seconds); });
   });
 }
 
@@ -68,7 +69,9 @@ int AUPlaySample(void* sample, ...) {
     if (sample == nullptr) return robios::null_pointer();
     const auto* const bytes = static_cast<const std::uint8_t*>(sample);
     return robios::classic::sample_size({bytes, robios::classic::kSampleHead})
-        .and_then([&](std::size_t size) { return robios::classic::read_sample({bytes, size}); })
+        .and_then([&](std::size_t size) {
+          return robios::classic::read_sample({bytes, size});
+        })
         .and_then([&](const robios::classic::Sample& read) -> Result<int> {
           const Result<hal::Sound*> sound = sound_of(session);
           if (!sound) return tl::unexpected(sound.error());
@@ -82,8 +85,8 @@ int AUPlaySample(void* sample, ...) {
 int AUTone(int freq, int msec) {
   if (freq < 65 || freq > 21000 || msec < 1 || msec > 65535) {
     return doing("AUTone", 1, [&](Session&) -> Result<void> {
-      return fail(Errc::OutOfRange, fmt::format("{} Hz for {} ms, expected 65 … 21000 and 1 … 65535",
-                                                freq, msec));
+      return fail(Errc::OutOfRange,
+                  fmt::format("{} Hz for {} ms, expected 65 … 21000 and 1 … 65535", freq, msec));
     });
   }
   return play_tone("AUTone", std::min(freq, kHighestTone), std::min(msec / 1000.0, kLongestTone));

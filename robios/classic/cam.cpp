@@ -18,8 +18,8 @@ using robios::Session;
 using robios::classic::call;
 using robios::classic::doing;
 
-// EyeCam-1: the camera whose full resolution is that of an image, so that programs of all later ones
-// find room in their buffers, too.
+// EyeCam-1: the camera whose full resolution is that of an image, so that programs of all later
+// ones find room in their buffers, too.
 constexpr int kVersion = 17;
 constexpr CAMHandle kHandle = 1;
 

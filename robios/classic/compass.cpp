@@ -77,8 +77,8 @@ int COMPASSStart(BOOL cycle) {
     const std::lock_guard lock(compass_mutex);
     return open_module(session).map([&](hal::Compass*) {
       const Time now = session.clock().now();
-      const bool busy = compass_module.started &&
-                        (compass_module.again_and_again || now - *compass_module.started < kMeasurement);
+      const bool busy = compass_module.started && (compass_module.again_and_again ||
+                                                   now - *compass_module.started < kMeasurement);
       if (busy) return 1;
       compass_module.started = now;
       compass_module.again_and_again = cycle != 0;
@@ -110,14 +110,17 @@ int COMPASSStop(void) {
       }
       if (compass_module.started) {
         const long long done = (session.clock().now() - *compass_module.started) / kMeasurement;
-        if (done < 1 || compass_module.again_and_again) end = *compass_module.started + (done + 1) * kMeasurement;
+        if (done < 1 || compass_module.again_and_again)
+          end = *compass_module.started + (done + 1) * kMeasurement;
       }
     }
     if (!end) return {};
     robios::classic::wait_until(*end);
     const std::lock_guard lock(compass_mutex);
     return open_module(session).and_then([&](hal::Compass* compass) {
-      return take_result(*compass, session.clock().now()).map([] { compass_module.started.reset(); });
+      return take_result(*compass, session.clock().now()).map([] {
+        compass_module.started.reset();
+      });
     });
   });
 }

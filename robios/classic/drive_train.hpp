@@ -14,14 +14,14 @@ namespace eyebridge::robios::classic {
 /// An encoder and what QUADODORead() counts with.
 struct Quad {
   hal::Encoder* encoder = nullptr;
-  double ticks_per_metre = 0.0;  ///< 0: not known.
+  double ticks_per_metre = 0.0;      ///< 0: not known.
   std::uint32_t odometer_began = 0;  ///< Ticks, as the encoder counts them.
 };
 
 /// A turn on the spot, whose remaining angle no device tells.
 struct Turn {
-  double angle = 0.0;  ///< Radians, as commanded.
-  double speed = 0.0;  ///< Radians per second, > 0.
+  double angle = 0.0;    ///< Radians, as commanded.
+  double speed = 0.0;    ///< Radians per second, > 0.
   double heading = 0.0;  ///< By odometry at its start.
   Time began{0};
 };

@@ -23,8 +23,8 @@ std::mutex remote_mutex;
 bool listening = false;
 std::deque<int> codes;
 
-/// Takes the codes that have come: from a receiver on the robot, and the script or window of the keys.
-/// Lock remote_mutex.
+/// Takes the codes that have come: from a receiver on the robot, and the script or window of the
+/// keys. Lock remote_mutex.
 Result<void> listen(Session& session) {
   if (!listening) {
     return fail(Errc::Unsupported, "the remote control is not initialised: call IRTVInit first");
@@ -98,8 +98,9 @@ int IRTVGet(void) {
       const Result<int> code = next_code(session, true);
       if (!code || *code != 0) return code;
       if (session.clock().is_virtual() && session.clock().now() - since > kLongestWait) {
-        session.abort_run({Errc::Unsupported, "waits for a code of the remote control that can "
-                                              "never come; --keys \"IRTV_5@2s\" sends one"});
+        session.abort_run({Errc::Unsupported,
+                           "waits for a code of the remote control that can "
+                           "never come; --keys \"IRTV_5@2s\" sends one"});
       }
       robios::classic::wait_until(session.clock().now() + robios::classic::kTick);
     }

@@ -1,7 +1,6 @@
-#include "keys.hpp"
-
 #include "call.hpp"
 #include "eyebot.h"
+#include "keys.hpp"
 #include "keys_wait.hpp"
 
 namespace {

@@ -18,7 +18,7 @@ using robios::classic::call;
 using robios::classic::doing;
 
 constexpr int kLatchLines = 8;
-constexpr int kFirstOutput = 9;  // digital line of bit 0 of output latch 0
+constexpr int kFirstOutput = 9;     // digital line of bit 0 of output latch 0
 constexpr int kConverterShift = 2;  // 12 bits to 10
 
 std::mutex latch_mutex;
@@ -35,7 +35,8 @@ Result<hal::DigitalLines*> lines_of(Session& session) {
 /// The lines behind a latch: there is one of each kind.
 Result<hal::DigitalLines*> latch_lines(Session& session, int latchnr) {
   if (latchnr == 0) return lines_of(session);
-  return fail(Errc::OutOfRange, fmt::format("there is no latch {}; this robot has latch 0", latchnr));
+  return fail(Errc::OutOfRange,
+              fmt::format("there is no latch {}; this robot has latch 0", latchnr));
 }
 
 Result<void> need_port(Session& session) {
@@ -131,7 +132,8 @@ int OSOffAD(int mode) {
 }
 
 int OSLatchInit(void) {
-  return doing("OSLatchInit", 1, [](Session& session) { return lines_of(session).map([](auto*) {}); });
+  return doing("OSLatchInit", 1,
+               [](Session& session) { return lines_of(session).map([](auto*) {}); });
 }
 
 int OSLatchCleanup(void) {
@@ -139,16 +141,16 @@ int OSLatchCleanup(void) {
 }
 
 int OSLatchSetup(int latchnum, int direction) {
-  return on_line("OSLatchSetup", latchnum, 1,
-                 [&](hal::DigitalLines& lines, int line) -> Result<int> {
-                   if (direction != 0 && direction != 1) {
-                     return fail(Errc::OutOfRange, fmt::format("direction {}, expected 0 (input) or "
-                                                               "1 (output)",
-                                                               direction));
-                   }
-                   const auto mode = direction == 0 ? hal::LineMode::Input : hal::LineMode::Output;
-                   return lines.setup(line, mode).map([] { return 0; });
-                 });
+  return on_line(
+      "OSLatchSetup", latchnum, 1, [&](hal::DigitalLines& lines, int line) -> Result<int> {
+        if (direction != 0 && direction != 1) {
+          return fail(Errc::OutOfRange, fmt::format("direction {}, expected 0 (input) or "
+                                                    "1 (output)",
+                                                    direction));
+        }
+        const auto mode = direction == 0 ? hal::LineMode::Input : hal::LineMode::Output;
+        return lines.setup(line, mode).map([] { return 0; });
+      });
 }
 
 int OSLatchBankSetup(int banknum, int direction) {
@@ -177,8 +179,8 @@ int OSInitADC(const char* name) {
     const std::string_view text = name;
     int channel = -1;
     const auto* const end = text.data() + text.size();
-    if (!text.starts_with("ADC") ||
-        std::from_chars(text.data() + 3, end, channel).ptr != end || channel < 0) {
+    if (!text.starts_with("ADC") || std::from_chars(text.data() + 3, end, channel).ptr != end ||
+        channel < 0) {
       return fail(Errc::OutOfRange, fmt::format("there is no converter \"{:.60}\"", text));
     }
     return convert(session, channel).map([&](int) { return channel + 1; });

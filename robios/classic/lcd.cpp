@@ -125,7 +125,9 @@ int LCDSetString(int row, int column, const char* s) {
   });
 }
 
-int LCDPutHex(int val) { return print("LCDPutHex", fmt::format("{:X}", static_cast<unsigned>(val))); }
+int LCDPutHex(int val) {
+  return print("LCDPutHex", fmt::format("{:X}", static_cast<unsigned>(val)));
+}
 int LCDPutHex1(int val) { return print("LCDPutHex1", fmt::format("{:02X}", val & 0xFF)); }
 int LCDPutInt(int val) { return print("LCDPutInt", std::to_string(val)); }
 

@@ -25,8 +25,8 @@ constexpr int kShownHeight = 54;
 Result<Pen> pen_of(int colour) {
   static constexpr std::array kPens = {Pen::Clear, Pen::Set, Pen::Invert};
   if (colour < 0 || colour > 2) {
-    return fail(Errc::OutOfRange, fmt::format("colour {}, expected 0 (clear), 1 (set) or 2 (invert)",
-                                              colour));
+    return fail(Errc::OutOfRange,
+                fmt::format("colour {}, expected 0 (clear), 1 (set) or 2 (invert)", colour));
   }
   return kPens.at(static_cast<std::size_t>(colour));
 }
@@ -110,9 +110,8 @@ int LCDInvertPixel(int row, int col) {
 
 int LCDGetPixel(int row, int col) {
   return call("LCDGetPixel", -1, [&](Session& session) -> Result<int> {
-    return robios::classic::lcd(session).pixel_at(col, row).map([](bool black) {
-      return black ? 1 : 0;
-    });
+    return robios::classic::lcd(session).pixel_at(col, row).map(
+        [](bool black) { return black ? 1 : 0; });
   });
 }
 
@@ -123,9 +122,9 @@ int LCDLine(int x1, int y1, int x2, int y2, int col) {
 int LCDArea(int x1, int y1, int x2, int y2, int col) {
   if (x1 > x2 || y1 > y2) {
     return doing("LCDArea", 1, [&](Session&) -> Result<void> {
-      return fail(Errc::OutOfRange,
-                  fmt::format("{}, {} to {}, {}: expected the upper left corner first", x1, y1, x2,
-                              y2));
+      return fail(
+          Errc::OutOfRange,
+          fmt::format("{}, {} to {}, {}: expected the upper left corner first", x1, y1, x2, y2));
     });
   }
   return drawing("LCDArea", col, [&](MonoLcd& lcd, Pen pen) { lcd.area(x1, y1, x2, y2, pen); });

@@ -70,9 +70,8 @@ std::string_view name_of(DeviceSemantics semantics) {
 }
 
 bool same(std::string_view a, std::string_view b) {
-  return std::ranges::equal(a, b, [](unsigned char x, unsigned char y) {
-    return std::toupper(x) == std::toupper(y);
-  });
+  return std::ranges::equal(
+      a, b, [](unsigned char x, unsigned char y) { return std::toupper(x) == std::toupper(y); });
 }
 
 const Row* row_of(int semantics) {
@@ -129,8 +128,9 @@ Result<int> find_device(hal::Backend& backend, std::string_view kind, DeviceSema
   if (numbered && number == 0) return none(kind, semantics);
   const Row* const row = numbered ? row_of(number) : row_of(name_of(semantics));
   if (row != nullptr && row->kind != kind) return none(kind, semantics);
-  const std::string_view name =
-      !numbered ? name_of(semantics) : row != nullptr ? row->name : std::string_view{};
+  const std::string_view name = !numbered        ? name_of(semantics)
+                                : row != nullptr ? row->name
+                                                 : std::string_view{};
 
   const std::vector<hal::DeviceFacts> facts = backend.facts_of(kind);
   for (const hal::DeviceFacts& device : facts) {

@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "call.hpp"
+#include "classic_lcd.hpp"
 #include "eyebot.h"
 #include "keys_wait.hpp"
-#include "classic_lcd.hpp"
 #include "timers.hpp"
 
 namespace {
@@ -125,9 +125,8 @@ int OSDisable(void) {
 int OSGetVar(int num) {
   return call("OSGetVar", -1, [&](Session&) -> Result<int> {
     const std::lock_guard lock(variables_mutex);
-    return variable(num).map([](const Variable& v) {
-      return (variables.at(v.word) >> v.shift) & v.mask;
-    });
+    return variable(num).map(
+        [](const Variable& v) { return (variables.at(v.word) >> v.shift) & v.mask; });
   });
 }
 

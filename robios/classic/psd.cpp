@@ -37,8 +37,8 @@ Result<int> read_mm(hal::RangeSensor& sensor) {
   });
 }
 
-/// The reading that `field` of a sensor keeps: a measurement gives the same one as long as it is the
-/// last.
+/// The reading that `field` of a sensor keeps: a measurement gives the same one as long as it is
+/// the last.
 template <class Read>
 Result<int> reading(Session& session, PSDHandle handle, std::optional<int> Psd::*field,
                     Read&& read) {
@@ -122,9 +122,8 @@ BOOL PSDCheck(void) {
 }
 
 int PSDGet(PSDHandle handle) {
-  return call("PSDGet", -1, [&](Session& session) {
-    return reading(session, handle, &Psd::range_mm, read_mm);
-  });
+  return call("PSDGet", -1,
+              [&](Session& session) { return reading(session, handle, &Psd::range_mm, read_mm); });
 }
 
 int PSDGetRaw(PSDHandle handle) {

@@ -12,7 +12,8 @@ class PsdCycle {
  public:
   static constexpr Time kPeriod = std::chrono::milliseconds(60);
 
-  /// False while a single measurement is under way. Sensors that are added to a running cycle join it.
+  /// False while a single measurement is under way. Sensors that are added to a running cycle join
+  /// it.
   bool start(int mask, bool again_and_again, Time now);
   void stop() { started_ = {}; }
 
@@ -20,8 +21,8 @@ class PsdCycle {
   [[nodiscard]] int mask() const { return started_ ? started_->mask : 0; }
   /// The first measurement is done.
   [[nodiscard]] bool is_ready(Time now) const;
-  /// Which measurement of the started ones a reading at `now` belongs to, from 1; 0 before the first
-  /// is done.
+  /// Which measurement of the started ones a reading at `now` belongs to, from 1; 0 before the
+  /// first is done.
   [[nodiscard]] long long number(Time now) const;
   /// When that measurement began; of what was not started, now.
   [[nodiscard]] Time began(Time now) const;

@@ -93,8 +93,7 @@ int RADIOSend(BYTE id, int byteCount, const void* buffer) {
   return doing("RADIOSend", 1, [&](Session& session) -> Result<void> {
     if (buffer == nullptr) return robios::null_pointer();
     if (byteCount < 0 || byteCount > MAXMSGLEN) {
-      return fail(Errc::OutOfRange,
-                  fmt::format("{} bytes, expected 0 … {}", byteCount, MAXMSGLEN));
+      return fail(Errc::OutOfRange, fmt::format("{} bytes, expected 0 … {}", byteCount, MAXMSGLEN));
     }
     const Result<hal::Radio*> radio = radio_of(session);
     if (!radio) return tl::unexpected(radio.error());

@@ -16,8 +16,8 @@ using robios::classic::doing;
 constexpr int kSendTimeout = 3;
 constexpr int kIllegalBaud = 8;
 constexpr int kIllegalInterface = 10;
-constexpr int kLineError = -254;          // 0xffffff02
-constexpr int kNoInterface = -246;        // 0xffffff0a
+constexpr int kLineError = -254;    // 0xffffff02
+constexpr int kNoInterface = -246;  // 0xffffff0a
 
 constexpr std::array kBauds = {4800, 9600, 19200, 38400, 57600, 115200};  // by SER4800 …
 
@@ -37,8 +37,8 @@ tl::unexpected<Error> no_port(int interface) {
                           interface));
 }
 
-/// For what returns 0 or one of the manual's numbers: `act(port)` gives Result<void>, whose failure is
-/// `failure`.
+/// For what returns 0 or one of the manual's numbers: `act(port)` gives Result<void>, whose failure
+/// is `failure`.
 template <class Act>
 int on_port(const char* name, int interface, int failure, int none, Act&& act) {
   hal::SerialPort* const port = port_of(Session::instance(), interface);
@@ -108,8 +108,9 @@ int OSFlushInRS232(int interface) {
 }
 
 int OSFlushOutRS232(int interface) {
-  return on_port("OSFlushOutRS232", interface, 2, kIllegalInterface,
-                 [](hal::SerialPort& port) { return port.pending().map([](std::size_t) { return 0; }); });
+  return on_port("OSFlushOutRS232", interface, 2, kIllegalInterface, [](hal::SerialPort& port) {
+    return port.pending().map([](std::size_t) { return 0; });
+  });
 }
 
 int OSCheckInRS232(int interface) {
@@ -119,8 +120,7 @@ int OSCheckInRS232(int interface) {
 }
 
 int OSCheckOutRS232(int interface) {
-  return on_port("OSCheckOutRS232", interface, kLineError, kNoInterface,
-                 [](hal::SerialPort& port) {
-                   return port.pending().map([](std::size_t) { return 0; });
-                 });
+  return on_port("OSCheckOutRS232", interface, kLineError, kNoInterface, [](hal::SerialPort& port) {
+    return port.pending().map([](std::size_t) { return 0; });
+  });
 }

@@ -32,7 +32,8 @@ std::uint32_t little_endian(ConstBytes bytes, std::size_t at) {
 }
 
 bool says(ConstBytes bytes, std::size_t at, std::string_view word) {
-  return bytes.size() >= at + word.size() && std::equal(word.begin(), word.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at));
+  return bytes.size() >= at + word.size() &&
+         std::equal(word.begin(), word.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at));
 }
 
 void put(std::vector<std::uint8_t>& out, std::string_view word) {
@@ -110,7 +111,8 @@ Result<std::size_t> sample_size(ConstBytes head) {
     return fail(Errc::OutOfRange, "this is no sample; expected a WAV, AU or SND file in memory");
   }
   if (size > kLargest) {
-    return fail(Errc::OutOfRange, fmt::format("a sample of {} bytes, expected at most 16 MB", size));
+    return fail(Errc::OutOfRange,
+                fmt::format("a sample of {} bytes, expected at most 16 MB", size));
   }
   return std::max(size, kSampleHead);
 }

@@ -11,8 +11,8 @@ namespace eyebridge::robios::classic {
 
 /// A sound in memory, as AUPlaySample() takes it.
 struct Sample {
-  int frequency = 0;               ///< Values a second.
-  std::vector<std::uint8_t> wav;   ///< The same sound as a WAV file.
+  int frequency = 0;              ///< Values a second.
+  std::vector<std::uint8_t> wav;  ///< The same sound as a WAV file.
 };
 
 /// Bytes that must be there to tell how long a sample is.

@@ -91,10 +91,9 @@ class Slots {
   };
 
   [[nodiscard]] tl::unexpected<Error> wrong(int handle) const {
-    return fail(Errc::OutOfRange,
-                fmt::format("handle {:#x} is no open {} (open are {:#x})",
-                            static_cast<unsigned>(handle), family_,
-                            static_cast<unsigned>(open_mask())));
+    return fail(Errc::OutOfRange, fmt::format("handle {:#x} is no open {} (open are {:#x})",
+                                              static_cast<unsigned>(handle), family_,
+                                              static_cast<unsigned>(open_mask())));
   }
 
   const char* family_;

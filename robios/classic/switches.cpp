@@ -91,8 +91,8 @@ int BUMPCheck(BumpHandle handle, int* timestamp) {
     if (!bumper.hit) return -1;
     bumper.hit = false;
     if (timestamp != nullptr) {
-      *timestamp = static_cast<int>(
-          static_cast<unsigned>(bumper.hit_at / std::chrono::microseconds(1)));
+      *timestamp =
+          static_cast<int>(static_cast<unsigned>(bumper.hit_at / std::chrono::microseconds(1)));
     }
     return 0;
   });
@@ -100,12 +100,13 @@ int BUMPCheck(BumpHandle handle, int* timestamp) {
 
 IRHandle IRInit(DeviceSemantics semantics) {
   return call("IRInit", 0, [&](Session& session) -> Result<int> {
-    return find_device(session.backend(), "proximity", semantics).and_then([&](int id) -> Result<int> {
-      hal::SwitchSensor* const sensor = session.backend().proximity(id);
-      if (sensor == nullptr) return no_switch(semantics);
-      const std::lock_guard lock(switch_mutex);
-      return proximities.open(id, sensor);
-    });
+    return find_device(session.backend(), "proximity", semantics)
+        .and_then([&](int id) -> Result<int> {
+          hal::SwitchSensor* const sensor = session.backend().proximity(id);
+          if (sensor == nullptr) return no_switch(semantics);
+          const std::lock_guard lock(switch_mutex);
+          return proximities.open(id, sensor);
+        });
   });
 }
 

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "call.hpp"
-#include "eyebot.h"
 #include "classic_lcd.hpp"
+#include "eyebot.h"
 #include "timer_slots.hpp"
 #include "timers.hpp"
 

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "call.hpp"
-#include "eyebot.h"
 #include "classic_lcd.hpp"
+#include "eyebot.h"
 #include "timer_slots.hpp"
 #include "timers.hpp"
 
@@ -116,8 +116,8 @@ int OSGetTime(int* hrs, int* mins, int* secs, int* ticks) {
 int OSShowTime(void) {
   return call("OSShowTime", 1, [](Session& session) -> Result<int> {
     const long long now = ticks_of_day(session);
-    robios::classic::lcd(session).print(fmt::format(
-        "{:02}:{:02}:{:02}", now / kHour, now / kMinute % 60, now / kSecond % 60));
+    robios::classic::lcd(session).print(
+        fmt::format("{:02}:{:02}:{:02}", now / kHour, now / kMinute % 60, now / kSecond % 60));
     return 0;
   });
 }

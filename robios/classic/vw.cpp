@@ -57,8 +57,7 @@ int drive_to(const char* name, VWHandle handle, const DriveGoal& goal) {
 /// Radians that a turn has still to go. Odometry wraps around at half a turn: of all angles that it
 /// may mean the one is meant that is nearest to what the speed lets expect.
 double remaining_angle(const Turn& turn, double heading, Time now) {
-  const double expected =
-      std::min(turn.speed * to_seconds(now - turn.began), std::abs(turn.angle));
+  const double expected = std::min(turn.speed * to_seconds(now - turn.began), std::abs(turn.angle));
   const double sign = turn.angle < 0 ? -1.0 : 1.0;
   const double wrapped = sign * wrap_angle(heading - turn.heading);
   const double turns = std::round((expected - wrapped) / (2 * kPi));
@@ -76,8 +75,7 @@ VWHandle VWInit(DeviceSemantics semantics, int Timescale) {
   return call("VWInit", 0, [&](Session& session) -> Result<int> {
     DriveTrain& train = drive_train();
     const std::lock_guard lock(train.mutex);
-    const Result<int> known =
-        robios::classic::find_device(session.backend(), "drive", semantics);
+    const Result<int> known = robios::classic::find_device(session.backend(), "drive", semantics);
     if (!known) return known;
     if (Timescale < 1) {
       return fail(Errc::OutOfRange, fmt::format("timescale {}, expected 1 or more", Timescale));
@@ -148,8 +146,8 @@ int VWStartControl(VWHandle handle, float Vv, float Tv, float Vw, float Tw) {
     const bool numbers =
         std::isfinite(Vv) && std::isfinite(Tv) && std::isfinite(Vw) && std::isfinite(Tw);
     if (numbers && Vv >= 0 && Vw >= 0 && Tv > 0 && Tw > 0) return {};
-    return fail(Errc::OutOfRange, fmt::format("gains {} {} {} {}: expected V >= 0 and T > 0", Vv,
-                                              Tv, Vw, Tw));
+    return fail(Errc::OutOfRange,
+                fmt::format("gains {} {} {} {}: expected V >= 0 and T > 0", Vv, Tv, Vw, Tw));
   });
 }
 

@@ -1,5 +1,5 @@
-// Build tool: draws the glyphs of one typeface, black and white, into cells of 8 x 8 pixels and writes
-// them as a C++ literal: for each glyph eight rows from the top, the highest bit left.
+// Build tool: draws the glyphs of one typeface, black and white, into cells of 8 x 8 pixels and
+// writes them as a C++ literal: for each glyph eight rows from the top, the highest bit left.
 //
 //   bake_mono_font OUT FONT        (path of a TrueType file)
 
@@ -23,8 +23,8 @@ using eyebridge::robios::kGlyphCount;
 using eyebridge::robios::latin1_of_glyph;
 
 constexpr int kCell = 8;
-// Wider than high, so that letters of seven rows fill their cells; one row stays below the baseline,
-// and what hangs deeper is cut off.
+// Wider than high, so that letters of seven rows fill their cells; one row stays below the
+// baseline, and what hangs deeper is cut off.
 constexpr int kGlyphWidth = 11;
 constexpr int kGlyphHeight = 9;
 constexpr int kBaseline = 7;
@@ -37,8 +37,8 @@ void check(FT_Error error, const std::string& what) {
 
 using Cell = std::array<std::uint8_t, kCell>;
 
-/// The rows of a glyph from its top. Those of one that is too tall for its cell are made fewer where
-/// two are the same: the dot of an i stays.
+/// The rows of a glyph from its top. Those of one that is too tall for its cell, or hangs too deep,
+/// are made fewer where two are the same: the dot of an i stays, and the tail of a g.
 std::vector<std::uint8_t> rows_of(const FT_GlyphSlot slot) {
   const FT_Bitmap& bitmap = slot->bitmap;
   std::vector<std::uint8_t> rows(bitmap.rows, 0);
@@ -50,7 +50,10 @@ std::vector<std::uint8_t> rows_of(const FT_GlyphSlot slot) {
       rows.at(static_cast<std::size_t>(row)) |= static_cast<std::uint8_t>(0x80 >> x);
     }
   }
-  for (int excess = slot->bitmap_top - kBaseline; excess > 0 && !rows.empty(); --excess) {
+  const int above = std::max(slot->bitmap_top - kBaseline, 0);
+  const int below =
+      std::max(static_cast<int>(bitmap.rows) - slot->bitmap_top - (kCell - kBaseline), 0);
+  for (int excess = above + below; excess > 0 && !rows.empty(); --excess) {
     const auto twin = std::adjacent_find(rows.begin(), rows.end());
     rows.erase(twin == rows.end() ? rows.begin() : twin);
   }

@@ -186,13 +186,14 @@ void MonoLcd::picture(int x, int y, int width, int height, const std::uint8_t* g
                       std::size_t stride) {
   const std::lock_guard lock(mutex_);
   const int last_x = static_cast<int>(std::min<std::int64_t>(std::int64_t{x} + width, kWidth));
-  const int last_y = static_cast<int>(std::min<std::int64_t>(std::int64_t{y} + height, kTextHeight));
+  const int last_y =
+      static_cast<int>(std::min<std::int64_t>(std::int64_t{y} + height, kTextHeight));
   for (int v = std::max(y, 0); v < last_y; ++v) {
     for (int u = std::max(x, 0); u < last_x; ++u) {
       const auto row = static_cast<std::size_t>(std::int64_t{v} - y);
       const auto column = static_cast<std::size_t>(std::int64_t{u} - x);
-      const bool white = is_white(static_cast<int>(column), static_cast<int>(row),
-                                  grey[row * stride + column]);
+      const bool white =
+          is_white(static_cast<int>(column), static_cast<int>(row), grey[row * stride + column]);
       canvas_.pixel(u, v, white ? kPaper : kInk);
     }
   }

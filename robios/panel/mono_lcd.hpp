@@ -14,8 +14,8 @@
 
 namespace eyebridge::robios {
 
-/// The screen of classic EyeBots: 128 x 64 pixels, black on white, for 7 rows of 16 characters and an
-/// eighth row with the labels of the four keys. Any thread: every call locks for itself.
+/// The screen of classic EyeBots: 128 x 64 pixels, black on white, for 7 rows of 16 characters and
+/// an eighth row with the labels of the four keys. Any thread: every call locks for itself.
 class MonoLcd final : public Screen {
  public:
   static constexpr int kWidth = 128;
@@ -29,9 +29,9 @@ class MonoLcd final : public Screen {
 
   MonoLcd();
 
-  /// Prints at the cursor; UTF-8 or Latin-1. A full row goes on in the next one, as soon as there is
-  /// a character for it; then, too, the screen scrolls. '\n', '\r', '\b', '\t' move the cursor, other
-  /// control characters do nothing.
+  /// Prints at the cursor; UTF-8 or Latin-1. A full row goes on in the next one, as soon as there
+  /// is a character for it; then, too, the screen scrolls. '\n', '\r', '\b', '\t' move the cursor,
+  /// other control characters do nothing.
   void print(std::string_view text);
   /// Moves the cursor and prints, as one step. OutOfRange as set_position().
   Result<void> print_at(int row, int column, std::string_view text);
@@ -52,8 +52,8 @@ class MonoLcd final : public Screen {
   void line(int x1, int y1, int x2, int y2, Pen pen);
   /// Both corners included, in any order.
   void area(int x1, int y1, int x2, int y2, Pen pen);
-  /// A grey picture of width x height pixels, rows `stride` bytes apart, by thresholds() over the text
-  /// rows only. Only the visible part is read.
+  /// A grey picture of width x height pixels, rows `stride` bytes apart, by thresholds() over the
+  /// text rows only. Only the visible part is read.
   void picture(int x, int y, int width, int height, const std::uint8_t* grey, std::size_t stride);
   /// The whole screen, 1024 bytes: rows of 16, the highest bit left, 1 is black.
   void bitmap(const std::uint8_t* bits);
@@ -79,8 +79,9 @@ class MonoLcd final : public Screen {
   std::uint64_t revision_ = 0;
 };
 
-/// Whether a pixel of this brightness at x, y is white when it must be black or white: brighter than
-/// the threshold of its place in a pattern of 2 x 2, 51 153 over 204 102 (ordered dithering). Pure.
+/// Whether a pixel of this brightness at x, y is white when it must be black or white: brighter
+/// than the threshold of its place in a pattern of 2 x 2, 51 153 over 204 102 (ordered dithering).
+/// Pure.
 bool is_white(int x, int y, std::uint8_t grey);
 
 }  // namespace eyebridge::robios

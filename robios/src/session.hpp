@@ -84,7 +84,8 @@ class Session {
 /// skin; called once, when the session has begun.
 void publish_globals(Session& session);
 
-/// The robot's screen, as big as `config` says. Defined by the skin; called once. Throws ConfigError.
+/// The robot's screen, as big as `config` says. Defined by the skin; called once. Throws
+/// ConfigError.
 std::unique_ptr<Screen> make_screen(const hal::Config& config);
 
 }  // namespace eyebridge::robios

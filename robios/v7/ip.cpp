@@ -36,11 +36,11 @@ void eyebridge::robios::set_ip_size(ImageSize size) {
 namespace {
 
 constexpr std::array<ImageSize, 6> kIpModes{{{QQVGA_X, QQVGA_Y},
-                                           {QVGA_X, QVGA_Y},
-                                           {VGA_X, VGA_Y},
-                                           {CAM1MP_X, CAM1MP_Y},
-                                           {CAMHD_X, CAMHD_Y},
-                                           {CAM5MP_X, CAM5MP_Y}}};
+                                             {QVGA_X, QVGA_Y},
+                                             {VGA_X, VGA_Y},
+                                             {CAM1MP_X, CAM1MP_Y},
+                                             {CAMHD_X, CAMHD_Y},
+                                             {CAM5MP_X, CAM5MP_Y}}};
 
 /// The image that a call works on, and its planes as spans of that size.
 struct Image {

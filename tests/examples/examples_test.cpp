@@ -31,6 +31,17 @@ TEST(Square, EndsWhereItStarted) {
   EXPECT_EQ(r.out, "back at 0 0, 0 deg\n");
 }
 
+TEST(ClassicPatrol, DrivesToAndFroWhileItIsWatched) {
+  const ProgramRun r =
+      run(EYEBRIDGE_CLASSIC_PATROL, "empty-room.wld", {{"EYEBRIDGE_MIRROR", "true"}});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  EXPECT_THAT(r.out, HasSubstr("leg 1: 540 mm to the wall\n"));
+  EXPECT_THAT(r.out, HasSubstr("leg 6: 940 mm to the wall\n"));
+  EXPECT_THAT(r.out, HasSubstr("lcd  2| x  0.40\n"));
+  EXPECT_THAT(r.out, HasSubstr("patrol ended after "));
+}
+
 TEST(WallFollower, KeepsItsDistanceToTheWall) {
   const testing::ScratchFolder folder;
   const ProgramRun r =

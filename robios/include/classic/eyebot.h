@@ -3,13 +3,14 @@
  * and C++.
  *
  * Unless a function says otherwise: it returns 0 on success and non-zero on failure, may be called
- * from any thread, and returns at once; times are ticks of 1/100 s, driving is in metres and radians
- * (counter-clockwise positive), distances that sensors measure are millimetres. The reason of the
- * last failure: EYEBRIDGELastError() in eyebridge.h. Where the manuals leave something open, the
- * comment says "our choice".
+ * from any thread, and returns at once; times are ticks of 1/100 s, driving is in metres and
+ * radians (counter-clockwise positive), distances that sensors measure are millimetres. The reason
+ * of the last failure: EYEBRIDGELastError() in eyebridge.h. Where the manuals leave something open,
+ * the comment says "our choice".
  */
 #ifdef EYEBOT_H
-#error "eyebot.h of RoBIOS-7 and of classic RoBIOS in one source: use one, by eyebridge-cc or eyebridge-cc --classic"
+#error \
+    "eyebot.h of RoBIOS-7 and of classic RoBIOS in one source: use one, by eyebridge-cc or eyebridge-cc --classic"
 #endif
 #ifndef EYEBOT_CLASSIC_H
 #define EYEBOT_CLASSIC_H
@@ -21,9 +22,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "eyebridge_classic/types.h"
-
 #include "eyebridge_classic/semantics.h"
+#include "eyebridge_classic/types.h"
 
 #ifdef __cplusplus
 extern "C" {

@@ -27,8 +27,8 @@ std::vector<std::string> functions() {
   return lines_of(fs::path(EYEBRIDGE_SOURCE_DIR) / "tests/robios/classic/functions.txt");
 }
 
-/// The functions that a header declares, with whether a comment stands over the declaration, or over
-/// the group of declarations without an empty line that it is in.
+/// The functions that a header declares, with whether a comment stands over the declaration, or
+/// over the group of declarations without an empty line that it is in.
 std::map<std::string, bool> declarations(const fs::path& header) {
   std::map<std::string, bool> found;
   bool documented = false;
@@ -60,7 +60,8 @@ std::map<std::string, bool> declarations(const fs::path& header) {
 TEST(ClassicFunctions, AreAllDeclaredAndDocumented) {
   std::map<std::string, bool> declared;
   for (const auto& entry : fs::directory_iterator(kHeaders / "eyebridge_classic")) {
-    declared.merge(declarations(entry.path()));
+    // The overloads of C++ are described where C declares them.
+    if (entry.path().filename() != "m6_overloads.h") declared.merge(declarations(entry.path()));
   }
   const std::vector<std::string> wanted = functions();
   EXPECT_GT(wanted.size(), 170U);

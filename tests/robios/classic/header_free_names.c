@@ -22,8 +22,8 @@ static int drive(void) { return 1; }
 
 int classic_names_in_use(void);
 int classic_names_in_use(void) {
-  return x + y + y1 + j0 + index + phi + speed + push + map + img + next + path + step + stop + scan +
-         wall + vw + name + min(1, 2) + drive();
+  return x + y + y1 + j0 + index + phi + speed + push + map + img + next + path + step + stop +
+         scan + wall + vw + name + min(1, 2) + drive();
 }
 
 /* Declared as old programs do; sizes as the manuals have them. */

@@ -1,6 +1,7 @@
 #include "kernel.hpp"
 
-#include <memory>
+#include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -11,8 +12,8 @@
 namespace eyebridge::robios::classic {
 namespace {
 
-using ::testing::ElementsAre;
 using std::chrono::milliseconds;
+using ::testing::ElementsAre;
 
 /// Time that only moves when it is told to.
 class ManualClock final : public Clock {
@@ -86,10 +87,10 @@ class KernelTest : public ::testing::Test {
   void SetUp() override {
     // Never destroyed: tasks that were not ended wait in it.
     robot_clock = new ManualClock;
-    kernel = new Kernel(*robot_clock, {[](Time deadline) { robot_clock->wait_until(deadline); },
-                                       []() -> std::optional<Time> { return {}; },
-                                       [] { return false; },
-                                       [] { throw std::runtime_error("deadlock"); }});
+    kernel =
+        new Kernel(*robot_clock, {[](Time deadline) { robot_clock->wait_until(deadline); },
+                                  []() -> std::optional<Time> { return {}; }, [] { return false; },
+                                  [] { throw std::runtime_error("deadlock"); }});
     gate = new sem{};
     story.clear();
   }
@@ -127,7 +128,8 @@ TEST_F(KernelTest, PreemptionTakesTheProcessorAfterATick) {
   EXPECT_TRUE(kernel->permit());
   tell("main");
   // Three calls of 4 ms are more than 10 ms: the next call comes after the other's turn.
-  EXPECT_THAT(story, ElementsAre("1", "1", "1", "1", "2", "2", "2", "2", "1", "1", "2", "2", "main"));
+  EXPECT_THAT(story,
+              ElementsAre("1", "1", "1", "1", "2", "2", "2", "2", "1", "1", "2", "2", "main"));
 }
 
 TEST_F(KernelTest, NobodyIsPreemptedUnlessItIsPermitted) {

@@ -10,8 +10,8 @@
 namespace eyebridge::robios::classic {
 namespace {
 
-using ::testing::HasSubstr;
 using std::chrono::milliseconds;
+using ::testing::HasSubstr;
 
 TEST(Slots, HandlesAreBitsThatCanBeAdded) {
   Slots<char> slots("letter", 3);
@@ -74,8 +74,8 @@ std::vector<std::uint8_t> bytes(std::initializer_list<int> values) {
 }
 
 TEST(Sample, AnAuFileBecomesAWavFile) {
-  auto au = bytes({'.', 's', 'n', 'd', 0, 0, 0, 28, 0, 0, 0, 2,   0,
-                   0,   0,   2,   0,   0, 0x1F, 0x40, 0, 0, 0, 1, 0, 0, 0, 0, 0x00, 0x7F});
+  auto au = bytes({'.', 's', 'n', 'd',  0,    0, 0, 28, 0, 0, 0, 2, 0, 0,    0,
+                   2,   0,   0,   0x1F, 0x40, 0, 0, 0,  1, 0, 0, 0, 0, 0x00, 0x7F});
   const auto sample = read_sample(au);
   ASSERT_TRUE(sample) << sample.error().what;
   EXPECT_EQ(sample->frequency, 8000);
@@ -93,14 +93,14 @@ TEST(Sample, WhatIsNoSampleIsAnError) {
   EXPECT_FALSE(sample_size(bytes({'R', 'I', 'F', 'F'})));
   EXPECT_FALSE(read_sample(std::vector<std::uint8_t>(100, 0)));
   // Two channels.
-  EXPECT_THAT(read_sample(bytes({'.', 's', 'n', 'd', 0, 0, 0, 24, 0, 0, 0, 0, 0, 0, 0, 2, 0, 0,
-                                 0x1F, 0x40, 0, 0, 0, 2}))
+  EXPECT_THAT(read_sample(bytes({'.', 's', 'n', 'd', 0, 0, 0,    24,   0, 0, 0, 0,
+                                 0,   0,   0,   2,   0, 0, 0x1F, 0x40, 0, 0, 0, 2}))
                   .error()
                   .what,
               HasSubstr("2 channels"));
   // Bigger than any robot's memory.
-  EXPECT_FALSE(sample_size(bytes({'.', 's', 'n', 'd', 0, 0, 0, 24, 255, 255, 255, 255, 0, 0, 0, 2,
-                                  0, 0, 0x1F, 0x40, 0, 0, 0, 1})));
+  EXPECT_FALSE(sample_size(bytes({'.', 's', 'n', 'd', 0, 0, 0,    24,   255, 255, 255, 255,
+                                  0,   0,   0,   2,   0, 0, 0x1F, 0x40, 0,   0,   0,   1})));
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 /**
  * Begins to play a sample, a WAV, AU or SND file in memory with 8 bits a value. Returns its
- * frequency; 0 for NULL, another format, and where there is no player. (The M6 says how long it is as
- * well, which the sample knows itself.)
+ * frequency; 0 for NULL, another format, and where there is no player. (The M6 says how long it is
+ * as well, which the sample knows itself.)
  */
 int AUPlaySample(void* sample, ...);
 /** 1 when no sample is played (any more). */

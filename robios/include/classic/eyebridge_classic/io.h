@@ -6,8 +6,8 @@
 #define EYEBRIDGE_CLASSIC_IO_H
 
 /**
- * Input latch 0 … 3: eight digital inputs. Latch 0 is the robot's digital lines 1 … 8; of the others
- * there is nothing here. 0 for a latch that is not there.
+ * Input latch 0 … 3: eight digital inputs. Latch 0 is the robot's digital lines 1 … 8; of the
+ * others there is nothing here. 0 for a latch that is not there.
  */
 BYTE OSReadInLatch(int latchnr);
 /**
@@ -19,8 +19,8 @@ BYTE OSWriteOutLatch(int latchnr, BYTE mask, BYTE value);
 BYTE OSReadOutLatch(int latchnr);
 
 /*
- * The parallel port. Nothing is connected to that of a simulated robot: data and control read back as
- * they were written, the status is 0. Real boards have none: 0, and the failure is logged.
+ * The parallel port. Nothing is connected to that of a simulated robot: data and control read back
+ * as they were written, the status is 0. Real boards have none: 0, and the failure is logged.
  */
 BYTE OSReadParData(void);
 void OSWriteParData(BYTE value);
@@ -35,11 +35,12 @@ int OSGetAD(int channel);
 /** Sends the converter to sleep, 0 or 1: the next OSGetAD() wakes it up. 1 for another mode. */
 int OSOffAD(int mode);
 
-/** Listens to the remote control. 0, or 1 for an illegal type or mode, 2 when there is no receiver. */
+/** Listens to the remote control. 0, or 2 for another one than IRTV, the only one. */
 int IRTVInitHDT(DeviceSemantics semantics);
 /**
  * The same, with the properties of the signals, which are only checked: type RAW_CODE …
- * MANCHESTER_CODE, mode DEFAULT_MODE … REPCODE_MODE, 1 … 4 codes kept. Codes come decoded.
+ * MANCHESTER_CODE, mode DEFAULT_MODE … REPCODE_MODE, 1 … 4 codes kept; else 1. Codes come decoded:
+ * those of the key script (--keys "IRTV_5@2s").
  */
 int IRTVInit(int type, int length, int tog_mask, int inv_mask, int mode, int bufsize, int delay);
 void IRTVTerm(void);

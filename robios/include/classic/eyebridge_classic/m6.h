@@ -1,6 +1,7 @@
 /**
- * What programs of the EyeBot M6 (RoBIOS 0.6, 2008) call beyond classic RoBIOS. Part of eyebot.h; do
- * not include directly. Its functions take names where others take numbers: VWInit("VW_DRIVE", 1).
+ * What programs of the EyeBot M6 (RoBIOS 0.6, 2008) call beyond classic RoBIOS. Part of eyebot.h;
+ * do not include directly. Its functions take names where others take numbers: VWInit("VW_DRIVE",
+ * 1).
  */
 #ifndef EYEBRIDGE_CLASSIC_M6_H
 #define EYEBRIDGE_CLASSIC_M6_H
@@ -16,7 +17,8 @@ int LCDSetMode(int mode);
 int LCDResetMode(int mode);
 /** Black and white only: does nothing. */
 int LCDTextColor(int fg, int bg, int mode);
-/** A picture, R, G, B a pixel, dithered to black and white, at x, y; 1 for NULL or a size below 1. */
+/** A picture, R, G, B a pixel, dithered to black and white, at x, y; 1 for NULL or a size below 1.
+ */
 int LCDPutImageRGB(int x, int y, int xsize, int ysize, const void* data);
 /** 1: there is no frame buffer to look into. */
 int LCDGetFBInfo(void* info);

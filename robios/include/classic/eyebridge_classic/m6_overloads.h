@@ -5,10 +5,10 @@
 #ifndef EYEBRIDGE_CLASSIC_M6_OVERLOADS_H
 #define EYEBRIDGE_CLASSIC_M6_OVERLOADS_H
 
-#define EYEBRIDGE_BY_NAME(type, function)                             \
-  static inline type function(const char* name) {                     \
-    return function(reinterpret_cast<DeviceSemantics>(name));         \
-  }                                                                   \
+#define EYEBRIDGE_BY_NAME(type, function)                     \
+  static inline type function(const char* name) {             \
+    return function(reinterpret_cast<DeviceSemantics>(name)); \
+  }                                                           \
   static inline type function(int number) { return function(DeviceSemantics{number}); }
 EYEBRIDGE_BY_NAME(PSDHandle, PSDInit)
 EYEBRIDGE_BY_NAME(ServoHandle, SERVOInit)

@@ -43,8 +43,8 @@ int USRResident(char* name, BOOL mode);
 /** Sets the clock of OSGetTime(); 1 unless 0 <= hrs < 24, 0 <= mins < 60, 0 <= secs < 60. */
 int OSSetTime(int hrs, int mins, int secs);
 /**
- * Time of day and ticks, 0 … 99; NULL for what is not wanted. In virtual time the day begins with the
- * program.
+ * Time of day and ticks, 0 … 99; NULL for what is not wanted. In virtual time the day begins with
+ * the program.
  */
 int OSGetTime(int* hrs, int* mins, int* secs, int* ticks);
 /** Prints the time at the cursor: "12:34:56". */
@@ -54,16 +54,16 @@ int OSGetCount(void);
 /** Waits `n` ticks; nothing for n <= 0. Tasks of other priorities go on under preemption. */
 int OSWait(int n);
 /**
- * Calls `function` every `scale` ticks until OSDetachTimer(). Returns a handle; 0 for scale < 1, for
- * NULL, and beyond 16 timers.
+ * Calls `function` every `scale` ticks until OSDetachTimer(). Returns a handle; 0 for scale < 1,
+ * for NULL, and beyond 16 timers.
  */
 TimerHandle OSAttachTimer(int scale, TimerFnc function);
 /** 1 when it is removed, 0 for an invalid handle. */
 int OSDetachTimer(TimerHandle handle);
 
 /*
- * Serial lines: SERIAL1 … SERIAL3 are the interfaces 0 … 2 of the setting `serial`. All return 10 for
- * another interface and one that is not there.
+ * Serial lines: SERIAL1 … SERIAL3 are the interfaces 0 … 2 of the setting `serial`. All return 10
+ * for another interface and one that is not there.
  */
 
 /** 8 for an illegal baud rate. */

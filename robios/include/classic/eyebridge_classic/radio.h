@@ -5,8 +5,8 @@
 /** How the radio works. Kept, and given back; it has no effect here. */
 typedef struct {
   int interface; /**< SERIAL1 … */
-  int speed;      /**< SER4800 … */
-  int id;         /**< Own number. */
+  int speed;     /**< SER4800 … */
+  int id;        /**< Own number. */
   int remoteOn;
   int imageTransfer;
   int debug;
@@ -20,13 +20,14 @@ typedef struct {
   BYTE active[256]; /**< … which have 1 here. */
 } RadioStatus;
 
+/** Starts the radio; messages that were sent before are not received. */
 int RADIOInit(void);
 /** Stops the radio; what has come is forgotten. */
 int RADIOTerm(void);
 /**
- * Sends up to MAXMSGLEN bytes to a robot, or to all others (BROADCAST); returns at once. Messages may
- * get lost. 1 for NULL, for a message that is too long, and before RADIOInit(). The host computer, 0,
- * is not there: the message is lost.
+ * Sends up to MAXMSGLEN bytes to a robot, or to all others (BROADCAST); returns at once. Messages
+ * may get lost. 1 for NULL, for a message that is too long, and before RADIOInit(). The host
+ * computer, 0, is not there: the message is lost.
  */
 int RADIOSend(BYTE id, int byteCount, const void* buffer);
 /** How many messages wait. */

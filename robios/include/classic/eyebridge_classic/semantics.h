@@ -3,7 +3,8 @@
  *
  * Known from published files are only PSD_FRONT, PSD_LEFT, PSD_RIGHT and BUMP_RIGHT; the others are
  * our choice, negative and blocked by family. A robot's file (.robi, eyesim.p) may give any number
- * to its sensors, and XXXInit() looks for the name that belongs to a number first, then for the number itself.
+ * to its sensors, and XXXInit() looks for the name that belongs to a number first, then for the
+ * number itself.
  */
 #ifndef EYEBRIDGE_CLASSIC_SEMANTICS_H
 #define EYEBRIDGE_CLASSIC_SEMANTICS_H

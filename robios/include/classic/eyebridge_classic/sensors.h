@@ -10,7 +10,8 @@ PSDHandle PSDInit(DeviceSemantics semantics);
 int(PSDRelease)(void);
 /**
  * Measures with the sensors of the mask: once, or again and again every 60 ms (`cycle`), to which
- * more sensors can be added. 0, or 1 while a single measurement is under way, -1 for a wrong handle.
+ * more sensors can be added. 0, or 1 while a single measurement is under way, -1 for a wrong
+ * handle.
  */
 int PSDStart(PSDHandle bitmask, BOOL cycle);
 /** Ends what PSDStart() began, after the running measurement. */

@@ -4,14 +4,15 @@
  * One task runs at a time. OSMTInit() makes main() a task of the lowest priority, IDLE_PRI: it runs
  * when no other task is ready. COOP: tasks change only in OSReschedule(), OSYield(), OSSleep(),
  * OSSemP(), OSRun(), OSSuspend() of itself, OSKill() and OSExit(). PREEMPT: between OSPermit() and
- * OSForbid() also after 1/100 s, at the task's next call of RoBIOS; and a task that waits, for time, a
- * key, the end of a drive, gives way meanwhile. The ready task of highest priority is next, those of
- * the same priority by turns; one that was ready for a second without its turn gets one 1/100 s (the
- * ageing of the original is not documented; this is our choice). main() counts as MIN_PRI after it has
- * waited, until it gives way. In virtual time all this is the same in every run.
+ * OSForbid() also after 1/100 s, at the task's next call of RoBIOS; and a task that waits, for
+ * time, a key, the end of a drive, gives way meanwhile. The ready task of highest priority is next,
+ * those of the same priority by turns; one that was ready for a second without its turn gets one
+ * 1/100 s (the ageing of the original is not documented; this is our choice). main() counts as
+ * MIN_PRI after it has waited, until it gives way. In virtual time all this is the same in every
+ * run.
  *
- * When all tasks wait for each other for ever, the program ends with exit code 1 and says so. Where a
- * task is meant, 0 is the caller. 1 for what is no task, or one that has ended.
+ * When all tasks wait for each other for ever, the program ends with exit code 1 and says so. Where
+ * a task is meant, 0 is the caller. 1 for what is no task, or one that has ended.
  */
 #ifndef EYEBRIDGE_CLASSIC_TASKS_H
 #define EYEBRIDGE_CLASSIC_TASKS_H
@@ -34,16 +35,16 @@ struct sem {
 
 /** A task. Programs only hold pointers to it; read what you like. */
 struct tcb {
-  struct tcb* next;    /**< Not used here. */
-  struct tcb* prev;    /**< Not used here. */
-  struct sem* semq;    /**< The semaphore that it waits at, or 0. */
-  BYTE* stkbeg;        /**< Not used here. */
-  BYTE* stkend;        /**< Not used here. */
-  int stksiz;          /**< As OSSpawn() said; the stack here has 8 MB. */
-  BYTE* stackbase;     /**< Not used here. */
-  int pri;             /**< MIN_PRI … MAX_PRI; IDLE_PRI of main(). */
-  int stat;            /**< TASK_NEW … TASK_RUNNING. */
-  const char* name;    /**< As OSSpawn() said. */
+  struct tcb* next; /**< Not used here. */
+  struct tcb* prev; /**< Not used here. */
+  struct sem* semq; /**< The semaphore that it waits at, or 0. */
+  BYTE* stkbeg;     /**< Not used here. */
+  BYTE* stkend;     /**< Not used here. */
+  int stksiz;       /**< As OSSpawn() said; the stack here has 8 MB. */
+  BYTE* stackbase;  /**< Not used here. */
+  int pri;          /**< MIN_PRI … MAX_PRI; IDLE_PRI of main(). */
+  int stat;         /**< TASK_NEW … TASK_RUNNING. */
+  const char* name; /**< As OSSpawn() said. */
   int uid;
 };
 
@@ -52,8 +53,9 @@ int OSMTInit(BYTE mode);
 /** PREEMPT, COOP or NOTASK. */
 int OSMTStatus(void);
 /**
- * Makes a task, which waits for OSReady(). 0 before OSMTInit(), for NULL, and for a priority outside
- * MIN_PRI … MAX_PRI. `name` is copied. A task that reaches the end of its code ends as by OSKill(0).
+ * Makes a task, which waits for OSReady(). 0 before OSMTInit(), for NULL, and for a priority
+ * outside MIN_PRI … MAX_PRI. `name` is copied. A task that reaches the end of its code ends as by
+ * OSKill(0).
  */
 struct tcb* OSSpawn(const char* name, void (*code)(void), int stksiz, int pri, int uid);
 /** Makes it ready: new, suspended or sleeping; one that waits at a semaphore goes on waiting. */

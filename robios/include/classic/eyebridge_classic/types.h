@@ -28,7 +28,8 @@ typedef long DeviceSemantics;
 /** Category of an entry of the hardware description table. */
 typedef int TypeID;
 
-/* Handles are masks of one bit each: they can be added or OR-ed where a function says so. 0: none. */
+/* Handles are masks of one bit each: they can be added or OR-ed where a function says so. 0: none.
+ */
 typedef int PSDHandle;
 typedef int ServoHandle;
 typedef int MotorHandle;

@@ -3,16 +3,16 @@
 #define EYEBRIDGE_CLASSIC_VISION_H
 
 /**
- * Starts the camera, an EyeCam: NORMAL, WIDE and TELE are the same. Returns its version, 17, or NOCAM
- * when there is none. The frame rate is FPS7_5. In programs of the M6 `mode` is a camera's name, and
- * what is returned its handle.
+ * Starts the camera, an EyeCam: NORMAL, WIDE and TELE are the same. Returns its version, 17, or
+ * NOCAM when there is none. The frame rate is FPS7_5. In programs of the M6 `mode` is a camera's
+ * name, and what is returned its handle.
  */
 int CAMInit(long mode);
 /** -1 when it is not initialised. (The M6 gives a handle, which C ignores.) */
 int CAMRelease();
 /**
- * Waits for the next frame, in grey. All these fail with 1, and write nothing, when the camera is not
- * initialised or lost, and for NULL.
+ * Waits for the next frame, in grey. All these fail with 1, and write nothing, when the camera is
+ * not initialised or lost, and for NULL.
  */
 int CAMGetFrame(image* buf);
 /**

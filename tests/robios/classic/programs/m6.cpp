@@ -1,9 +1,6 @@
 // The same generation in C++: overloads take names.
-#include <cstdio>
-
 #include "eyebot.h"
 #include "tell.h"
-using std::printf;
 
 int main() {
   const char* const name = "PSD_FRONT";
