@@ -40,6 +40,13 @@ TEST(ClassicPrograms, PreemptiveTasksShareTheProcessorTheSameWayInEveryRun) {
   EXPECT_EQ(run_named("preempt_c").out, first.out);
 }
 
+TEST(ClassicPrograms, InRealTimeALoopWithoutCallsDoesNotStopTheOthers) {
+  const std::map<std::string, std::string> real = {{"EYEBRIDGE_FAST", "false"},
+                                                   {"EYEBRIDGE_FACTOR", "20"}};
+  EXPECT_EQ(output_of("spins_c", real), "main goes on\ncounted 20\n");
+  EXPECT_THAT(run_named("preempt_c", real).out, HasSubstr("both ran\nwaiter 1\n"));
+}
+
 TEST(ClassicPrograms, TheDriveSpeaksMetresAndRadians) {
   const std::string out = output_of("drives_c", {{"EYEBRIDGE_LOG", "error"}});
   EXPECT_THAT(out, HasSubstr("no semantics 0\nno timescale 0\nnot open -1\ntaken 0\n"));
