@@ -33,6 +33,11 @@ ManualClock* robot_clock = nullptr;
 std::vector<std::string> story;
 sem* gate = nullptr;
 
+// Those of all tests, for ever: tasks that were not ended wait in them.
+auto& kept_clocks = *new std::vector<ManualClock*>;
+auto& kept_kernels = *new std::vector<Kernel*>;
+auto& kept_gates = *new std::vector<sem*>;
+
 void tell(const std::string& line) { story.push_back(line); }
 
 /// A call of the API that takes `cost`.
@@ -85,13 +90,15 @@ void ends_itself() {
 class KernelTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    // Never destroyed: tasks that were not ended wait in it.
     robot_clock = new ManualClock;
     kernel =
         new Kernel(*robot_clock, {[](Time deadline) { robot_clock->wait_until(deadline); },
                                   []() -> std::optional<Time> { return {}; }, [] { return false; },
                                   [] { throw std::runtime_error("deadlock"); }});
     gate = new sem{};
+    kept_clocks.push_back(robot_clock);
+    kept_kernels.push_back(kernel);
+    kept_gates.push_back(gate);
     story.clear();
   }
 
