@@ -39,7 +39,7 @@ set(for_installation "${CMAKE_BINARY_DIR}/for_installation")
 eyebridge_package_files("${CMAKE_BINARY_DIR}" "${CMAKE_SOURCE_DIR}/robios/include")
 eyebridge_package_files("${for_installation}" "@PREFIX@/include/eyebridge")
 
-install(TARGETS eyebridge_robios EXPORT EyeBridgeTargets LIBRARY DESTINATION lib)
+install(TARGETS eyebridge_robios eyebridge_classic EXPORT EyeBridgeTargets LIBRARY DESTINATION lib)
 install(TARGETS eyebridge_command RUNTIME DESTINATION bin)
 install(DIRECTORY "${for_installation}/bin/" DESTINATION bin USE_SOURCE_PERMISSIONS)
 install(FILES "${for_installation}/lib/pkgconfig/eyebridge.pc" DESTINATION lib/pkgconfig)

@@ -299,9 +299,9 @@ std::span<const Rgb> Lcd::shown_row(int y) const {
   return {&frozen_[static_cast<std::size_t>(y) * width], width};
 }
 
-LcdShot Lcd::shot() const {
+ScreenShot Lcd::shot() const {
   const std::lock_guard lock(mutex_);
-  LcdShot shot;
+  ScreenShot shot;
   shot.picture = picture();
   shot.cell_width = text_.cell_width();
   shot.cell_height = text_.cell_height();

@@ -13,6 +13,7 @@
 #include "eyebridge/base/result.hpp"
 #include "eyebridge/camera/frame.hpp"
 #include "font.hpp"
+#include "screen.hpp"
 #include "soft_keys.hpp"
 #include "text_screen.hpp"
 
@@ -28,26 +29,12 @@ struct ImageWindow {
   friend bool operator==(const ImageWindow&, const ImageWindow&) = default;
 };
 
-/// What the screen shows at one moment, as pixels and as what they mean.
-struct LcdShot {
-  camera::Frame picture;  ///< Rgb24, with the strip of soft keys when it is shown.
-  int cell_width = 0;     ///< Of the grid that the text is on, pixels.
-  int cell_height = 0;    ///< Likewise.
-  int font_size = 0;      ///< Of the text; 0 for glyphs of other fonts, which are to be believed.
-  int text_rows = 0;
-  int text_columns = 0;
-  std::vector<TextCell> text;  ///< text_rows x text_columns.
-  TextPosition cursor;
-  bool menu_shown = false;
-  std::array<SoftKeyLook, kSoftKeys> keys;
-};
-
 /// The robot's screen: a framebuffer with a text cursor, and a strip of four soft keys over its
 /// lower edge.
 ///
 /// Text lives on a grid of cells that ends above the strip, whether or not it is shown, so that the
 /// number of rows never changes under a program. Any thread: every call locks for itself.
-class Lcd {
+class Lcd final : public Screen {
  public:
   /// 80 columns of 24 rows in the first font (7 x 15 pixels), and the strip: programs put text at
   /// columns 50 to 60 beside a picture of 320 x 240.
@@ -83,7 +70,7 @@ class Lcd {
   /// else OutOfRange.
   Result<void> set_menu_label(int position, std::string_view label, Rgb ink, Rgb paper);
   /// Mask of the soft key under a pixel (1, 2, 4, 8), or 0: outside the strip, or no menu shown.
-  [[nodiscard]] int key_at(int x, int y) const;
+  [[nodiscard]] int key_at(int x, int y) const override;
 
   void pixel(int x, int y, Rgb colour);
   /// What is shown there, the menu included. OutOfRange outside the screen.
@@ -115,16 +102,11 @@ class Lcd {
 
   /// Shows what was drawn while LCD_NOAUTOREFRESH is set.
   void refresh();
-  /// What the screen shows, Rgb24.
-  [[nodiscard]] camera::Frame snapshot() const;
-  /// The same and what is known of it: text, soft keys, cursor.
-  [[nodiscard]] LcdShot shot() const;
-  /// The text on the screen, one string (UTF-8) a row, trailing blanks cut.
-  [[nodiscard]] std::vector<std::string> text_rows() const;
-  /// The labels of the soft keys as last set, whether or not they are shown.
-  [[nodiscard]] std::array<std::string, kSoftKeys> menu_labels() const;
-  /// Counts the changes of what is shown: equal numbers, equal pictures.
-  [[nodiscard]] std::uint64_t revision() const;
+  [[nodiscard]] camera::Frame snapshot() const override;
+  [[nodiscard]] ScreenShot shot() const override;
+  [[nodiscard]] std::vector<std::string> text_rows() const override;
+  [[nodiscard]] std::array<std::string, kSoftKeys> menu_labels() const override;
+  [[nodiscard]] std::uint64_t revision() const override;
 
  private:
   template <class Draw>

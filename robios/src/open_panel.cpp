@@ -26,7 +26,7 @@ bool has_person() {
 
 }  // namespace
 
-std::unique_ptr<TerminalPanel> open_panel(const hal::Config& config, const Lcd& lcd) {
+std::unique_ptr<TerminalPanel> open_panel(const hal::Config& config, const Screen& screen) {
   const hal::ConfigValue& panel = config.value("panel");
   const bool is_auto = panel.text == "auto";
   if (panel.text == "none" || (is_auto && (config.boolean("fast") || !has_person())))
@@ -39,7 +39,7 @@ std::unique_ptr<TerminalPanel> open_panel(const hal::Config& config, const Lcd& 
         panel.where, std::string("'term' needs a terminal, and this process has none (/dev/tty: ") +
                          std::strerror(errno) + "); expected none or auto");
   }
-  return std::make_unique<TerminalPanel>(std::move(terminal), lcd,
+  return std::make_unique<TerminalPanel>(std::move(terminal), screen,
                                          colour_depth(variable("TERM"), variable("COLORTERM")));
 }
 

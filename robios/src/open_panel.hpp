@@ -6,12 +6,12 @@
 
 namespace eyebridge::robios {
 
-class Lcd;
+class Screen;
 class TerminalPanel;
 
-/// What shows `lcd` (lent) by the setting `panel`, not begun yet: `term` the process's terminal,
+/// What shows `screen` (lent) by the setting `panel`, not begun yet: `term` the process's terminal,
 /// `none` nothing (null), `auto` the terminal where a person sits at one and time is not virtual.
 /// Throws ConfigError for `term` without a terminal.
-std::unique_ptr<TerminalPanel> open_panel(const hal::Config& config, const Lcd& lcd);
+std::unique_ptr<TerminalPanel> open_panel(const hal::Config& config, const Screen& screen);
 
 }  // namespace eyebridge::robios

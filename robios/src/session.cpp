@@ -23,11 +23,11 @@
 #include "failures.hpp"
 #include "host.hpp"
 #include "keys.hpp"
-#include "lcd.hpp"
 #include "library_threads.hpp"
 #include "open_panel.hpp"
 #include "radio_messages.hpp"
 #include "run_output.hpp"
+#include "screen.hpp"
 #include "signals.hpp"
 #include "stderr_log.hpp"
 #include "terminal/terminal_mode.hpp"
@@ -57,11 +57,6 @@ hal::Config read_config() {
   return hal::Config::from_process(program_file());
 }
 
-std::unique_ptr<Lcd> make_lcd(const hal::Config& config) {
-  const auto [width, height] = config.size("lcd");
-  return std::make_unique<Lcd>(width, height);
-}
-
 /// What `use` makes of the setting `name`; a mistake in it is reported where the setting was made.
 template <class Use>
 auto from_setting(const hal::Config& config, const char* name, Use&& use) {
@@ -73,7 +68,7 @@ auto from_setting(const hal::Config& config, const char* name, Use&& use) {
   }
 }
 
-std::unique_ptr<Keys> make_keys(const hal::Config& config, Clock& clock, Lcd& lcd,
+std::unique_ptr<Keys> make_keys(const hal::Config& config, Clock& clock, Screen& screen,
                                 const TerminalPanel* panel) {
   auto script = from_setting(config, "keys", parse_key_script);
   std::unique_ptr<KeyInput> input = terminal_keys();
@@ -82,7 +77,7 @@ std::unique_ptr<Keys> make_keys(const hal::Config& config, Clock& clock, Lcd& lc
         panel->descriptor(), [panel](int column, int row) { return panel->pixel_at(column, row); });
   }
   auto keys = std::make_unique<Keys>(clock, std::move(script), std::move(input));
-  keys->set_touch_map([&lcd](int x, int y) { return lcd.key_at(x, y); });
+  keys->set_touch_map([&screen](int x, int y) { return screen.key_at(x, y); });
   return keys;
 }
 
@@ -103,9 +98,9 @@ struct Session::Impl {
         log(lowest_severity(config)),
         backend(hal::open_backend({config, log})),
         clock(backend->clock()),
-        lcd(make_lcd(config)),
-        panel(open_panel(config, *lcd)),
-        keys(make_keys(config, clock, *lcd, panel.get())),
+        screen(make_screen(config)),
+        panel(open_panel(config, *screen)),
+        keys(make_keys(config, clock, *screen, panel.get())),
         camera(config.text("camera"), {&clock, backend->camera_view(), &log},
                backend->camera_source()),
         timers(clock),
@@ -129,7 +124,7 @@ struct Session::Impl {
   StderrLog log;
   std::unique_ptr<hal::Backend> backend;
   Clock& clock;
-  std::unique_ptr<Lcd> lcd;
+  std::unique_ptr<Screen> screen;
   std::unique_ptr<TerminalPanel> panel;  ///< Null for none.
   std::unique_ptr<Keys> keys;
   CameraPort camera;
@@ -161,7 +156,7 @@ struct Session::Impl {
     camera::View* view = backend->camera_view();
     std::optional<world::Scene> scene;
     if (view != nullptr) scene = view->scene();
-    output->finish(scene ? &*scene : nullptr, lcd->snapshot());
+    output->finish(scene ? &*scene : nullptr, screen->snapshot());
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_start;
     fmt::print(stderr,
                "eyebridge: {:.2f} s on the robot's clock in {:.2f} s ({:.0f}x); results in {}\n",
@@ -216,7 +211,7 @@ Session::~Session() = default;
 const hal::Config& Session::config() const { return impl_->config; }
 hal::Backend& Session::backend() { return *impl_->backend; }
 Clock& Session::clock() { return impl_->clock; }
-Lcd& Session::lcd() { return *impl_->lcd; }
+Screen& Session::screen() { return *impl_->screen; }
 Keys& Session::keys() { return *impl_->keys; }
 CameraPort& Session::camera() { return impl_->camera; }
 Timers& Session::timers() { return impl_->timers; }

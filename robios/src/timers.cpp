@@ -52,6 +52,12 @@ void Timers::stop() {
   changed_.notify_all();
 }
 
+void Timers::hold(bool on) {
+  const std::lock_guard lock(mutex_);
+  held_ = on;
+  changed_.notify_all();
+}
+
 void Timers::finish() {
   stop();
   if (in_callback) return;
@@ -60,6 +66,7 @@ void Timers::finish() {
 }
 
 std::optional<Time> Timers::earliest() const {
+  if (held_) return std::nullopt;
   std::optional<Time> first;
   for (const auto& [handle, entry] : entries_) {
     if (!first || entry.due < *first) first = entry.due;
@@ -76,7 +83,7 @@ std::optional<Time> Timers::next_due() const {
 void Timers::run_due() {
   if (!any_ || !clock_.is_virtual() || in_callback) return;
   std::unique_lock lock(mutex_);
-  if (stopping_ || calling_ || entries_.empty()) return;
+  if (stopping_ || held_ || calling_ || entries_.empty()) return;
   call_due(clock_.now(), lock);
 }
 

@@ -35,12 +35,12 @@ void eyebridge::robios::set_ip_size(ImageSize size) {
 
 namespace {
 
-constexpr std::array<ImageSize, 6> kModes{{{QQVGA_X, QQVGA_Y},
-                                           {QVGA_X, QVGA_Y},
-                                           {VGA_X, VGA_Y},
-                                           {CAM1MP_X, CAM1MP_Y},
-                                           {CAMHD_X, CAMHD_Y},
-                                           {CAM5MP_X, CAM5MP_Y}}};
+constexpr std::array<ImageSize, 6> kIpModes{{{QQVGA_X, QQVGA_Y},
+                                             {QVGA_X, QVGA_Y},
+                                             {VGA_X, VGA_Y},
+                                             {CAM1MP_X, CAM1MP_Y},
+                                             {CAMHD_X, CAMHD_Y},
+                                             {CAM5MP_X, CAM5MP_Y}}};
 
 /// The image that a call works on, and its planes as spans of that size.
 struct Image {
@@ -96,10 +96,10 @@ void store(BYTE* where, std::uint8_t value) {
 
 int IPSetSize(int resolution) {
   return guarded("IPSetSize", 1, [&](Session&) -> Result<int> {
-    if (resolution < 0 || resolution >= static_cast<int>(kModes.size())) {
+    if (resolution < 0 || resolution >= static_cast<int>(kIpModes.size())) {
       return fail(Errc::OutOfRange, "image mode " + std::to_string(resolution) + ", expected 0..5");
     }
-    eyebridge::robios::set_ip_size(kModes.at(static_cast<std::size_t>(resolution)));
+    eyebridge::robios::set_ip_size(kIpModes.at(static_cast<std::size_t>(resolution)));
     return 0;
   });
 }

@@ -90,6 +90,36 @@ TEST(Wrapper, AddsNoOptimisationAndPutsLibrariesLast) {
   EXPECT_LT(r.err.find("-DMINE"), r.err.find("-leyebridge"));
 }
 
+TEST(Wrapper, ClassicChoosesHeaderAndLibrary) {
+  const ScratchFolder folder;
+  folder.write("classic.c",
+               "#include \"eyebot.h\"\n"
+               "#include \"eyebridge.h\"\n"
+               "int main() { VWHandle vw = VWInit(VW_DRIVE, 1);\n"
+               "printf(\"%d %d %s\\n\", vw, imagerows, EYEBRIDGELastError()); return 0; }\n");
+  const ProgramRun r = run_shell(
+      "EYEBRIDGE_TEST_PRINT=1 eyebridge-cc classic.c --classic -o classic\n./classic\n"
+      "eyebridge-c++ --classic -x c++ classic.c -o again\n./again\n",
+      folder.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.out, "1 62 \n1 62 \n");
+  EXPECT_THAT(r.err, HasSubstr("-leyebridge_classic -lm"));
+  EXPECT_THAT(r.err, Not(HasSubstr("warning")));
+}
+
+TEST(Wrapper, TheTwoGenerationsAreNotMixed) {
+  const ScratchFolder folder;
+  for (const auto& [option, other] :
+       {std::pair{"", "classic/eyebot.h"}, std::pair{"--classic ", "../eyebot.h"}}) {
+    folder.write("both.c", std::string("#include \"eyebot.h\"\n#include \"") + other +
+                               "\"\nint main() { return 0; }\n");
+    const ProgramRun r =
+        run_shell(std::string("eyebridge-cc ") + option + "both.c -o both\n", folder.path());
+    EXPECT_EQ(r.exit_code, 1);
+    EXPECT_THAT(r.err, HasSubstr("use one, by eyebridge-cc or eyebridge-cc --classic"));
+  }
+}
+
 TEST(Wrapper, WithoutAProgramItAnswersAsTheCompilerDoes) {
   const ScratchFolder folder;
   const ProgramRun r = run_shell("eyebridge-cc -dumpversion\ngcc -dumpversion\n", folder.path());

@@ -51,6 +51,15 @@ TEST(Ping, TwoRobotsCountTogether) {
   EXPECT_EQ(two.out, "robot 2 counted to 19\n") << two.err;
 }
 
+TEST(ClassicPatrol, DrivesToAndFroWhileItIsWatched) {
+  const ProgramRun r = run(EYEBRIDGE_CLASSIC_PATROL, "empty-room.wld");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  EXPECT_THAT(r.out, HasSubstr("leg 1: 540 mm to the wall\n"));
+  EXPECT_THAT(r.out, HasSubstr("leg 6: 940 mm to the wall\n"));
+  EXPECT_THAT(r.out, HasSubstr("patrol ended after "));
+}
+
 TEST(WallFollower, KeepsItsDistanceToTheWall) {
   const testing::ScratchFolder folder;
   const ProgramRun r =

@@ -7,6 +7,7 @@
 
 #include "bridges_entry.hpp"
 #include "camera_entry.hpp"
+#include "classic_entry.hpp"
 #include "entry.hpp"
 #include "firmware_entry.hpp"
 #include "host_entry.hpp"
@@ -40,6 +41,7 @@ constexpr Target kTargets[] = {{"world", world},
                                {"radio_datagram", radio_datagram},
                                {"serial_devices", serial_devices},
                                {"sound", sound},
+                               {"sample", sample},
                                {"recording", recording},
                                {"terminal_input", terminal_input},
                                {"camera_frame", camera_frame},

@@ -14,7 +14,7 @@ constexpr int kLcdColumns = 80;
 constexpr int kAllRows = 27;  // 400 pixels in rows of 15, the last one not whole
 
 CellGrid shown(const Lcd& lcd, int columns = 100, int rows = 40) {
-  const LcdShot shot = lcd.shot();
+  const ScreenShot shot = lcd.shot();
   return cells_of(shot, view_of(shot, columns, rows));
 }
 
@@ -162,7 +162,7 @@ TEST(LcdCells, ShowSoftKeysInTheirColours) {
 }
 
 TEST(LcdCells, BelieveTheTextOfScreensWithOtherFonts) {
-  LcdShot shot = Lcd().shot();
+  ScreenShot shot = Lcd().shot();
   shot.cell_width = 8;
   shot.cell_height = 8;
   shot.font_size = 0;
@@ -197,7 +197,7 @@ TEST(LcdTouch, OnALabelIsItsKeyInEveryWindow) {
   lcd.set_menu({"A", "B", "C", "D"});
   const std::array<Rgb, 4> papers = {kRed, kGreen, Rgb{255, 255, 0}, Rgb{0, 0, 255}};
   for (int columns = 16; columns < 100; ++columns) {
-    const LcdShot shot = lcd.shot();
+    const ScreenShot shot = lcd.shot();
     const LcdView view = view_of(shot, columns, columns % 2 == 0 ? 24 : 50);
     const CellGrid grid = cells_of(shot, view);
     for (int column = 0; column < view.columns; ++column) {

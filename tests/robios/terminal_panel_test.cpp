@@ -52,7 +52,7 @@ class Window {
   }
   void expect_shows(const Lcd& lcd, ColourDepth depth = ColourDepth::True) {
     show();
-    const LcdShot shot = lcd.shot();
+    const ScreenShot shot = lcd.shot();
     const LcdView view = view_of(shot, screen.columns(), screen.rows());
     expect_shown(screen, cells_of(shot, view), view.top, depth);
   }

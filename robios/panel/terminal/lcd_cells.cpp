@@ -104,7 +104,7 @@ ScreenCell graphic(const camera::Frame& picture, const Box& box) {
   return upper == lower ? ScreenCell{U' ', {}, upper} : ScreenCell{kUpperHalf, upper, lower};
 }
 
-ScreenCell cell_of(const LcdShot& shot, const LcdView& view, int column, int row) {
+ScreenCell cell_of(const ScreenShot& shot, const LcdView& view, int column, int row) {
   const camera::Frame& picture = shot.picture;
   const Box box{column * view.cell_width, row * view.cell_height,
                 std::min((column + 1) * view.cell_width, picture.width),
@@ -155,7 +155,7 @@ void draw_key(CellGrid& grid, const SoftKeyLook& key, int left, int right, int t
 
 }  // namespace
 
-CellGrid cells_of(const LcdShot& shot, const LcdView& view) {
+CellGrid cells_of(const ScreenShot& shot, const LcdView& view) {
   CellGrid grid(view.columns, view.rows);
   const int strip = view.rows - view.strip;
   for (int row = 0; row < strip; ++row) {

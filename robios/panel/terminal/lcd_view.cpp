@@ -14,7 +14,7 @@ int rounded_up(int amount, int unit) { return (amount + unit - 1) / unit; }
 
 }  // namespace
 
-LcdView view_of(const LcdShot& shot, int columns, int rows) {
+LcdView view_of(const ScreenShot& shot, int columns, int rows) {
   LcdView view;
   view.cell_width = shot.cell_width;
   view.cell_height = shot.cell_height;
@@ -44,7 +44,7 @@ std::optional<TouchPoint> pixel_under(const LcdView& view, int column, int row) 
   }
   if (in_panel >= view.rows - view.strip) {
     return TouchPoint{(2 * column + 1) * view.lcd_width / (2 * view.columns),
-                      view.lcd_height - kMenuHeight / 2};
+                      view.lcd_height - view.cell_height / 2};
   }
   const auto middle = [](int cell, int size, int end) {
     return std::min(cell * size + size / 2, end - 1);

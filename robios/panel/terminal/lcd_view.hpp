@@ -30,7 +30,7 @@ struct LcdView {
 };
 
 /// The view of `shot` in a window of `columns` x `rows` characters.
-LcdView view_of(const LcdShot& shot, int columns, int rows);
+LcdView view_of(const ScreenShot& shot, int columns, int rows);
 
 /// The LCD pixel in the middle of the window's cell (from 0, 0), or nothing outside the panel. In
 /// the rows of soft keys: a pixel of the key that is shown there.
@@ -41,6 +41,6 @@ std::optional<TouchPoint> pixel_under(const LcdView& view, int column, int row);
 /// A character of which at least three quarters of the ink are still to be seen is that character.
 /// Elsewhere each half of a cell is one colour: the mean of its pixels; but where one colour fills
 /// most of a half and others less, as behind thin lines, the others count for at least half of it.
-CellGrid cells_of(const LcdShot& shot, const LcdView& view);
+CellGrid cells_of(const ScreenShot& shot, const LcdView& view);
 
 }  // namespace eyebridge::robios

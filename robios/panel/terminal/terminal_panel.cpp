@@ -28,8 +28,8 @@ constexpr char kDown[] = "\x1b\x44";
 
 }  // namespace
 
-TerminalPanel::TerminalPanel(UniqueFd terminal, const Lcd& lcd, ColourDepth depth)
-    : terminal_(std::move(terminal)), lcd_(lcd), depth_(depth) {}
+TerminalPanel::TerminalPanel(UniqueFd terminal, const Screen& screen, ColourDepth depth)
+    : terminal_(std::move(terminal)), screen_(screen), depth_(depth) {}
 
 TerminalPanel::~TerminalPanel() { stop(); }
 
@@ -88,10 +88,10 @@ std::size_t TerminalPanel::draw() {
   }
   if (background) return 0;
   const WindowSize window = window_size();
-  const std::uint64_t revision = lcd_.revision();
+  const std::uint64_t revision = screen_.revision();
   if (attached_ && window == window_ && revision == revision_) return 0;
 
-  const LcdShot shot = lcd_.shot();
+  const ScreenShot shot = screen_.shot();
   const LcdView view = view_of(shot, window.columns, window.rows);
   std::string text;
   if (!attached_ || window != window_ || view.columns != shown_.columns ||

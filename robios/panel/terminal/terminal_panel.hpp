@@ -26,8 +26,8 @@ class TerminalPanel {
  public:
   static constexpr int kMostBytesPerSecond = 64'000;
 
-  /// `terminal` is open for reading and writing; `lcd` is lent for the object's life.
-  TerminalPanel(UniqueFd terminal, const Lcd& lcd, ColourDepth depth);
+  /// `terminal` is open for reading and writing; `screen` is lent for the object's life.
+  TerminalPanel(UniqueFd terminal, const Screen& screen, ColourDepth depth);
   ~TerminalPanel();
   TerminalPanel(const TerminalPanel&) = delete;
   TerminalPanel& operator=(const TerminalPanel&) = delete;
@@ -60,7 +60,7 @@ class TerminalPanel {
   bool send(const std::string& text);
 
   const UniqueFd terminal_;
-  const Lcd& lcd_;
+  const Screen& screen_;
   const ColourDepth depth_;
 
   std::mutex drawing_;     // one picture at a time
