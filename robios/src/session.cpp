@@ -58,6 +58,14 @@ std::unique_ptr<Lcd> make_lcd(const hal::Config& config) {
   return std::make_unique<Lcd>(width, height);
 }
 
+/// The rows of the screen, and a last one with the labels of the soft keys in brackets.
+std::string text_of(const Lcd& lcd) {
+  std::string text;
+  for (const std::string& row : lcd.text_rows()) text += row + '\n';
+  for (const std::string& label : lcd.menu_labels()) text += '[' + label + ']';
+  return text + '\n';
+}
+
 /// What `use` makes of the setting `name`; a mistake in it is reported where the setting was made.
 template <class Use>
 auto from_setting(const hal::Config& config, const char* name, Use&& use) {
@@ -156,7 +164,7 @@ struct Session::Impl {
     camera::View* view = backend->camera_view();
     std::optional<world::Scene> scene;
     if (view != nullptr) scene = view->scene();
-    output->finish(scene ? &*scene : nullptr, lcd->snapshot());
+    output->finish(scene ? &*scene : nullptr, lcd->snapshot(), text_of(*lcd));
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_start;
     fmt::print(stderr,
                "eyebridge: {:.2f} s on the robot's clock in {:.2f} s ({:.0f}x); results in {}\n",
