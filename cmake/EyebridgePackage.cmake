@@ -22,6 +22,8 @@ function(eyebridge_package_files folder include_folder)
                    FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE
                                     WORLD_READ WORLD_EXECUTE)
   endforeach()
+  configure_file("${CMAKE_SOURCE_DIR}/apps/wrappers/program.map"
+                 "${folder}/lib/eyebridge-program.map" COPYONLY)
   configure_file("${CMAKE_SOURCE_DIR}/cmake/eyebridge.pc.in" "${folder}/lib/pkgconfig/eyebridge.pc"
                  @ONLY)
 endfunction()
@@ -34,6 +36,7 @@ install(TARGETS eyebridge_robios EXPORT EyeBridgeTargets LIBRARY DESTINATION lib
 install(TARGETS eyebridge_command RUNTIME DESTINATION bin)
 install(PROGRAMS "${for_installation}/bin/eyebridge-cc" "${for_installation}/bin/eyebridge-c++"
         DESTINATION bin)
+install(FILES "${for_installation}/lib/eyebridge-program.map" DESTINATION lib)
 install(FILES "${for_installation}/lib/pkgconfig/eyebridge.pc" DESTINATION lib/pkgconfig)
 install(DIRECTORY "${CMAKE_SOURCE_DIR}/robios/include/" DESTINATION include/eyebridge
         FILES_MATCHING PATTERN "*.h")

@@ -1,5 +1,6 @@
 #include "session.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
@@ -58,11 +59,15 @@ std::unique_ptr<Lcd> make_lcd(const hal::Config& config) {
   return std::make_unique<Lcd>(width, height);
 }
 
-/// The rows of the screen, and a last one with the labels of the soft keys in brackets.
+/// The rows of the screen, and a last one with the labels of the soft keys in brackets, their line
+/// ends as '/'.
 std::string text_of(const Lcd& lcd) {
   std::string text;
   for (const std::string& row : lcd.text_rows()) text += row + '\n';
-  for (const std::string& label : lcd.menu_labels()) text += '[' + label + ']';
+  for (std::string label : lcd.menu_labels()) {
+    std::ranges::replace(label, '\n', '/');
+    text += '[' + label + ']';
+  }
   return text + '\n';
 }
 

@@ -44,11 +44,12 @@ int main()
   if (abs(mx - x) > 10 || abs(my - y) > 10) printf("they differ!\n");
 
   MOTORPID(1, 4, 1, 1); MOTORPID(2, 4, 1, 1);
-  MOTORSpeed(1, 20); MOTORSpeed(2, 20);     /* ticks per 1/100 s */
+  MOTORSpeed(1, -10); MOTORSpeed(2, -10);     /* ticks per 1/100 s */
   sleep(2);
   MOTORSpeed(1, 0); MOTORSpeed(2, 0);
+  x = oldl;
   update();
-  printf("2 s at 20 ticks per 1/100 s: left %d\n", (oldl - 0) > 0);
+  printf("2 s at -10 ticks per 1/100 s: %d00 ticks\n", (oldl - x) / 100);
   LCDPrintf("ticks %d %d\n", oldl, oldr);
   SERVOSet(1, 128);
   return 0;

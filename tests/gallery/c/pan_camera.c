@@ -28,7 +28,7 @@ int main()
   CAMGet(img);
   LCDImageStart(0, 130, QQVGA_X, QQVGA_Y);
   LCDImage(img);
-  LCDSetPrintf(20, 0, "left to right, then tilted");
+  LCDSetPrintf(20, 0, "servo 60, 128, 196, then tilted");
   printf("three different pictures: %d\n", sum[0] != sum[1] && sum[1] != sum[2]);
   SERVOSet(1, 128); SERVOSet(2, 128);
   LCDMenu("", "", "", "END");

@@ -25,8 +25,8 @@ double ray(double x, double y, double a)
 
 int main()
 {
-  mt19937 gen(42);
-  uniform_real_distribution<double> ux(100, 3500), uy(100, 2300), uphi(-M_PI, M_PI);
+  mt19937 gen(42);   // we know the quarter, the corridor looks the same from both ends
+  uniform_real_distribution<double> ux(100, 1800), uy(100, 1200), uphi(-M_PI, M_PI);
   normal_distribution<double> noise(0, 1);
   vector<Particle> p(400);
   for (auto &q : p) q = {ux(gen), uy(gen), uphi(gen), 1};

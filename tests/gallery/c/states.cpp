@@ -43,7 +43,7 @@ private:
   {
     VWTurn(PSDGet(PSD_LEFT) > PSDGet(PSD_RIGHT) ? 110 : -110, 100);
     VWWait();
-    return changes % 4 == 0 ? REST : PATROL;
+    return changes % 4 == 1 ? REST : PATROL;
   }
   State rest() { VWSetSpeed(0, 0); OSWait(2000); return PATROL; }
   State home()

@@ -5,7 +5,7 @@
 #define SPEED 180
 
 int main()
-{ int l, f, r, diff, old = SAFE, steer, turns = 0;
+{ int l, f, r, diff, old = SAFE, steer, turns = 0, n = 0, rate = 0;
 
   LCDMenu("START", "", "", "END");
   KEYWait(KEY1);
@@ -27,11 +27,11 @@ int main()
     { diff = l - SAFE;
       if (diff > 80) diff = 80;
       if (diff < -80) diff = -80;
-      steer = diff / 6 + 3 * (l - old);
+      if (++n % 10 == 0) { rate = l - old; old = l; }   // else it is always 0
+      steer = diff / 4 + 2 * rate;
       if (steer > 40) steer = 40;
       if (steer < -40) steer = -40;
       VWSetSpeed(SPEED, steer);
-      old = l;
     }
   } while (KEYRead() != KEY4);
   VWSetSpeed(0, 0);
