@@ -4,7 +4,6 @@
 
 pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 int dist, x, y, phi;
-int finished = 0;
 
 void *drive(void *arg)
 { int i;
@@ -16,12 +15,13 @@ void *drive(void *arg)
     VWTurn(90, 60);
     VWWait();
   }
-  finished = 1;
+  printf("driven\n");
   return NULL;
 }
 
 void *watch(void *arg)
-{ while (!finished)
+{ int i;
+  for (i = 0; i < 100; i++)
   { pthread_mutex_lock(&lock);
     dist = PSDGet(PSD_FRONT);
     VWGetPosition(&x, &y, &phi);
@@ -32,16 +32,15 @@ void *watch(void *arg)
 }
 
 void *show(void *id)
-{ int n = 0;
-  while (!finished)
+{ int i;
+  for (i = 0; i < 50; i++)
   { pthread_mutex_lock(&lock);
     LCDSetPrintf((int)(long)id, 0, "front %4d, at %4d %4d %4d", dist, x, y, phi);
     pthread_mutex_unlock(&lock);
-    n++;
     OSWait(100);
   }
   LCDSetPrintf((int)(long)id, 0, "the show is over                  ");
-  printf("shown %s\n", n > 0 ? "at least once" : "never");
+  printf("shown %d times\n", i);
   return NULL;
 }
 

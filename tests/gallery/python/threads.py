@@ -1,11 +1,10 @@
 from eye import *
 import threading
 
-stop = False
 lock = threading.Lock()
 
 def display():
-    while not stop:
+    for n in range(40):
         with lock:
             x, y, phi = VWGetPosition()
             LCDSetPrintf(0, 0, "%4d %4d %4d", x, y, phi)
@@ -19,7 +18,6 @@ for i in range(3):
     VWWait()
     VWTurn(120, 90)
     VWWait()
-stop = True
 t.join()
 LCDSetPrintf(0, 0, "triangle      ")
 print("triangle done")
