@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "eyebridge/hal/analog_inputs.hpp"
+#include "eyebridge/hal/digital_lines.hpp"
+
 namespace eyebridge::hal {
 
 Result<void> require(bool good, const char* device, double value, const char* expected) {
@@ -55,6 +58,15 @@ Result<void> check_scan_size(std::size_t ranges, int points) {
   if (ranges == static_cast<std::size_t>(points)) return {};
   return fail(Errc::OutOfRange,
               fmt::format("lidar: got room for {} ranges, expected {}", ranges, points));
+}
+
+Result<void> check_line(int line) {
+  return require(line >= 1 && line <= DigitalLines::kCount, "digital", line, "a line, 1 … 16");
+}
+
+Result<void> check_channel(int channel) {
+  return require(channel >= 0 && channel <= AnalogInputs::kLast, "analog", channel,
+                 "a channel, 0 … 8");
 }
 
 }  // namespace eyebridge::hal

@@ -29,4 +29,9 @@ Result<void> check_servo_position(double position);
 /// Of a lidar's scan: as many ranges as the scan has points.
 Result<void> check_scan_size(std::size_t ranges, int points);
 
+/// A digital line of 1 … 16.
+Result<void> check_line(int line);
+/// An analog channel of 0 … 8.
+Result<void> check_channel(int channel);
+
 }  // namespace eyebridge::hal

@@ -34,6 +34,10 @@ BoardBackend::BoardBackend(std::unique_ptr<Clock> line_clock, std::unique_ptr<Bo
       clock_(*line_clock_),
       controller_(make_controller(*link_, *line_clock_, tables.drive)),
       lidar_(*link_),
+      digital_(*link_),
+      analog_(*link_),
+      identity_(*link_),
+      remote_(*link_),
       generation_(link_->generation()) {
   if (controller_) drive_.emplace(*controller_);
   for (const BoardPsdTable& psd : tables.psds) {
@@ -82,6 +86,7 @@ void BoardBackend::step() {
   if (link_->generation() != generation_) {
     generation_ = link_->generation();
     if (controller_) controller_->restarted();
+    digital_.restarted();
   }
   if (controller_) controller_->step();
   trace();

@@ -10,7 +10,9 @@
 
 #include "board/board_clock.hpp"
 #include "board/board_drive.hpp"
+#include "board/board_inputs.hpp"
 #include "board/board_lidar.hpp"
+#include "board/board_lines.hpp"
 #include "board/board_link.hpp"
 #include "board/board_motor.hpp"
 #include "board/board_range_sensor.hpp"
@@ -46,6 +48,13 @@ class BoardBackend final : public Backend {
   Motor* motor(int id) override;
   Encoder* encoder(int id) override;
   Servo* servo(int id) override;
+  DigitalLines* digital() override { return link_->has_digital() ? &digital_ : nullptr; }
+  AnalogInputs* analog() override { return link_->has_analog() ? &analog_ : nullptr; }
+  IoBoard* io_board() override { return &identity_; }
+  Remote* remote() override { return link_->has_remote() ? &remote_ : nullptr; }
+  SerialPort* serial_port(int) override { return nullptr; }
+  Sound* sound() override { return nullptr; }
+  Radio* radio() override { return nullptr; }
   WorldControl* world() override { return nullptr; }
   camera::View* camera_view() override { return nullptr; }
   camera::Source* camera_source() override { return nullptr; }
@@ -66,6 +75,10 @@ class BoardBackend final : public Backend {
   std::unique_ptr<DriveController> controller_;
   std::optional<BoardDrive> drive_;
   BoardLidar lidar_;
+  BoardDigital digital_;
+  BoardAnalog analog_;
+  BoardIdentity identity_;
+  BoardRemote remote_;
   std::map<int, BoardRangeSensor> range_sensors_;
   std::map<int, BoardMotor> motors_;
   std::map<int, BoardEncoder> encoders_;

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "board/board_tables.hpp"
 #include "board/drive_controller.hpp"
 #include "eyebridge/base/result.hpp"
+#include "eyebridge/hal/digital_lines.hpp"
 #include "eyebridge/hal/lidar.hpp"
 
 namespace eyebridge::hal {
@@ -33,6 +35,11 @@ class BoardLink {
   /// May become true later: when a first scan is announced.
   [[nodiscard]] virtual bool has_lidar() const { return false; }
 
+  /// Any of the digital ports' functions; likewise of the analog ones.
+  [[nodiscard]] virtual bool has_digital() const = 0;
+  [[nodiscard]] virtual bool has_analog() const = 0;
+  [[nodiscard]] virtual bool has_remote() const = 0;
+
   virtual Result<void> motor_duty(int id, int percent) = 0;
   virtual Result<void> motor_speed(int id, int ticks_per_10ms) = 0;
   virtual Result<void> motor_pid(int id, int p, int i, int d) = 0;
@@ -43,6 +50,18 @@ class BoardLink {
   virtual Result<int> psd_raw(int id) = 0;
   /// Metres by the board's own table. Unsupported when it has none.
   virtual Result<double> psd_metres(int id) = 0;
+  // Ports count from 0, channels as AnalogInputs does.
+  virtual Result<void> digital_setup(int port, LineMode mode) = 0;
+  virtual Result<bool> digital_in(int port) = 0;
+  virtual Result<std::uint16_t> digital_in_all() = 0;
+  virtual Result<void> digital_out(int port, bool high) = 0;
+  virtual Result<int> analog(int channel) = 0;
+  /// Volts.
+  virtual Result<double> supply_voltage() = 0;
+  /// Of the firmware, printable.
+  virtual Result<std::string> version() = 0;
+  /// Code of the key of the remote control that is held, or 0.
+  virtual Result<int> remote_key() = 0;
   virtual Result<void> scan(BoardScan& /*out*/) {
     return fail(Errc::Unsupported, "this board has no LIDAR");
   }

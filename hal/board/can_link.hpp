@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <mutex>
+#include <string>
 
 #include "board/board_link.hpp"
 #include "board/tick_counter.hpp"
@@ -20,6 +21,9 @@ class CanLink final : public BoardLink {
   [[nodiscard]] bool has_encoder(int id) const override { return id >= 1 && id <= 4; }
   [[nodiscard]] bool has_servo(int id) const override { return id >= 1 && id <= 14; }
   [[nodiscard]] bool has_psd(int id) const override;
+  [[nodiscard]] bool has_digital() const override { return true; }
+  [[nodiscard]] bool has_analog() const override { return true; }
+  [[nodiscard]] bool has_remote() const override { return true; }
   [[nodiscard]] bool has_lidar() const override { return client_->has_lidar(); }
 
   Result<void> motor_duty(int id, int percent) override;
@@ -29,6 +33,14 @@ class CanLink final : public BoardLink {
   Result<void> servo(int id, int position) override;
   Result<int> psd_raw(int id) override;
   Result<double> psd_metres(int id) override;
+  Result<void> digital_setup(int port, LineMode mode) override;
+  Result<bool> digital_in(int port) override;
+  Result<std::uint16_t> digital_in_all() override;
+  Result<void> digital_out(int port, bool high) override;
+  Result<int> analog(int channel) override;
+  Result<double> supply_voltage() override;
+  Result<std::string> version() override;
+  Result<int> remote_key() override;
   Result<void> scan(BoardScan& out) override;
   std::unique_ptr<DriveController> make_drive(const BoardDriveShape& shape) override;
   void stop() noexcept override { client_->stop(); }

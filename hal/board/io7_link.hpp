@@ -4,6 +4,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 
 #include "board/board_link.hpp"
 #include "board/tick_counter.hpp"
@@ -23,6 +24,9 @@ class Io7Link final : public BoardLink {
   [[nodiscard]] bool has_encoder(int id) const override;
   [[nodiscard]] bool has_servo(int id) const override;
   [[nodiscard]] bool has_psd(int id) const override;
+  [[nodiscard]] bool has_digital() const override;
+  [[nodiscard]] bool has_analog() const override;
+  [[nodiscard]] bool has_remote() const override { return false; }  // no letter for it
 
   Result<void> motor_duty(int id, int percent) override;
   Result<void> motor_speed(int id, int ticks_per_10ms) override;
@@ -31,6 +35,14 @@ class Io7Link final : public BoardLink {
   Result<void> servo(int id, int position) override;
   Result<int> psd_raw(int id) override;
   Result<double> psd_metres(int id) override;
+  Result<void> digital_setup(int port, LineMode mode) override;
+  Result<bool> digital_in(int port) override;
+  Result<std::uint16_t> digital_in_all() override;
+  Result<void> digital_out(int port, bool high) override;
+  Result<int> analog(int channel) override;
+  Result<double> supply_voltage() override;
+  Result<std::string> version() override;
+  Result<int> remote_key() override;
   /// By the v-omega letters, when the profile allows them and the board lists all of them.
   std::unique_ptr<DriveController> make_drive(const BoardDriveShape& shape) override;
   void stop() noexcept override;

@@ -46,6 +46,13 @@ class HandBackend final : public Backend {
   Motor* motor(int) override { return nullptr; }
   Encoder* encoder(int) override { return nullptr; }
   Servo* servo(int id) override { return inner_->servo(id); }
+  DigitalLines* digital() override { return inner_->digital(); }
+  AnalogInputs* analog() override { return inner_->analog(); }
+  IoBoard* io_board() override { return inner_->io_board(); }
+  Remote* remote() override { return inner_->remote(); }
+  SerialPort* serial_port(int id) override { return inner_->serial_port(id); }
+  Sound* sound() override { return inner_->sound(); }
+  Radio* radio() override { return inner_->radio(); }
   WorldControl* world() override { return inner_->world(); }
   camera::View* camera_view() override { return inner_->camera_view(); }
   camera::Source* camera_source() override { return &camera_; }

@@ -26,12 +26,20 @@ bool has(Backend& backend, std::string_view device) {
   if (device == "lidar") return backend.lidar() != nullptr;
   if (device == "compass") return backend.compass() != nullptr;
   if (device == "camera") return backend.camera_view() != nullptr;
+  if (device == "digital") return backend.digital() != nullptr;
+  if (device == "analog") return backend.analog() != nullptr;
+  if (device == "board") return backend.io_board() != nullptr;
+  if (device == "remote") return backend.remote() != nullptr;
+  if (device == "sound") return backend.sound() != nullptr;
+  if (device == "radio") return backend.radio() != nullptr;
+  if (device == "serial" && backend.serial_port(0) != nullptr) return true;
   return any_of_ids([&](int id) -> void* {
     if (device == "psd") return backend.range_sensor(id);
     if (device == "proximity") return backend.proximity(id);
     if (device == "bumper") return backend.bumper(id);
     if (device == "motor") return backend.motor(id);
     if (device == "encoder") return backend.encoder(id);
+    if (device == "serial") return backend.serial_port(id);
     return backend.servo(id);
   });
 }
@@ -66,6 +74,13 @@ class MixBackend final : public Backend {
   Motor* motor(int id) override { return of("motor").motor(id); }
   Encoder* encoder(int id) override { return of("encoder").encoder(id); }
   Servo* servo(int id) override { return of("servo").servo(id); }
+  DigitalLines* digital() override { return of("digital").digital(); }
+  AnalogInputs* analog() override { return of("analog").analog(); }
+  IoBoard* io_board() override { return of("board").io_board(); }
+  Remote* remote() override { return of("remote").remote(); }
+  SerialPort* serial_port(int id) override { return of("serial").serial_port(id); }
+  Sound* sound() override { return of("sound").sound(); }
+  Radio* radio() override { return of("radio").radio(); }
   WorldControl* world() override { return main_->world(); }
   camera::View* camera_view() override {
     Backend& backend = of("camera");

@@ -12,6 +12,7 @@
 #include "eyebridge/base/text.hpp"
 #include "fault/fault_tap.hpp"
 #include "hand/open_hand.hpp"
+#include "host/open_host.hpp"
 #include "mix/mix_backend.hpp"
 #include "replay/open_replay.hpp"
 #include "replay/record_tap.hpp"
@@ -26,7 +27,8 @@ constexpr auto kBackends = std::to_array<BackendFactory>({
      open_io7_board, true},
     {"tcp", "a board behind a TCP port: tcp:HOST:PORT?profile=io7&hdt=FILE", open_io7_board, true},
     {"can", "a robot on a CAN bus: can:can0?node=1&fd=0&hdt=FILE", open_can_board, true},
-    {"replay", "what a robot answered in a recorded run: replay:FILE.ebrec", open_replay},
+    {"replay", "what a robot answered in a recorded run: replay:FILE.ebrec", open_replay, false,
+     true},
 });
 
 const BackendFactory& row_of(const std::string& text, const SourceLocation& where) {
@@ -53,6 +55,14 @@ std::vector<MixEntry> mix_of(const Config& config) {
   }
 }
 
+/// The robot of `row`, and what this computer adds to it; a recording has recorded that.
+std::unique_ptr<Backend> opened(const BackendFactory& row, const std::string& text,
+                                const SourceLocation& where, const BackendContext& context) {
+  auto robot = row.open(parse_backend_url(text, where), context);
+  if (row.answers_for_host) return robot;
+  return with_host_devices(std::move(robot), context);
+}
+
 std::unique_ptr<Backend> mixed(std::unique_ptr<Backend> main, const BackendContext& context) {
   const Config& config = context.config;
   const ConfigValue& mix = config.value("mix");
@@ -62,8 +72,8 @@ std::unique_ptr<Backend> mixed(std::unique_ptr<Backend> main, const BackendConte
     auto part = std::ranges::find(parts, entry.url, &MixPart::url);
     if (part == parts.end()) {
       const Config other = config.with("hal", {entry.url, mix.where});
-      auto backend = row_of(entry.url, mix.where)
-                         .open(parse_backend_url(entry.url, mix.where), {other, context.log});
+      auto backend =
+          opened(row_of(entry.url, mix.where), entry.url, mix.where, {other, context.log});
       parts.push_back({{}, entry.url, std::move(backend)});
       part = std::prev(parts.end());
     }
@@ -133,6 +143,7 @@ const BackendFactory& find_backend(const Config& config) {
   static_cast<void>(faults_of(config));
   static_cast<void>(mix_of(config));
   check_drive(config);
+  check_host_settings(config);
   return row;
 }
 
@@ -148,7 +159,7 @@ std::unique_ptr<Backend> open_backend(const BackendContext& context) {
   const Config& config = context.config;
   const ConfigValue& hal = config.value("hal");
   FaultScript script = faults_of(config);
-  auto backend = find_backend(config).open(parse_backend_url(hal.text, hal.where), context);
+  auto backend = opened(find_backend(config), hal.text, hal.where, context);
   if (config.is_set("record")) check_record_is_not_read(config);
   if (config.is_set("mix")) backend = mixed(std::move(backend), context);
   backend = with_hand(std::move(backend), context);

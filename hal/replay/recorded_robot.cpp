@@ -5,67 +5,10 @@
 
 #include "clock/lockstep_clock.hpp"
 #include "eyebridge/base/config_error.hpp"
+#include "replay/absent_devices.hpp"
 
 namespace eyebridge::hal {
 namespace {
-
-tl::unexpected<Error> nothing() {
-  return fail(Errc::Unsupported, "replay: there is no device behind a recording");
-}
-
-class NoDrive final : public Drive {
-  Result<void> set_speed(const Twist&) override { return nothing(); }
-  Result<void> start(const DriveGoal&) override { return nothing(); }
-  Result<DriveStatus> status() override { return nothing(); }
-  Result<Twist> measured_twist() override { return nothing(); }
-  Result<Pose> odometry() override { return nothing(); }
-  Result<void> set_odometry(const Pose&) override { return nothing(); }
-};
-class NoRangeSensor final : public RangeSensor {
- public:
-  explicit NoRangeSensor(double out_of_range) : out_of_range_(out_of_range) {}
-
- private:
-  Result<double> read() override { return nothing(); }
-  Result<int> read_raw() override { return nothing(); }
-  [[nodiscard]] double out_of_range() const override { return out_of_range_; }
-  double out_of_range_;
-};
-class NoSwitch final : public SwitchSensor {
-  Result<bool> read() override { return nothing(); }
-};
-class NoCompass final : public Compass {
-  Result<double> read() override { return nothing(); }
-};
-class NoMotor final : public Motor {
-  Result<void> set_duty(double) override { return nothing(); }
-  Result<void> set_speed(double) override { return nothing(); }
-  Result<void> set_pid(int, int, int) override { return nothing(); }
-};
-class NoEncoder final : public Encoder {
-  Result<int> read() override { return nothing(); }
-  Result<void> reset() override { return nothing(); }
-};
-class NoServo final : public Servo {
-  Result<void> set(double) override { return nothing(); }
-};
-/// Keeps the shape that the program asked for, so that it can ask for it again.
-class NoLidar final : public Lidar {
- public:
-  NoLidar(double max_range, const LidarShape& shape) : max_range_(max_range), shape_(shape) {}
-
- private:
-  Result<void> configure(double field_of_view, double tilt, int points) override {
-    shape_ = {field_of_view, tilt, points};
-    return {};
-  }
-  [[nodiscard]] LidarShape shape() const override { return shape_; }
-  [[nodiscard]] int points() const override { return shape_.points; }
-  Result<void> read(std::span<double>) override { return nothing(); }
-  [[nodiscard]] double max_range() const override { return max_range_; }
-  double max_range_;
-  LidarShape shape_;
-};
 
 template <class Device>
 class ById {
@@ -94,6 +37,16 @@ class RecordedRobot final : public Backend {
     if (kind == "motor") return motors_.add(id);
     if (kind == "encoder") return encoders_.add(id);
     if (kind == "servo") return servos_.add(id);
+    if (kind == "digital") return digitals_.add(id);
+    if (kind == "analog") return analogs_.add(id);
+    if (kind == "board") return boards_.add(id);
+    if (kind == "remote") return remotes_.add(id);
+    if (kind == "serial") return serial_ports_.add(id);
+    if (kind == "sound") return sounds_.add(id);
+    if (kind == "radio" && facts.size() == 1 && facts[0] >= Radio::kFirstId &&
+        facts[0] <= Radio::kLastId) {
+      return radios_.add(id, static_cast<int>(facts[0]));
+    }
     if (kind == "psd" && facts.size() == 1) return range_sensors_.add(id, facts[0]);
     if (kind == "lidar" && facts.size() == 4 && facts[3] >= 1 && facts[3] <= 36000) {
       const LidarShape shape{facts[1], facts[2], static_cast<int>(facts[3])};
@@ -113,6 +66,13 @@ class RecordedRobot final : public Backend {
   Motor* motor(int id) override { return motors_.find(id); }
   Encoder* encoder(int id) override { return encoders_.find(id); }
   Servo* servo(int id) override { return servos_.find(id); }
+  DigitalLines* digital() override { return digitals_.find(1); }
+  AnalogInputs* analog() override { return analogs_.find(1); }
+  IoBoard* io_board() override { return boards_.find(1); }
+  Remote* remote() override { return remotes_.find(1); }
+  SerialPort* serial_port(int id) override { return serial_ports_.find(id); }
+  Sound* sound() override { return sounds_.find(1); }
+  Radio* radio() override { return radios_.find(1); }
   WorldControl* world() override { return nullptr; }
   camera::View* camera_view() override { return nullptr; }
   camera::Source* camera_source() override { return nullptr; }
@@ -130,6 +90,13 @@ class RecordedRobot final : public Backend {
   ById<NoMotor> motors_;
   ById<NoEncoder> encoders_;
   ById<NoServo> servos_;
+  ById<NoDigital> digitals_;
+  ById<NoAnalog> analogs_;
+  ById<NoBoard> boards_;
+  ById<NoRemote> remotes_;
+  ById<NoSerialPort> serial_ports_;
+  ById<NoSound> sounds_;
+  ById<NoRadio> radios_;
 };
 
 }  // namespace

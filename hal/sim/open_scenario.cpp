@@ -57,7 +57,8 @@ std::unique_ptr<Backend> open_scenario(files::Scenario scenario, const SourceLoc
     throw ConfigError(where, error.what());
   }
   auto clock = make_clock(context.config, from_seconds(settings.step), *world);
-  return std::make_unique<SimBackend>(std::move(world), std::move(clock), 0);
+  return std::make_unique<SimBackend>(std::move(world), std::move(clock), 0,
+                                      context.config.number("supply_voltage"));
 }
 
 }  // namespace eyebridge::hal

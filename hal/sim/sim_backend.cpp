@@ -31,7 +31,7 @@ std::map<int, Device> make_pair_of(SimWorld& world, robot::RobotIndex robot) {
 }  // namespace
 
 SimBackend::SimBackend(std::unique_ptr<SimWorld> world, std::unique_ptr<Clock> clock,
-                       robot::RobotIndex robot)
+                       robot::RobotIndex robot, double supply_voltage)
     : world_(std::move(world)),
       clock_(std::move(clock)),
       robot_(robot),
@@ -45,7 +45,9 @@ SimBackend::SimBackend(std::unique_ptr<SimWorld> world, std::unique_ptr<Clock> c
       bumpers_(make_devices<SimBumper>(*world_, robot, world_->model(robot).bumpers)),
       motors_(make_pair_of<SimMotor>(*world_, robot)),
       encoders_(make_pair_of<SimEncoder>(*world_, robot)),
-      servos_(make_pair_of<SimServo>(*world_, robot)) {
+      servos_(make_pair_of<SimServo>(*world_, robot)),
+      digital_(*world_, robot),
+      analog_(supply_voltage) {
   if (world_->model(robot).lidar) lidar_.emplace(*world_, robot);
   if (world_->model(robot).camera) view_.emplace(*world_, robot);
 }

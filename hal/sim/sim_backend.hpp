@@ -5,8 +5,10 @@
 #include <optional>
 
 #include "eyebridge/hal/backend.hpp"
+#include "sim/sim_analog.hpp"
 #include "sim/sim_camera_view.hpp"
 #include "sim/sim_compass.hpp"
+#include "sim/sim_digital.hpp"
 #include "sim/sim_drive.hpp"
 #include "sim/sim_lidar.hpp"
 #include "sim/sim_motor.hpp"
@@ -22,9 +24,10 @@ namespace eyebridge::hal {
 class SimBackend final : public Backend {
  public:
   /// `clock` steps `world`. The robot has the devices of its model, a compass, two motors with
-  /// encoders (1 left, 2 right) and two servos (1 pan, 2 tilt).
-  SimBackend(std::unique_ptr<SimWorld> world, std::unique_ptr<Clock> clock,
-             robot::RobotIndex robot);
+  /// encoders (1 left, 2 right), two servos (1 pan, 2 tilt), digital lines, and analog inputs with
+  /// a battery of `supply_voltage` volts. It has no I/O board and nothing of a computer.
+  SimBackend(std::unique_ptr<SimWorld> world, std::unique_ptr<Clock> clock, robot::RobotIndex robot,
+             double supply_voltage);
 
   Clock& clock() override { return *clock_; }
   [[nodiscard]] int robot_id() const override { return static_cast<int>(robot_) + 1; }
@@ -37,6 +40,13 @@ class SimBackend final : public Backend {
   Motor* motor(int id) override;
   Encoder* encoder(int id) override;
   Servo* servo(int id) override;
+  DigitalLines* digital() override { return &digital_; }
+  AnalogInputs* analog() override { return &analog_; }
+  IoBoard* io_board() override { return nullptr; }
+  Remote* remote() override { return nullptr; }
+  SerialPort* serial_port(int) override { return nullptr; }
+  Sound* sound() override { return nullptr; }
+  Radio* radio() override { return nullptr; }
   WorldControl* world() override { return &control_; }
   camera::View* camera_view() override { return view_ ? &*view_ : nullptr; }
   camera::Source* camera_source() override { return nullptr; }
@@ -56,6 +66,8 @@ class SimBackend final : public Backend {
   std::map<int, SimMotor> motors_;
   std::map<int, SimEncoder> encoders_;
   std::map<int, SimServo> servos_;
+  SimDigital digital_;
+  SimAnalog analog_;
   std::optional<SimLidar> lidar_;
   std::optional<SimCameraView> view_;
 };

@@ -16,8 +16,9 @@ using Values = std::vector<double>;
 struct Call {
   std::string_view device;  ///< "psd": the kind, as scripts and recordings name it.
   int id = 1;
-  std::string_view name;    ///< "read"
-  bool is_command = false;  ///< It changes something and answers nothing.
+  std::string_view name;  ///< "read"
+  /// It changes something, or takes what came once; an empty answer will do.
+  bool is_command = false;
   Values request;
 };
 

@@ -2,6 +2,7 @@
 #include <mutex>
 
 #include "tap/tapped_devices.hpp"
+#include "tap/tapped_io.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -27,6 +28,15 @@ class TapBackend final : public Backend {
   Motor* motor(int id) override { return wrap(motors_, "motor", id, inner_->motor(id)); }
   Encoder* encoder(int id) override { return wrap(encoders_, "encoder", id, inner_->encoder(id)); }
   Servo* servo(int id) override { return wrap(servos_, "servo", id, inner_->servo(id)); }
+  DigitalLines* digital() override { return wrap(digitals_, "digital", 1, inner_->digital()); }
+  AnalogInputs* analog() override { return wrap(analogs_, "analog", 1, inner_->analog()); }
+  IoBoard* io_board() override { return wrap(boards_, "board", 1, inner_->io_board()); }
+  Remote* remote() override { return wrap(remotes_, "remote", 1, inner_->remote()); }
+  SerialPort* serial_port(int id) override {
+    return wrap(serial_ports_, "serial", id, inner_->serial_port(id));
+  }
+  Sound* sound() override { return wrap(sounds_, "sound", 1, inner_->sound()); }
+  Radio* radio() override { return wrap(radios_, "radio", 1, inner_->radio()); }
 
   WorldControl* world() override { return inner_->world(); }
   camera::View* camera_view() override { return inner_->camera_view(); }
@@ -65,6 +75,13 @@ class TapBackend final : public Backend {
   Slots<TappedMotor> motors_;
   Slots<TappedEncoder> encoders_;
   Slots<TappedServo> servos_;
+  Slots<TappedDigitalLines> digitals_;
+  Slots<TappedAnalogInputs> analogs_;
+  Slots<TappedIoBoard> boards_;
+  Slots<TappedRemote> remotes_;
+  Slots<TappedSerialPort> serial_ports_;
+  Slots<TappedSound> sounds_;
+  Slots<TappedRadio> radios_;
 };
 
 }  // namespace

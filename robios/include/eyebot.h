@@ -4,7 +4,7 @@
  * Unless a function says otherwise: it returns 0 on success and non-zero on failure, may be called
  * from any thread, returns at once, lengths are millimetres, angles degrees (counter-clockwise
  * positive) and times milliseconds. The reason of the last failure: EYEBRIDGELastError() in
- * eyebridge.h. The families SER, AU, DIGITAL, ANALOG, IRTV and RADIO are not declared yet.
+ * eyebridge.h.
  */
 #ifndef EYEBOT_H
 #define EYEBOT_H
@@ -42,6 +42,8 @@ extern "C" {
 #endif
 #pragma GCC visibility push(default)
 
+#include "eyebridge_robios/comm.h"
+#include "eyebridge_robios/io.h"
 #include "eyebridge_robios/lcd.h"
 #include "eyebridge_robios/motion.h"
 #include "eyebridge_robios/os.h"

@@ -53,7 +53,8 @@ void Canvas::span(std::int64_t x1, std::int64_t x2, std::int64_t y, Rgb colour) 
 
 void Canvas::pixel(int x, int y, Rgb colour) { point(x, y, colour); }
 
-void Canvas::line(int x1, int y1, int x2, int y2, Rgb colour) {
+template <class Plot>
+void Canvas::along_line(int x1, int y1, int x2, int y2, Plot&& plot) const {
   // Steps along the longer axis ("major"), from the end with the smaller coordinate, and only over
   // the part that is visible on it. Offsets are computed anew at each step instead of summed up, so
   // that skipping ahead changes no pixel. |d| < 2^32, so that the products below fit 64 bits.
@@ -75,7 +76,34 @@ void Canvas::line(int x1, int y1, int x2, int y2, Rgb colour) {
     const auto offset =
         length == 0 ? 0 : static_cast<std::int64_t>((rise * along + length / 2) / length);
     const std::int64_t minor = minor2 < minor1 ? minor1 - offset : minor1 + offset;
-    steep ? point(minor, major, colour) : point(major, minor, colour);
+    steep ? plot(minor, major) : plot(major, minor);
+  }
+}
+
+void Canvas::line(int x1, int y1, int x2, int y2, Rgb colour) {
+  along_line(x1, y1, x2, y2, [&](std::int64_t x, std::int64_t y) { point(x, y, colour); });
+}
+
+void Canvas::invert(std::int64_t x, std::int64_t y) {
+  if (x < 0 || y < 0 || x >= width_ || y >= height_) return;
+  Rgb& pixel = pixels_[index(static_cast<int>(x), static_cast<int>(y))];
+  const auto opposite = [](std::uint8_t channel) {
+    return static_cast<std::uint8_t>(255 - channel);
+  };
+  pixel = {opposite(pixel.r), opposite(pixel.g), opposite(pixel.b)};
+}
+
+void Canvas::invert_line(int x1, int y1, int x2, int y2) {
+  along_line(x1, y1, x2, y2, [&](std::int64_t x, std::int64_t y) { invert(x, y); });
+}
+
+void Canvas::invert_area(int x1, int y1, int x2, int y2) {
+  const int first_x = std::max(std::min(x1, x2), 0);
+  const int first_y = std::max(std::min(y1, y2), 0);
+  const int last_x = std::min(std::max(x1, x2), width_ - 1);
+  const int last_y = std::min(std::max(y1, y2), height_ - 1);
+  for (int y = first_y; y <= last_y; ++y) {
+    for (int x = first_x; x <= last_x; ++x) invert(x, y);
   }
 }
 

@@ -28,6 +28,10 @@ class Canvas {
   void line(int x1, int y1, int x2, int y2, Rgb colour);
   /// Rectangle, both corners included, in any order.
   void area(int x1, int y1, int x2, int y2, Rgb colour, bool fill);
+  // The same places with every colour turned into its opposite: twice, and nothing has changed.
+  void invert_pixel(int x, int y) { invert(x, y); }
+  void invert_line(int x1, int y1, int x2, int y2);
+  void invert_area(int x1, int y1, int x2, int y2);  ///< Filled.
   /// Circle of `radius` >= 0 pixels around x, y; radius 0 is one pixel.
   void circle(int x, int y, int radius, Rgb colour, bool fill);
   /// One character with its cell's top-left corner at x, y, blended between paper and ink.
@@ -47,6 +51,10 @@ class Canvas {
   }
   void span(std::int64_t x1, std::int64_t x2, std::int64_t y, Rgb colour);
   void point(std::int64_t x, std::int64_t y, Rgb colour);
+  void invert(std::int64_t x, std::int64_t y);
+  /// Calls `plot(x, y)` for each pixel of a line that may be visible.
+  template <class Plot>
+  void along_line(int x1, int y1, int x2, int y2, Plot&& plot) const;
 
   int width_;
   int height_;

@@ -1,6 +1,7 @@
 #include "key_script.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <string>
 
@@ -8,6 +9,22 @@
 
 namespace eyebridge::robios {
 namespace {
+
+struct RemoteKey {
+  std::string_view name;
+  char code;
+};
+// As in eyebot.h.
+constexpr std::array<RemoteKey, 10> kRemoteKeys = {{{"RED", 'R'},
+                                                    {"GREEN", 'G'},
+                                                    {"YELLOW", 'Y'},
+                                                    {"BLUE", 'B'},
+                                                    {"LEFT", 'L'},
+                                                    {"RIGHT", '>'},
+                                                    {"UP", 'U'},
+                                                    {"DOWN", 'D'},
+                                                    {"OK", 'O'},
+                                                    {"POWER", 'P'}}};
 
 constexpr double kLatest = 1e9;  // seconds; keeps Time far from overflow
 
@@ -80,9 +97,23 @@ Time read_time(Reader& in) {
   return from_seconds(seconds);
 }
 
+int read_remote(Reader& in) {
+  for (char digit = '0'; digit <= '9'; ++digit) {
+    if (in.accept({&digit, 1})) return digit;
+  }
+  for (const RemoteKey& key : kRemoteKeys) {
+    if (in.accept(key.name)) return key.code;
+  }
+  in.reject(
+      "a key of the remote control: 0..9, RED, GREEN, YELLOW, BLUE, LEFT, RIGHT, UP, DOWN, OK "
+      "or POWER");
+}
+
 ScriptedKey read_key(Reader& in) {
   ScriptedKey key;
-  if (in.accept("KEY")) {
+  if (in.accept("IRTV_")) {
+    key.remote = read_remote(in);
+  } else if (in.accept("KEY")) {
     const std::size_t start = in.position();
     const int number = in.number<int>("a key number 1..4");
     if (number < 1 || number > 4) {
@@ -90,7 +121,7 @@ ScriptedKey read_key(Reader& in) {
     }
     key.key = 1 << (number - 1);
   } else {
-    key.touch.x = in.number<int>("KEY1..KEY4 or a touch like 120:80");
+    key.touch.x = in.number<int>("KEY1..KEY4, IRTV_5 or a touch like 120:80");
     if (!in.accept(":")) {
       in.reject("':' and the y of a touch");
     }

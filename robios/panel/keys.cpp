@@ -57,6 +57,8 @@ void Keys::take_script() {
   for (; next_ < script_.size() && script_[next_].at <= now; ++next_) {
     if (script_[next_].key != 0) {
       presses_.push_back(script_[next_].key);
+    } else if (script_[next_].remote != 0) {
+      remote_.push_back(script_[next_].remote);
     } else {
       add_touch(script_[next_].touch);
     }
@@ -129,7 +131,8 @@ auto Keys::wait_for(const char* wanted, const WaitUntil& wait_until, Take take)
       take_terminal(kSlice);
     } else {
       std::unique_lock lock(mutex_);
-      pressed_.wait(lock, [&] { return !presses_.empty() || last_touch_ || !window_; });
+      pressed_.wait(
+          lock, [&] { return !presses_.empty() || last_touch_ || !remote_.empty() || !window_; });
     }
   }
 }
@@ -152,6 +155,43 @@ Result<int> Keys::wait(int mask, const WaitUntil& wait_until) {
 
 Result<TouchPoint> Keys::wait_touch(const WaitUntil& wait_until) {
   return wait_for("a touch", wait_until, [&] { return std::exchange(last_touch_, std::nullopt); });
+}
+
+void Keys::press_remote(int code) {
+  if (code < 1 || code > 255) {
+    return;
+  }
+  const std::lock_guard lock(mutex_);
+  remote_.push_back(code);
+  pressed_.notify_all();
+}
+
+int Keys::read_remote() {
+  const std::lock_guard lock(mutex_);
+  take_script();
+  if (remote_.empty()) {
+    return 0;
+  }
+  const int code = remote_.front();
+  remote_.pop_front();
+  return code;
+}
+
+Result<int> Keys::wait_remote(const WaitUntil& wait_until) {
+  return wait_for("a key of the remote control", wait_until, [&]() -> std::optional<int> {
+    if (remote_.empty()) {
+      return std::nullopt;
+    }
+    const int code = remote_.front();
+    remote_.pop_front();
+    return code;
+  });
+}
+
+void Keys::flush_remote() {
+  const std::lock_guard lock(mutex_);
+  take_script();
+  remote_.clear();
 }
 
 }  // namespace eyebridge::robios

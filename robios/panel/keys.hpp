@@ -15,7 +15,8 @@
 
 namespace eyebridge::robios {
 
-/// The four keys and the touch screen of one robot: from a script, a terminal, a window.
+/// The four keys, the touch screen and the remote control of one robot: from a script, a terminal,
+/// a window.
 ///
 /// A press is an event: it waits in a queue until one call has reported it. Any thread.
 class Keys {
@@ -49,6 +50,15 @@ class Keys {
   /// As wait(), for a touch.
   Result<TouchPoint> wait_touch(const WaitUntil& wait_until);
 
+  /// A key of the remote control of a window or of a test: its code, 1 … 255; else ignored.
+  void press_remote(int code);
+  /// The oldest code not reported yet, or 0. Never waits.
+  int read_remote();
+  /// As wait(), for a code of the remote control.
+  Result<int> wait_remote(const WaitUntil& wait_until);
+  /// Forgets the codes that nobody has asked for.
+  void flush_remote();
+
  private:
   template <class Take>
   auto wait_for(const char* wanted, const WaitUntil& wait_until, Take take)
@@ -67,6 +77,7 @@ class Keys {
   std::function<int(int, int)> key_at_;
   bool window_ = false;
   std::deque<int> presses_;
+  std::deque<int> remote_;
   std::optional<TouchPoint> last_touch_;
 };
 

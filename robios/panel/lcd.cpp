@@ -187,6 +187,18 @@ Result<void> Lcd::circle(int x, int y, int radius, Rgb colour, bool fill) {
   return {};
 }
 
+void Lcd::invert_pixel(int x, int y) {
+  draw([&] { canvas_.invert_pixel(x, y); });
+}
+
+void Lcd::invert_line(int x1, int y1, int x2, int y2) {
+  draw([&] { canvas_.invert_line(x1, y1, x2, y2); });
+}
+
+void Lcd::invert_area(int x1, int y1, int x2, int y2) {
+  draw([&] { canvas_.invert_area(x1, y1, x2, y2); });
+}
+
 Result<void> Lcd::set_image_mode(int mode) {
   if (mode < 0 || mode >= static_cast<int>(kImageModes.size())) {
     return fail(Errc::OutOfRange, "image mode " + std::to_string(mode) + ", expected 0..5");

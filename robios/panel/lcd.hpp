@@ -78,6 +78,11 @@ class Lcd {
   /// OutOfRange for a negative radius.
   Result<void> circle(int x, int y, int radius, Rgb colour, bool fill);
 
+  /// Every colour there becomes its opposite.
+  void invert_pixel(int x, int y);
+  void invert_line(int x1, int y1, int x2, int y2);
+  void invert_area(int x1, int y1, int x2, int y2);
+
   /// LCDImageSize(): window at 0, 0 of a camera mode's size; OutOfRange for an unknown mode.
   Result<void> set_image_mode(int mode);
   /// LCDImageStart(); OutOfRange for a size below 1.

@@ -14,6 +14,7 @@
 #include <pthread.h>
 #include <unistd.h>
 
+#include "analog_recorder.hpp"
 #include "camera_port.hpp"
 #include "costs.hpp"
 #include "eyebridge/camera/frame_sink.hpp"
@@ -25,6 +26,7 @@
 #include "lcd.hpp"
 #include "lcd_mirror.hpp"
 #include "library_threads.hpp"
+#include "radio_messages.hpp"
 #include "run_output.hpp"
 #include "signals.hpp"
 #include "stderr_log.hpp"
@@ -111,6 +113,7 @@ struct Session::Impl {
         camera(config.text("camera"), {&clock, backend->camera_view(), &log},
                backend->camera_source()),
         timers(clock),
+        recorder(clock, timers),
         cost_scale(config.number("cost_scale")) {
     check_camera(config, {&clock, backend->camera_view(), &log});
     if (config.is_set("time_limit")) limit = from_seconds(config.number("time_limit"));
@@ -135,6 +138,8 @@ struct Session::Impl {
   std::unique_ptr<Keys> keys;
   CameraPort camera;
   Timers timers;
+  AnalogRecorder recorder;
+  RadioMessages messages;
   double cost_scale;
   std::optional<Time> limit;
   std::optional<LcdMirror> mirror;
@@ -225,6 +230,8 @@ Lcd& Session::lcd() { return *impl_->lcd; }
 Keys& Session::keys() { return *impl_->keys; }
 CameraPort& Session::camera() { return impl_->camera; }
 Timers& Session::timers() { return impl_->timers; }
+AnalogRecorder& Session::recorder() { return impl_->recorder; }
+RadioMessages& Session::messages() { return impl_->messages; }
 LogSink& Session::log() { return impl_->log; }
 
 void Session::charge(std::string_view call) {

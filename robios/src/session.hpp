@@ -12,9 +12,11 @@
 
 namespace eyebridge::robios {
 
+class AnalogRecorder;
 class CameraPort;
 class Keys;
 class Lcd;
+class RadioMessages;
 class Timers;
 
 /// What one robot program has: its backend, panel, camera and timers. One per process.
@@ -39,6 +41,8 @@ class Session {
   [[nodiscard]] Keys& keys();
   [[nodiscard]] CameraPort& camera();
   [[nodiscard]] Timers& timers();
+  [[nodiscard]] AnalogRecorder& recorder();
+  [[nodiscard]] RadioMessages& messages();
   [[nodiscard]] LogSink& log();
 
   /// Charges what `call` costs on a real robot, and runs the timers that came due meanwhile.

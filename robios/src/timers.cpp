@@ -1,6 +1,7 @@
 #include "timers.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include <pthread.h>
@@ -31,7 +32,7 @@ Timers::~Timers() {
 int Timers::attach(Time period, Callback callback) {
   const std::lock_guard lock(mutex_);
   const int handle = next_handle_++;
-  entries_.emplace(handle, Entry{period, clock_.now() + period, callback});
+  entries_.emplace(handle, Entry{period, clock_.now() + period, std::move(callback)});
   if (!clock_.is_virtual() && !thread_.joinable() && !stopping_) {
     thread_ = std::thread([this] { run_thread(); });
   }
@@ -83,7 +84,7 @@ void Timers::call_due(Time now, std::unique_lock<std::mutex>& lock) {
   calling_ = true;
   lock.unlock();
   in_callback = true;
-  for (const Callback callback : due) callback();
+  for (const Callback& callback : due) callback();
   in_callback = false;
   lock.lock();
   calling_ = false;

@@ -18,7 +18,7 @@ namespace eyebridge::robios {
 /// program. A timer that is late is called once, not once for each period missed. Any thread.
 class Timers {
  public:
-  using Callback = void (*)();
+  using Callback = std::function<void()>;
 
   explicit Timers(Clock& clock);
   ~Timers();

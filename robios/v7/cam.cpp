@@ -26,12 +26,12 @@ struct Size {
   int height;
 };
 
-constexpr std::array<Size, 6> kModes = {{{QQVGA_X, QQVGA_Y},
-                                         {QVGA_X, QVGA_Y},
-                                         {VGA_X, VGA_Y},
-                                         {CAM1MP_X, CAM1MP_Y},
-                                         {CAMHD_X, CAMHD_Y},
-                                         {CAM5MP_X, CAM5MP_Y}}};
+constexpr std::array<Size, 6> kCameraModes = {{{QQVGA_X, QQVGA_Y},
+                                               {QVGA_X, QVGA_Y},
+                                               {VGA_X, VGA_Y},
+                                               {CAM1MP_X, CAM1MP_Y},
+                                               {CAMHD_X, CAMHD_Y},
+                                               {CAM5MP_X, CAM5MP_Y}}};
 
 void publish(int mode, Size size) {
   CAMMODE = mode;
@@ -46,12 +46,12 @@ void publish(int mode, Size size) {
 
 int CAMInit(int resolution) {
   return robios::guarded("CAMInit", CAM_FAILURE, [&](Session& session) -> Result<int> {
-    if (resolution < 0 || static_cast<std::size_t>(resolution) >= kModes.size()) {
+    if (resolution < 0 || static_cast<std::size_t>(resolution) >= kCameraModes.size()) {
       return fail(
           Errc::OutOfRange,
           fmt::format("{} is no camera mode; expected QQVGA (0) to CAM5MP (5)", resolution));
     }
-    const Size size = kModes[static_cast<std::size_t>(resolution)];
+    const Size size = kCameraModes[static_cast<std::size_t>(resolution)];
     return session.camera().init(size.width, size.height).map([&] {
       publish(resolution, size);
       robios::set_ip_size({size.width, size.height});

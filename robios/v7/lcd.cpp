@@ -202,6 +202,18 @@ int LCDCircle(int x1, int y1, int size, COLOR col, int fill) {
                   [&](Lcd& lcd) { return lcd.circle(x1, y1, size, to_rgb(col), fill != 0); });
 }
 
+int LCDPixelInvert(int x, int y) {
+  return drawing("LCDPixelInvert", [&](Lcd& lcd) { lcd.invert_pixel(x, y); });
+}
+
+int LCDLineInvert(int x1, int y1, int x2, int y2) {
+  return drawing("LCDLineInvert", [&](Lcd& lcd) { lcd.invert_line(x1, y1, x2, y2); });
+}
+
+int LCDAreaInvert(int x1, int y1, int x2, int y2) {
+  return drawing("LCDAreaInvert", [&](Lcd& lcd) { lcd.invert_area(x1, y1, x2, y2); });
+}
+
 int LCDImageSize(int t) {
   return changing("LCDImageSize", [&](Lcd& lcd) {
     return lcd.set_image_mode(t).map(

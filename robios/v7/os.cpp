@@ -1,7 +1,6 @@
-#include <cstdio>
+#include <algorithm>
 #include <cstring>
 #include <ctime>
-#include <memory>
 #include <string>
 
 #include <fmt/format.h>
@@ -79,24 +78,6 @@ int OSGetCount(void) {
   });
 }
 
-char* OSExecute(const char* command) {
-  return robios::guarded("OSExecute", static_cast<char*>(nullptr), [&](Session&) -> Result<char*> {
-    if (command == nullptr) return robios::null_pointer();
-    struct Close {
-      void operator()(std::FILE* pipe) const { pclose(pipe); }
-    };
-    const std::unique_ptr<std::FILE, Close> pipe(popen(command, "r"));
-    if (!pipe) return fail(Errc::Unsupported, fmt::format("cannot run '{}'", command));
-    thread_local std::string output;
-    output.clear();
-    char chunk[4096];
-    for (std::size_t n = 0; (n = std::fread(chunk, 1, sizeof chunk, pipe.get())) > 0;) {
-      output.append(chunk, n);
-    }
-    return output.data();
-  });
-}
-
 int OSVersion(char* buf) {
   return robios::guarded("OSVersion", 1, [&](Session&) -> Result<int> {
     if (buf == nullptr) return robios::null_pointer();
@@ -106,10 +87,18 @@ int OSVersion(char* buf) {
 }
 
 int OSVersionIO(char* buf) {
-  return robios::guarded("OSVersionIO", 1, [&](Session&) -> Result<int> {
+  return robios::guarded("OSVersionIO", 1, [&](Session& session) -> Result<int> {
     if (buf == nullptr) return robios::null_pointer();
     buf[0] = '\0';
-    return fail(Errc::Unsupported, "a simulated robot has no IO board");
+    hal::IoBoard* board = session.backend().io_board();
+    if (board == nullptr) return fail(Errc::Unsupported, "this robot has no I/O board");
+    return board->version().map([&](const std::string& version) {
+      constexpr std::size_t kLongest = 99;  // programs have 100 bytes for it
+      const std::size_t length = std::min(version.size(), kLongest);
+      std::memcpy(buf, version.data(), length);
+      buf[length] = '\0';
+      return 0;
+    });
   });
 }
 

@@ -8,8 +8,14 @@ namespace {
 
 using namespace eyebridge;
 
+/// The robot's number of a program's `psd`: programs before 2018 took 1 for left and 2 for front.
+int in_robot(robios::Session& session, int psd) {
+  static const bool old = session.config().text("psd_numbers") == "2015";
+  return old && (psd == 1 || psd == 2) ? 3 - psd : psd;
+}
+
 Result<hal::RangeSensor*> find(robios::Session& session, int psd) {
-  hal::RangeSensor* sensor = session.backend().range_sensor(psd);
+  hal::RangeSensor* sensor = session.backend().range_sensor(in_robot(session, psd));
   if (sensor == nullptr)
     return fail(Errc::OutOfRange, fmt::format("this robot has no PSD {}", psd));
   return sensor;

@@ -33,8 +33,6 @@ int start(const char* call, const DriveGoal& goal) {
 /// Speeds are taken by magnitude: the sign of a movement is that of its distance or angle.
 double magnitude_mm(int speed) { return std::abs(mm_to_m(speed)); }
 
-Result<int> refuse(const char* what) { return fail(Errc::Unsupported, what); }
-
 }  // namespace
 
 int VWSetSpeed(int lin_speed, int ang_speed) {
@@ -145,15 +143,28 @@ int VWStalled(void) {
   });
 }
 
-int VWControl(int, int, int, int) {
-  return robios::guarded("VWControl", 1, [](Session&) {
-    return refuse("the gains of this robot's v-omega controller cannot be changed");
+int VWControl(int Vv, int Tv, int Vw, int Tw) {
+  return with_drive("VWControl", 1, [&](hal::Drive& drive, Session&) -> Result<int> {
+    for (const int gain : {Vv, Tv, Vw, Tw}) {
+      if (gain < 0 || gain > 255) {
+        return fail(Errc::OutOfRange, fmt::format("gain {}, expected 0..255", gain));
+      }
+    }
+    return drive.set_speed({}).map([] { return 0; });
   });
 }
 
 int VWControlOff(void) {
-  return robios::guarded("VWControlOff", 1, [](Session&) {
-    return refuse("this robot's v-omega controller cannot be switched off");
+  return with_drive("VWControlOff", 1, [](hal::Drive&, Session& session) -> Result<int> {
+    // A motor that is used takes the robot out of v-omega control.
+    for (const int id : {1, 2}) {
+      hal::Motor* motor = session.backend().motor(id);
+      if (motor == nullptr) return fail(Errc::Unsupported, "this robot has no motors of its own");
+      if (const auto stopped = motor->set_duty(0.0); !stopped) {
+        return tl::unexpected(stopped.error());
+      }
+    }
+    return 0;
   });
 }
 

@@ -17,7 +17,7 @@ LONGEST_README = 29
 SKIPPED = {"build", "out", ".git", "__pycache__", ".cache"}
 
 CORE = ["core/base", "core/world", "core/robot", "core/files", "core/mapping"]
-BACKENDS = ["hal/sim", "hal/board", "hal/replay", "hal/hand"]
+BACKENDS = ["hal/sim", "hal/board", "hal/replay", "hal/hand", "hal/host"]
 FIRMWARE = ["firmware-stubs/board", "firmware-stubs/ports", "firmware-stubs/pins", "firmware-stubs/mps2"]
 EVERYTHING = [*CORE, "hal", *BACKENDS, "camera", "robios", "bridges", *FIRMWARE, "apps", "tests"]
 
@@ -35,6 +35,7 @@ ALLOWED = {
     "hal/sim": [*CORE, "hal", "camera"],
     "hal/replay": [*CORE, "hal", "camera"],
     "hal/hand": [*CORE, "hal", "camera"],
+    "hal/host": [*CORE, "hal", "bridges"],
     "hal/board": [*CORE, "hal", "bridges"],
     "robios": [*CORE, "hal", "camera"],
     "firmware-stubs/board": ["bridges:opcodes.h"],

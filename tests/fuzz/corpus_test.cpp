@@ -9,6 +9,7 @@
 #include "camera_entry.hpp"
 #include "entry.hpp"
 #include "firmware_entry.hpp"
+#include "host_entry.hpp"
 #include "plant_link_entry.hpp"
 
 namespace eyebridge::fuzz {
@@ -35,6 +36,10 @@ constexpr Target kTargets[] = {{"world", world},
                                {"config", config},
                                {"faults", faults},
                                {"hand", hand},
+                               {"radio", radio},
+                               {"radio_datagram", radio_datagram},
+                               {"serial_devices", serial_devices},
+                               {"sound", sound},
                                {"recording", recording},
                                {"camera_frame", camera_frame},
                                {"camera_url", camera_url},

@@ -176,12 +176,16 @@ inline void hand(std::string_view text) {
   }
 }
 
-/// The presses of a script are in order and each is one key or a touch.
+/// The presses of a script are in order and each is one key, a code of the remote control or a
+/// touch.
 inline void keys(std::string_view text) {
   try {
     Time last{0};
     for (const robios::ScriptedKey& key : robios::parse_key_script(text)) {
-      if (key.at < last || key.key < 0 || key.key > 8) found();
+      if (key.at < last || key.key < 0 || key.key > 8 || key.remote < 0 || key.remote > 255 ||
+          (key.key != 0 && key.remote != 0)) {
+        found();
+      }
       last = key.at;
     }
   } catch (const ConfigError&) {  // the input is no script

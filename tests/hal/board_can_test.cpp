@@ -31,6 +31,13 @@ class BoardCan : public CanBench {
     }
   }
 
+  /// S_Status: 7.4 V, microphone at 0x0800, the key that is held, and the uptime, which must not go
+  /// back.
+  void send_status(int key) {
+    const auto uptime = static_cast<int>((clock.now() - robot.started) / 100ms);
+    robot.send(0x2A, {0xE4, 0x02, 0x00, 0x08, key, uptime & 0xFF, uptime >> 8, 0});
+  }
+
   CanLink* link = nullptr;
   std::unique_ptr<BoardBackend> backend;
 };
@@ -149,6 +156,46 @@ TEST_F(BoardCan, TheLidarGivesTheRaysThatAreAskedFor) {
   EXPECT_EQ(ranges[0], 3.0);  // ahead
   EXPECT_EQ(lidar->configure(2 * kPi, 0, 5).error().code, Errc::OutOfRange);
   EXPECT_EQ(lidar->configure(2 * kPi, 0.3, 4).error().code, Errc::OutOfRange);
+}
+
+TEST_F(BoardCan, AKeyOfTheRemoteControlIsReportedOnceWhileItIsHeld) {
+  const auto held = [&](int key) {
+    send_status(key);
+    link->client().pump(clock.now() + 1ms);
+  };
+  held(0);
+  EXPECT_EQ(backend->remote()->read().value(), 0);
+  held('5');
+  EXPECT_EQ(backend->remote()->read().value(), '5');
+  EXPECT_EQ(backend->remote()->read().value(), 0);
+  held(0);
+  EXPECT_EQ(backend->remote()->read().value(), 0);
+  held('5');
+  EXPECT_EQ(backend->remote()->read().value(), '5');
+  held('6');
+  EXPECT_EQ(backend->remote()->read().value(), '6');
+}
+
+TEST_F(BoardCan, LinesAndInputsAreInItsFrames) {
+  ASSERT_TRUE(backend->digital()->setup(16, LineMode::PullUp));
+  ASSERT_TRUE(backend->digital()->write(9, true));
+  robot.step();
+  EXPECT_EQ(robot.last(0x27), "271#0F02");
+  EXPECT_EQ(robot.last(0x26), "261#00010001");
+  robot.send(0x1F, {0x80, 0x01, 0x00, 0x0F, 0xFF, 0x00});
+  robot.send(0x28, {1, 0, 2, 0, 3, 0, 0xFF, 0xFF});
+  robot.send(0x29, {5, 0, 6, 0, 7, 0, 8, 0});
+  send_status(0);
+  link->client().pump(clock.now() + 1ms);
+  EXPECT_EQ(backend->digital()->read_all().value(), 0x0180);
+  EXPECT_TRUE(backend->digital()->read(8).value());
+  EXPECT_FALSE(backend->digital()->read(1).value());
+  EXPECT_EQ(backend->analog()->read(2).value(), 3);
+  EXPECT_EQ(backend->analog()->read(7).value(), 8);
+  EXPECT_EQ(backend->analog()->read(8).value(), 0x0800);
+  EXPECT_EQ(backend->analog()->read(3).error().code, Errc::Unsupported);
+  EXPECT_NEAR(backend->analog()->supply_voltage().value(), 7.4, 1e-9);
+  EXPECT_EQ(backend->io_board()->version().value().size(), 4u);
 }
 
 }  // namespace

@@ -159,5 +159,38 @@ TEST_F(BoardIo7, AnIdleBoardHearsFromUsMoreOftenThanItsWatchdogWaits) {
   }
 }
 
+TEST_F(BoardIo7, LinesArePortsFromZeroAndAreToldAgainAfterARestart) {
+  BoardPeer peer("M e c o");
+  const auto robot = peer.make_backend(default_board_tables());
+  ASSERT_NE(robot->digital(), nullptr);
+  EXPECT_EQ(robot->digital()->read_all().error().code, Errc::Unsupported);  // no letter I
+  peer.told.clear();
+  ASSERT_TRUE(robot->digital()->setup(16, LineMode::Input));
+  ASSERT_TRUE(robot->digital()->setup(1, LineMode::Output));
+  ASSERT_TRUE(robot->digital()->write(1, true));
+  EXPECT_EQ(peer.told, "c 15 i\rc 0 o\ro 0 1\r");
+  peer.line->gone = true;
+  peer.live(*robot, 300ms);
+  EXPECT_EQ(robot->digital()->write(2, true).error().code, Errc::Disconnected);
+  peer.told.clear();
+  peer.plug_in();
+  peer.live(*robot, 3s);
+  EXPECT_THAT(peer.told, HasSubstr("o 0 1\rc 0 o\r"));
+  EXPECT_THAT(peer.told, HasSubstr("o 1 1\r"));
+  EXPECT_THAT(peer.told, HasSubstr("c 15 i\r"));
+}
+
+TEST_F(BoardIo7, KnowsItsVersionAndItsVoltage) {
+  open();
+  EXPECT_EQ(backend->io_board()->version().value(), board.version);
+  EXPECT_NEAR(backend->analog()->supply_voltage().value(), board.battery_cv / 100.0, 1e-9);
+  EXPECT_EQ(backend->analog()->read(0).value(), board.analog_0);
+  EXPECT_EQ(backend->digital(), nullptr);
+  EXPECT_EQ(backend->remote(), nullptr);
+  EXPECT_EQ(backend->radio(), nullptr);
+  EXPECT_EQ(backend->sound(), nullptr);
+  EXPECT_EQ(backend->serial_port(0), nullptr);
+}
+
 }  // namespace
 }  // namespace eyebridge::hal::testing

@@ -32,6 +32,13 @@ class Worldless final : public Backend {
   Motor* motor(int id) override { return inner_->motor(id); }
   Encoder* encoder(int id) override { return inner_->encoder(id); }
   Servo* servo(int id) override { return inner_->servo(id); }
+  DigitalLines* digital() override { return inner_->digital(); }
+  AnalogInputs* analog() override { return inner_->analog(); }
+  IoBoard* io_board() override { return nullptr; }
+  Remote* remote() override { return nullptr; }
+  SerialPort* serial_port(int) override { return nullptr; }
+  Sound* sound() override { return nullptr; }
+  Radio* radio() override { return nullptr; }
   WorldControl* world() override { return nullptr; }
   camera::View* camera_view() override { return nullptr; }
   camera::Source* camera_source() override { return nullptr; }

@@ -25,6 +25,8 @@
 #define LINE_MAX 80
 #define TIMEOUT 5
 
+enum { NONE = 3, RTSCTS = 4 };
+
 static const int PSD_DOWN = 6;
 
 static int x = 1, y = 1, phi = 1, i = 1, t = 1, speed = 1, distance = 1, push = 1, map = 1;
@@ -39,5 +41,5 @@ int free_names_in_use(void);
 int free_names_in_use(void) {
   return x + y + phi + i + t + speed + distance + push + map + image + img + nodes + next + pool +
          path + points + step + stop + scan + mark + wall + width + vector + error + pi + update() +
-         drive() + straight() + turn_left() + PSD_DOWN;
+         drive() + straight() + turn_left() + PSD_DOWN + NONE + RTSCTS;
 }

@@ -59,6 +59,13 @@ TEST(HeaderValues, SensorsHaveTheCurrentNumbers) {
   EXPECT_EQ(PSD_BACK, 4);
 }
 
+TEST(HeaderValues, KeysOfTheRemoteControlAreCharacters) {
+  EXPECT_EQ(IRTV_0, '0');
+  EXPECT_EQ(IRTV_9, '9');
+  EXPECT_EQ(IRTV_RED, 'R');
+  EXPECT_EQ(IRTV_RIGHT, '>');
+}
+
 TEST(HeaderValues, FunctionsHaveTheSignaturesThatProgramsUse) {
   EXPECT_TRUE((std::is_same_v<decltype(&VWGetPosition), int (*)(int*, int*, int*)>));
   EXPECT_TRUE((std::is_same_v<decltype(&VWCurve), int (*)(int, int, int)>));
@@ -66,6 +73,12 @@ TEST(HeaderValues, FunctionsHaveTheSignaturesThatProgramsUse) {
   EXPECT_TRUE((std::is_same_v<decltype(&OSAttachTimer), TIMER (*)(int, void (*)(void))>));
   EXPECT_TRUE((std::is_same_v<decltype(&LCDSetPrintf), int (*)(int, int, const char*, ...)>));
   EXPECT_TRUE((std::is_same_v<decltype(&SIMSetRobot), int (*)(int, int, int, int, int)>));
+  EXPECT_TRUE((std::is_same_v<decltype(&DIGITALSetup), int (*)(int, char)>));
+  EXPECT_TRUE((std::is_same_v<decltype(&ANALOGTransfer), int (*)(BYTE*)>));
+  EXPECT_TRUE((std::is_same_v<decltype(&SERReceiveChar), char (*)(int)>));
+  EXPECT_TRUE((std::is_same_v<decltype(&SERReceive), int (*)(int, char*, int)>));
+  EXPECT_TRUE((std::is_same_v<decltype(&RADIOReceive), int (*)(int*, char*, int)>));
+  EXPECT_TRUE((std::is_same_v<decltype(&RADIOStatus), int (*)(int*)>));
   EXPECT_TRUE((std::is_same_v<decltype(&EYEBRIDGELastError), const char* (*)(void)>));
 }
 

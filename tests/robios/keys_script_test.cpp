@@ -36,6 +36,18 @@ TEST(KeyScript, NamesTouches) {
   EXPECT_EQ(script[0], (ScriptedKey{milliseconds(1500), 0, {120, 80}}));
 }
 
+TEST(KeyScript, NamesKeysOfTheRemoteControl) {
+  const auto script = parse_key_script("IRTV_7@1s,IRTV_RIGHT@2s,IRTV_RED@3s,IRTV_POWER@4s");
+  ASSERT_EQ(script.size(), 4u);
+  EXPECT_EQ(script[0], (ScriptedKey{seconds(1), 0, {}, '7'}));
+  EXPECT_EQ(script[1], (ScriptedKey{seconds(2), 0, {}, '>'}));
+  EXPECT_EQ(script[2], (ScriptedKey{seconds(3), 0, {}, 'R'}));
+  EXPECT_EQ(script[3], (ScriptedKey{seconds(4), 0, {}, 'P'}));
+  EXPECT_EQ(error_of("IRTV_MUTE@1s").substr(0, 48),
+            "--keys:1:6: found 'MUTE@1s', expected a key of t");
+  EXPECT_NE(error_of("IRTV_12@1s"), "no error");
+}
+
 TEST(KeyScript, KeepsTheOrderOfKeysAtTheSameTime) {
   const auto script = parse_key_script("KEY3@1s,KEY1@1s");
   EXPECT_EQ(script.at(0).key, 4);
@@ -50,7 +62,7 @@ TEST(KeyScript, MayBeEmpty) {
 TEST(KeyScript, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(error_of("KEY5@2s"), "--keys:1:4: found '5@2s', expected a key number 1..4");
   EXPECT_EQ(error_of("KEY1@2s,kex"),
-            "--keys:1:9: found 'kex', expected KEY1..KEY4 or a touch like 120:80");
+            "--keys:1:9: found 'kex', expected KEY1..KEY4, IRTV_5 or a touch like 120:80");
   EXPECT_EQ(error_of("KEY1"), "--keys:1:5: found nothing, expected '@' and a time");
   EXPECT_EQ(error_of("KEY1@"), "--keys:1:6: found nothing, expected a time like 2s, 250ms or 1min");
   EXPECT_EQ(error_of("KEY1@-2s"), "--keys:1:6: found '-2s', expected a time from 0 s to 1e9 s");

@@ -192,5 +192,25 @@ TEST(KeysTouch, IsScriptedAndWaitedFor) {
   EXPECT_EQ(keys.wait_touch(on(clock)).error().code, Errc::Unsupported);
 }
 
+TEST(KeysRemote, CodesWaitApartFromKeysUntilTheyAreAskedFor) {
+  FakeClock clock;
+  Keys keys(clock, parse_key_script("IRTV_1@1s,KEY1@1s,IRTV_2@2s,IRTV_3@5s"), nullptr);
+  EXPECT_EQ(keys.read_remote(), 0);
+  EXPECT_EQ(keys.wait_remote(on(clock)).value(), '1');
+  EXPECT_EQ(clock.now(), seconds(1));
+  clock.wait_until(seconds(2));
+  EXPECT_EQ(keys.read(), 1);
+  EXPECT_EQ(keys.read(), 0);
+  EXPECT_EQ(keys.read_remote(), '2');
+  keys.press_remote(77);
+  keys.press_remote(0);
+  keys.press_remote(256);
+  EXPECT_EQ(keys.read_remote(), 77);
+  clock.wait_until(seconds(6));
+  keys.flush_remote();
+  EXPECT_EQ(keys.read_remote(), 0);
+  EXPECT_EQ(keys.wait_remote(on(clock)).error().code, Errc::Unsupported);
+}
+
 }  // namespace
 }  // namespace eyebridge::robios

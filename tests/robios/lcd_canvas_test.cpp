@@ -179,5 +179,25 @@ TEST(CanvasScroll, MovesRowsUpAndFillsTheGap) {
   EXPECT_EQ(canvas.at(1, 3).r, 4);
 }
 
+TEST(CanvasInvert, TurnsEveryColourIntoItsOppositeAndBack) {
+  Canvas canvas(20, 10);
+  canvas.area(0, 0, 19, 9, {10, 0, 255}, true);
+  const std::vector<Rgb> before = canvas.pixels();
+  canvas.invert_pixel(3, 4);
+  EXPECT_EQ(canvas.at(3, 4), (Rgb{245, 255, 0}));
+  canvas.invert_pixel(3, 4);
+  canvas.invert_line(-50, -30, 100, 70);
+  EXPECT_NE(canvas.pixels(), before);
+  canvas.invert_line(-50, -30, 100, 70);
+  canvas.invert_area(15, 8, 5, 2);
+  EXPECT_EQ(canvas.at(5, 2), (Rgb{245, 255, 0}));
+  EXPECT_EQ(canvas.at(15, 8), (Rgb{245, 255, 0}));
+  EXPECT_EQ(canvas.at(4, 2), (Rgb{10, 0, 255}));
+  canvas.invert_area(5, 2, 15, 8);
+  canvas.invert_pixel(-1, 0);
+  canvas.invert_area(INT_MIN, INT_MIN, -1, INT_MAX);
+  EXPECT_EQ(canvas.pixels(), before);
+}
+
 }  // namespace
 }  // namespace eyebridge::robios

@@ -37,11 +37,12 @@ tl::unexpected<Error> cannot_open(const std::string& device, int error) {
 }
 
 /// What cfmakeraw() sets, and no hanging up on close: DTR would reset many boards.
-void make_raw(termios2& settings, unsigned baud) {
+void make_raw(termios2& settings, unsigned baud, bool handshake) {
   settings.c_iflag = 0;
   settings.c_oflag = 0;
   settings.c_lflag = 0;
-  settings.c_cflag = BOTHER | CS8 | CREAD | CLOCAL;  // without HUPCL, CRTSCTS, PARENB, CSTOPB
+  settings.c_cflag = BOTHER | CS8 | CREAD | CLOCAL;  // without HUPCL, PARENB, CSTOPB
+  if (handshake) settings.c_cflag |= CRTSCTS;
   settings.c_ispeed = baud;
   settings.c_ospeed = baud;
   settings.c_cc[VMIN] = 1;
@@ -67,7 +68,7 @@ Result<std::unique_ptr<ByteStream>> open_serial(const SerialSettings& settings, 
   }
   if (::ioctl(fd.get(), TIOCEXCL) != 0) return cannot_open(device, errno);
 
-  make_raw(terminal, settings.baud);
+  make_raw(terminal, settings.baud, settings.handshake);
   if (::ioctl(fd.get(), TCSETS2, &terminal) != 0 || ::ioctl(fd.get(), TCGETS2, &terminal) != 0) {
     return fail(Errc::Unsupported, device + ": cannot be set to " + std::to_string(settings.baud) +
                                        " bits per second: " + errno_text(errno));

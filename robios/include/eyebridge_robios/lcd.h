@@ -61,6 +61,17 @@ int LCDLine(int x1, int y1, int x2, int y2, COLOR col);
 int LCDArea(int x1, int y1, int x2, int y2, COLOR col, int fill);
 /** Circle around (x1,y1); size is the radius, 0 draws one pixel. 1 for a negative size. */
 int LCDCircle(int x1, int y1, int size, COLOR col, int fill);
+/*
+ * Of older libraries; in no current manual, but in the published library: every colour there
+ * becomes its opposite. Both ends and corners belong to it. (LCDList and its list menus are not
+ * there: only the library of 2013 had them.)
+ */
+/** Inverts one pixel. */
+int LCDPixelInvert(int x, int y);
+/** Inverts a straight line. */
+int LCDLineInvert(int x1, int y1, int x2, int y2);
+/** Inverts a filled rectangle. */
+int LCDAreaInvert(int x1, int y1, int x2, int y2);
 /** Mode (QQVGA …) of the images that follow, placed at 0, 0. QVGA at the start, then CAMInit()'s.
  */
 int LCDImageSize(int t);

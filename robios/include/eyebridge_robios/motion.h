@@ -67,9 +67,14 @@ int VWDone(void);
 int VWWait(void);
 /** Motors that are stuck: 0 none, 1 left, 2 right, 3 both. */
 int VWStalled(void);
-/** Parameters of the v and w controllers; typical 70, 30, 70, 10. In simulation always 1. */
+/**
+ * Switches v-omega control on, the robot standing, with gains of the v and w controllers: 70, 30,
+ * 70, 10 are typical, 0..255 are accepted, else 1. It is on already when a program starts.
+ * Simulated robots and our host-side controller regulate by themselves, and no board is known to
+ * take gains: they change nothing.
+ */
 int VWControl(int Vv, int Tv, int Vw, int Tw);
-/** Switches the v-omega controller off. In simulation always 1: it cannot be. */
+/** Switches v-omega control off: the wheels stop, until the next MOTOR or VW command. */
 int VWControlOff(void);
 
 /* Old names of VWRemain(), VWDone() and VWWait(). */

@@ -4,7 +4,8 @@
 #define EYEBRIDGE_ROBIOS_SENSORS_H
 
 /**
- * Distance in mm; psd is PSD_FRONT … or any number of the robot file. Nothing within reach gives
+ * Distance in mm; psd is PSD_FRONT … or any number of the robot file (with the setting psd_numbers
+ * 2015, 1 and 2 exchanged). Nothing within reach gives
  * the sensor's largest value, 9999 unless the robot file says otherwise. -1 for a sensor that the
  * robot does not have or has lost (EyeSim gives 0, which a near wall gives too); the reason is in
  * EYEBRIDGELastError().

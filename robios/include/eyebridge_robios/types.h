@@ -160,9 +160,14 @@ typedef BYTE CAM5MPgray[CAM5MP_PIXELS];
 #define MENU_HEIGHT 38
 
 /*
- * PSD numbers of the current robots. Programs before 2018 took 1 for left and 2 for front; the
- * numbers belong to the robot file. There is no PSD_DOWN: programs define their own.
+ * PSD numbers of the current robots. Programs before 2018 took 1 for left and 2 for front; compile
+ * those with -DEYEBOT_PSD_2015, and run them with --psd-numbers 2015, or with a robot file that has
+ * these numbers. There is no PSD_DOWN: programs define their own.
  */
+#ifdef EYEBOT_PSD_2015
+#define PSD_LEFT 1
+#define PSD_FRONT 2
+#endif
 #ifndef PSD_FRONT
 #define PSD_FRONT 1
 #endif

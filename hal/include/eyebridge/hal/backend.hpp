@@ -1,12 +1,19 @@
 #pragma once
 
 #include "eyebridge/base/clock.hpp"
+#include "eyebridge/hal/analog_inputs.hpp"
 #include "eyebridge/hal/compass.hpp"
+#include "eyebridge/hal/digital_lines.hpp"
 #include "eyebridge/hal/drive.hpp"
+#include "eyebridge/hal/io_board.hpp"
 #include "eyebridge/hal/lidar.hpp"
 #include "eyebridge/hal/motor.hpp"
+#include "eyebridge/hal/radio.hpp"
 #include "eyebridge/hal/range_sensor.hpp"
+#include "eyebridge/hal/remote.hpp"
+#include "eyebridge/hal/serial_port.hpp"
 #include "eyebridge/hal/servo.hpp"
+#include "eyebridge/hal/sound.hpp"
 #include "eyebridge/hal/switch_sensor.hpp"
 #include "eyebridge/hal/trace.hpp"
 #include "eyebridge/hal/world_control.hpp"
@@ -21,9 +28,9 @@ namespace eyebridge::hal {
 
 /// One robot, whichever way it is reached. Owns its devices; null means "this robot has none".
 ///
-/// Device ids are those of RoBIOS: they start at 1, and any other number, too, is "this robot has
-/// none". Lookups never fail otherwise, and give the same device every time; it lives as long as
-/// the backend. Lookups and devices: any thread.
+/// Device ids are those of RoBIOS: they start at 1 (serial ports at 0), and any other number, too,
+/// is "this robot has none". Lookups never fail otherwise, and give the same device every time; it
+/// lives as long as the backend. Lookups and devices: any thread.
 class Backend {
  public:
   virtual ~Backend() = default;
@@ -46,6 +53,18 @@ class Backend {
   virtual Encoder* encoder(int id) = 0;
   /// 1 is the camera's pan, 2 its tilt, where there are such.
   virtual Servo* servo(int id) = 0;
+  virtual DigitalLines* digital() = 0;
+  virtual AnalogInputs* analog() = 0;
+  /// Null for simulated robots.
+  virtual IoBoard* io_board() = 0;
+  /// A receiver of infrared codes that is part of the robot.
+  virtual Remote* remote() = 0;
+
+  // Of the computer that the program runs on: what --serial, --player and --radio say.
+  /// 0 is the serial port, 1 … 20 are USB devices.
+  virtual SerialPort* serial_port(int id) = 0;
+  virtual Sound* sound() = 0;
+  virtual Radio* radio() = 0;
 
   /// Null on real hardware.
   virtual WorldControl* world() = 0;

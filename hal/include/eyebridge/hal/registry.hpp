@@ -27,6 +27,8 @@ struct BackendFactory {
   std::unique_ptr<Backend> (*open)(const BackendUrl& url, const BackendContext& context);
   /// Opening it does something to the world outside (a board starts): not to be done for a check.
   bool has_effects = false;
+  /// It answers for the computer, too: serial ports, sound, radio.
+  bool answers_for_host = false;
 };
 
 /// All backends, in order of preference.

@@ -7,10 +7,11 @@
 
 namespace eyebridge::bridges {
 
-/// How a serial port is set up: always 8 data bits, no parity, 1 stop bit, no flow control.
+/// How a serial port is set up: always 8 data bits, no parity, 1 stop bit.
 struct SerialSettings {
   std::string device;      ///< "/dev/ttyACM0" or a link to it.
   unsigned baud = 115200;  ///< Bits per second; USB boards (CDC-ACM) ignore it.
+  bool handshake = false;  ///< RTS and CTS hold back the sender; else nothing does.
 };
 
 /// Opens `settings.device` for this process alone: locked against others, raw before a byte passes,

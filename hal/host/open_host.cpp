@@ -1,0 +1,96 @@
+#include "host/open_host.hpp"
+
+#include <cstdlib>
+#include <utility>
+
+#include "eyebridge/files/hdt.hpp"
+#include "eyebridge/files/readers.hpp"
+#include "host/host_backend.hpp"
+#include "host/host_serial.hpp"
+#include "host/host_sound.hpp"
+#include "host/serial_devices.hpp"
+#include "radio/radio_medium.hpp"
+#include "radio/radio_setting.hpp"
+#include "radio/udp_radio.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+using Medium = RadioSetting::Medium;
+
+/// What `parse` makes of the setting `key`; its mistakes are where the setting was made.
+template <class Parse>
+auto read_setting(const Config& config, const char* key, Parse&& parse) {
+  const ConfigValue& value = config.value(key);
+  try {
+    return parse(value.text, SourceLocation{});
+  } catch (const ConfigError& error) {
+    throw error_in(value, error);
+  }
+}
+
+RadioSetting radio_setting(const Config& config) {
+  RadioSetting setting = read_setting(config, "radio", parse_radio);
+  if (setting.medium == Medium::Udp && config.boolean("fast")) {
+    throw ConfigError(config.value("radio").where,
+                      "found a radio among processes, which live in real time, and this robot in "
+                      "virtual time; expected all in real time: leave --fast out");
+  }
+  return setting;
+}
+
+SerialDevices serial_devices(const Config& config) {
+  SerialDevices devices = read_setting(config, "serial", parse_serial_devices);
+  if (!config.is_set("hdt")) return devices;
+  const std::string path = config.path("hdt").string();
+  std::vector<Warning> known;  // the board tells them
+  const files::Hdt hdt = files::read_hdt(files::read_text_file(path), path, known);
+  for (const files::HdtSerial& line : hdt.serials) {
+    // What the user says goes before what the file says.
+    devices.emplace(line.id, line.device.empty() ? line.name : line.device);
+  }
+  return devices;
+}
+
+std::unique_ptr<Sound> make_sound(const Config& config, Clock& clock) {
+  const std::string player = config.text("player");
+  if (clock.is_virtual() || player == "none") return make_silent_sound(clock);
+  const char* const path = std::getenv("PATH");
+  return make_played_sound(player, path == nullptr ? "" : path);
+}
+
+std::unique_ptr<Radio> make_radio(Backend& robot, const BackendContext& context) {
+  const RadioSetting setting = radio_setting(context.config);
+  const RadioErrors errors{setting.loss, setting.delay,
+                           static_cast<std::uint64_t>(context.config.integer("seed"))};
+  const int id = setting.id.value_or(robot.robot_id());
+  switch (setting.medium) {
+    case Medium::None:
+      return nullptr;
+    case Medium::World:
+      return make_medium_radio(std::make_shared<RadioMedium>(errors), id, robot.clock());
+    case Medium::Udp:
+      return make_udp_radio(setting, id, errors, robot.clock(), context.log);
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void check_host_settings(const Config& config) {
+  static_cast<void>(radio_setting(config));
+  static_cast<void>(read_setting(config, "serial", parse_serial_devices));
+}
+
+std::unique_ptr<Backend> with_host_devices(std::unique_ptr<Backend> inner,
+                                           const BackendContext& context) {
+  HostDevices devices;
+  for (auto& [id, device] : serial_devices(context.config)) {
+    devices.serial_ports.emplace(id, std::make_unique<HostSerial>(id, device));
+  }
+  devices.sound = make_sound(context.config, inner->clock());
+  devices.radio = make_radio(*inner, context);
+  return with_host(std::move(inner), std::move(devices));
+}
+
+}  // namespace eyebridge::hal

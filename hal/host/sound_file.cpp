@@ -1,0 +1,41 @@
+#include "host/sound_file.hpp"
+
+#include <cerrno>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+#include <vector>
+
+namespace eyebridge::hal {
+namespace {
+
+constexpr std::uintmax_t kMostBytes = 256U << 20U;
+
+tl::unexpected<Error> unreadable(const std::string& path, const std::string& why) {
+  return fail(Errc::OutOfRange, "sound: " + path + ": " + why);
+}
+
+}  // namespace
+
+Result<SoundFacts> read_sound_file(const std::string& path) {
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error) return unreadable(path, error.message());
+  if (size > kMostBytes) return unreadable(path, "expected at most 256 MB");
+  std::vector<std::uint8_t> bytes(size);
+  std::ifstream file(path, std::ios::binary);
+  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  if (!file) return unreadable(path, std::generic_category().message(errno));
+  auto facts = read_sound(bytes);
+  if (!facts) return fail(facts.error().code, "sound: " + path + ": " + facts.error().what);
+  return facts;
+}
+
+Result<void> check_tone(double frequency, double duration) {
+  if (frequency >= 20 && frequency <= 20000 && duration > 0 && duration <= 60) return {};
+  return fail(Errc::OutOfRange, "sound: got " + std::to_string(frequency) + " Hz for " +
+                                    std::to_string(duration) +
+                                    " s, expected 20 … 20000 Hz for at most 60 s");
+}
+
+}  // namespace eyebridge::hal

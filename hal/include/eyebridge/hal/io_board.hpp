@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "eyebridge/base/result.hpp"
+
+namespace eyebridge::hal {
+
+/// The I/O board of a robot, as a thing of its own. The backend owns it; any thread.
+class IoBoard {
+ public:
+  virtual ~IoBoard() = default;
+
+  /// Version of its firmware, printable characters, as the board says it. Fails with Timeout or
+  /// Disconnected.
+  virtual Result<std::string> version() = 0;
+};
+
+}  // namespace eyebridge::hal

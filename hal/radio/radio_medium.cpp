@@ -1,0 +1,87 @@
+#include "radio/radio_medium.hpp"
+
+#include <atomic>
+
+namespace eyebridge::hal {
+namespace {
+
+class MediumRadio final : public Radio {
+ public:
+  MediumRadio(std::shared_ptr<RadioMedium> medium, int id, Clock& clock)
+      : medium_(std::move(medium)), id_(id), clock_(clock) {}
+  ~MediumRadio() override { medium_->leave(id_); }
+  MediumRadio(const MediumRadio&) = delete;
+  MediumRadio& operator=(const MediumRadio&) = delete;
+
+  [[nodiscard]] int id() const override { return id_; }
+  Result<void> start() override {
+    medium_->join(id_);
+    on_ = true;
+    return {};
+  }
+  Result<void> stop() override {
+    if (!on_.exchange(false)) return {};
+    medium_->leave(id_);
+    return {};
+  }
+  Result<void> send(int receiver, const std::string& text) override {
+    if (!on_) return radio_is_off();
+    return check_message(receiver, text).map([&] {
+      medium_->send(receiver, {id_, text}, clock_.now());
+    });
+  }
+  Result<std::optional<RadioMessage>> receive() override {
+    if (!on_) return radio_is_off();
+    return medium_->take(id_, clock_.now());
+  }
+  Result<std::vector<int>> robots() override {
+    if (!on_) return radio_is_off();
+    return medium_->robots();
+  }
+
+ private:
+  const std::shared_ptr<RadioMedium> medium_;
+  const int id_;
+  Clock& clock_;
+  std::atomic<bool> on_ = false;
+};
+
+}  // namespace
+
+void RadioMedium::join(int id) {
+  const std::lock_guard lock(mutex_);
+  inboxes_.try_emplace(id, id, errors_);
+}
+
+void RadioMedium::leave(int id) {
+  const std::lock_guard lock(mutex_);
+  inboxes_.erase(id);
+}
+
+void RadioMedium::send(int receiver, const RadioMessage& message, Time now) {
+  const std::lock_guard lock(mutex_);
+  for (auto& [id, inbox] : inboxes_) {
+    const bool is_meant = receiver == Radio::kEveryone ? id != message.sender : id == receiver;
+    if (is_meant) inbox.add(message, now);
+  }
+}
+
+std::optional<RadioMessage> RadioMedium::take(int id, Time now) {
+  const std::lock_guard lock(mutex_);
+  const auto inbox = inboxes_.find(id);
+  return inbox == inboxes_.end() ? std::nullopt : inbox->second.take(now);
+}
+
+std::vector<int> RadioMedium::robots() {
+  const std::lock_guard lock(mutex_);
+  std::vector<int> ids;
+  for (const auto& [id, inbox] : inboxes_) ids.push_back(id);
+  return ids;
+}
+
+std::unique_ptr<Radio> make_medium_radio(std::shared_ptr<RadioMedium> medium, int id,
+                                         Clock& clock) {
+  return std::make_unique<MediumRadio>(std::move(medium), id, clock);
+}
+
+}  // namespace eyebridge::hal

@@ -1,0 +1,92 @@
+#include "radio/radio_setting.hpp"
+
+#include <charconv>
+
+#include <arpa/inet.h>
+
+#include "eyebridge/base/text.hpp"
+#include "eyebridge/base/url.hpp"
+#include "eyebridge/hal/radio.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+constexpr double kLongestDelay = 3600;  // seconds
+
+[[noreturn]] void reject(const SourceLocation& where, std::string_view found,
+                         const char* expected) {
+  throw ConfigError(where, "found " + in_quotes(found) + ", expected " + expected);
+}
+
+template <class Number>
+bool is_number(std::string_view text, Number& value) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && end == text.data() + text.size();
+}
+
+bool is_address(const std::string& text, in_addr& address) {
+  return ::inet_pton(AF_INET, text.c_str(), &address) == 1;
+}
+
+void read_target(std::string_view rest, const SourceLocation& where, RadioSetting& out) {
+  constexpr const char* kExpected = "udp:GROUP:PORT with a multicast group, as 239.192.7.1:7007";
+  const std::size_t colon = rest.rfind(':');
+  if (colon == std::string_view::npos) reject(where, rest, kExpected);
+  out.group = rest.substr(0, colon);
+  in_addr address{};
+  if (!is_address(out.group, address) || !IN_MULTICAST(ntohl(address.s_addr)) ||
+      !is_number(rest.substr(colon + 1), out.port) || out.port == 0) {
+    reject(where, rest, kExpected);
+  }
+}
+
+void read_option(std::string_view key, const std::string& value, const SourceLocation& where,
+                 RadioSetting& out) {
+  if (key == "id") {
+    int id = 0;
+    if (!is_number(value, id) || id < Radio::kFirstId || id > Radio::kLastId) {
+      reject(where, value, "the number of a robot, 1 … 255, for 'id'");
+    }
+    out.id = id;
+  } else if (key == "loss") {
+    double percent = 0;
+    const std::string_view digits =
+        std::string_view(value).substr(0, value.find_last_not_of('%') + 1);
+    if (digits.size() + 1 != value.size() || !is_number(digits, percent) ||
+        !(percent >= 0 && percent <= 100)) {
+      reject(where, value, "a share of the messages, 0% to 100%, for 'loss'");
+    }
+    out.loss = percent / 100;
+  } else if (key == "delay") {
+    const double seconds = parse_duration(value, where);
+    if (seconds > kLongestDelay) reject(where, value, "at most an hour for 'delay'");
+    out.delay = from_seconds(seconds);
+  } else if (key == "interface" && out.medium == RadioSetting::Medium::Udp) {
+    in_addr address{};
+    if (!is_address(value, address)) reject(where, value, "an IPv4 address for 'interface'");
+    out.interface = value;
+  } else {
+    reject(where, key, "one of the options id, loss, delay, and of udp: interface");
+  }
+}
+
+}  // namespace
+
+RadioSetting parse_radio(std::string_view text, const SourceLocation& where) {
+  const Url url = parse_url(text, where);
+  RadioSetting setting;
+  if (url.scheme == "udp") {
+    setting.medium = RadioSetting::Medium::Udp;
+    read_target(url.rest, where, setting);
+  } else if (!url.rest.empty() || (url.scheme != "world" && url.scheme != "none")) {
+    reject(where, text, "world, none or udp:GROUP:PORT");
+  }
+  if (url.scheme == "none") {
+    setting.medium = RadioSetting::Medium::None;
+    if (!url.options.empty()) reject(where, text, "none without options");
+  }
+  for (const auto& [key, value] : url.options) read_option(key, value, where, setting);
+  return setting;
+}
+
+}  // namespace eyebridge::hal

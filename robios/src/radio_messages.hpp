@@ -1,0 +1,51 @@
+#pragma once
+
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "eyebridge/base/result.hpp"
+#include "eyebridge/hal/radio.hpp"
+
+namespace eyebridge::robios {
+
+/// Messages that a program has been told of and has not received: a radio hands each over once, and
+/// programs want to know first whether there is one. Any thread.
+class RadioMessages {
+ public:
+  /// How many wait.
+  Result<std::size_t> count(hal::Radio& radio) {
+    const std::lock_guard lock(mutex_);
+    return fetch(radio).map([&] { return messages_.size(); });
+  }
+  /// The oldest one.
+  Result<std::optional<hal::RadioMessage>> take(hal::Radio& radio) {
+    const std::lock_guard lock(mutex_);
+    return fetch(radio).map([&]() -> std::optional<hal::RadioMessage> {
+      if (messages_.empty()) return std::nullopt;
+      std::optional<hal::RadioMessage> first = std::move(messages_.front());
+      messages_.pop_front();
+      return first;
+    });
+  }
+  void clear() {
+    const std::lock_guard lock(mutex_);
+    messages_.clear();
+  }
+
+ private:
+  Result<void> fetch(hal::Radio& radio) {
+    for (;;) {
+      auto message = radio.receive();
+      if (!message) return tl::unexpected(message.error());
+      if (!*message) return {};
+      messages_.push_back(std::move(**message));
+    }
+  }
+
+  std::mutex mutex_;
+  std::deque<hal::RadioMessage> messages_;
+};
+
+}  // namespace eyebridge::robios

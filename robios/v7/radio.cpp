@@ -1,0 +1,111 @@
+#include <algorithm>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "eyebot.h"
+#include "guarded.hpp"
+#include "radio_messages.hpp"
+
+namespace {
+
+using namespace eyebridge;
+using robios::Session;
+
+constexpr Time kRadioPoll = std::chrono::milliseconds(10);
+constexpr Time kPatience = std::chrono::hours(1);
+
+template <class Body>
+int with_radio(const char* call, int failure, Body&& body) {
+  return robios::guarded(call, failure, [&](Session& session) -> Result<int> {
+    hal::Radio* radio = session.backend().radio();
+    if (radio == nullptr) return fail(Errc::Unsupported, "this robot has no radio");
+    return body(*radio, session);
+  });
+}
+
+/// In virtual time an hour passes in no time: a program that is alone would wait for ever.
+void check_hope(hal::Radio& radio, Session& session, Time since) {
+  if (!session.clock().is_virtual() || session.clock().now() - since < kPatience) return;
+  const auto robots = radio.robots();
+  if (robots && robots->size() > 1) return;
+  session.abort_run({Errc::Unsupported,
+                     "waits for a radio message that can never come: no other robot of this world "
+                     "has its radio on; other programs are reached by --radio udp:…"});
+}
+
+Result<hal::RadioMessage> wait_for_message(hal::Radio& radio, Session& session) {
+  const Time since = session.clock().now();
+  while (session.may_call("RADIOReceive")) {
+    auto message = session.messages().take(radio);
+    if (!message) return tl::unexpected(message.error());
+    if (*message) return std::move(**message);
+    check_hope(radio, session, since);
+    session.wait_until(session.clock().now() + kRadioPoll);
+  }
+  return fail(Errc::Timeout, "the run has ended");
+}
+
+}  // namespace
+
+int RADIOInit(void) {
+  return with_radio("RADIOInit", 1, [](hal::Radio& radio, Session&) -> Result<int> {
+    return radio.start().map([] { return 0; });
+  });
+}
+
+int RADIOGetID(void) {
+  return with_radio("RADIOGetID", 0,
+                    [](hal::Radio& radio, Session&) -> Result<int> { return radio.id(); });
+}
+
+int RADIOSend(int id, const char* buf) {
+  return with_radio("RADIOSend", 1, [&](hal::Radio& radio, Session&) -> Result<int> {
+    if (buf == nullptr) return robios::null_pointer();
+    if (id == hal::Radio::kEveryone) {
+      return fail(Errc::OutOfRange, fmt::format("robot {}, expected 1..255", id));
+    }
+    return radio.send(id, buf).map([] { return 0; });
+  });
+}
+
+int RADIOReceive(int* id_no, char* buf, int size) {
+  return with_radio("RADIOReceive", -1, [&](hal::Radio& radio, Session& session) -> Result<int> {
+    if (buf == nullptr) return robios::null_pointer();
+    if (size < 1) return fail(Errc::OutOfRange, fmt::format("size {}, expected at least 1", size));
+    return wait_for_message(radio, session).map([&](const hal::RadioMessage& message) {
+      const std::size_t length = std::min(message.text.size(), static_cast<std::size_t>(size) - 1);
+      std::memcpy(buf, message.text.data(), length);
+      buf[length] = '\0';
+      if (id_no != nullptr) *id_no = message.sender;
+      return static_cast<int>(length);
+    });
+  });
+}
+
+int RADIOCheck(void) {
+  return with_radio("RADIOCheck", -1, [](hal::Radio& radio, Session& session) -> Result<int> {
+    return session.messages().count(radio).map(
+        [](std::size_t waiting) { return waiting > 0 ? 1 : 0; });
+  });
+}
+
+int RADIOStatus(int IDlist[]) {
+  return with_radio("RADIOStatus", 0, [&](hal::Radio& radio, Session&) -> Result<int> {
+    if (IDlist == nullptr) return robios::null_pointer();
+    return radio.robots().map([&](const std::vector<int>& ids) {
+      std::copy(ids.begin(), ids.end(), IDlist);
+      return static_cast<int>(ids.size());
+    });
+  });
+}
+
+int RADIORelease(void) {
+  return with_radio("RADIORelease", 1, [](hal::Radio& radio, Session& session) -> Result<int> {
+    session.messages().clear();
+    return radio.stop().map([] { return 0; });
+  });
+}
