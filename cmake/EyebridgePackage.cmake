@@ -32,7 +32,7 @@ set(for_installation "${CMAKE_BINARY_DIR}/for_installation")
 eyebridge_package_files("${CMAKE_BINARY_DIR}" "${CMAKE_SOURCE_DIR}/robios/include")
 eyebridge_package_files("${for_installation}" "@PREFIX@/include/eyebridge")
 
-install(TARGETS eyebridge_robios EXPORT EyeBridgeTargets LIBRARY DESTINATION lib)
+install(TARGETS eyebridge_robios eyebridge_classic EXPORT EyeBridgeTargets LIBRARY DESTINATION lib)
 install(TARGETS eyebridge_command RUNTIME DESTINATION bin)
 install(PROGRAMS "${for_installation}/bin/eyebridge-cc" "${for_installation}/bin/eyebridge-c++"
         DESTINATION bin)

@@ -25,6 +25,12 @@ bool is_reversed(int id, const BoardDriveShape& shape) {
   return (id == 1 && shape.left_reversed) || (id == 2 && shape.right_reversed);
 }
 
+/// 0 of an encoder that sits on no wheel of the drive.
+double ticks_per_metre(int id, const BoardDriveShape& shape) {
+  if (id == 1) return shape.left_ticks_per_metre;
+  return id == 2 ? shape.right_ticks_per_metre : 0.0;
+}
+
 }  // namespace
 
 BoardBackend::BoardBackend(std::unique_ptr<Clock> line_clock, std::unique_ptr<BoardLink> link,
@@ -51,6 +57,7 @@ BoardBackend::BoardBackend(std::unique_ptr<Clock> line_clock, std::unique_ptr<Bo
   for (const int id : tables.encoders) {
     if (link_->has_encoder(id)) {
       encoders_.try_emplace(id, *link_, id, is_reversed(id, tables.drive));
+      encoder_facts_.push_back({id, "", 0, ticks_per_metre(id, tables.drive)});
     }
   }
   for (const BoardServoTable& servo : tables.servos) {
@@ -107,6 +114,10 @@ void BoardBackend::trace() {
     ranges_.push_back(*range);
   }
   sink_->point({now, *pose, *twist, *pose, ranges_});
+}
+
+std::vector<DeviceFacts> BoardBackend::facts_of(std::string_view kind) {
+  return kind == "encoder" ? encoder_facts_ : std::vector<DeviceFacts>{};
 }
 
 void BoardBackend::trace_to(TraceSink* sink) {

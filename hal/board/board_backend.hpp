@@ -61,6 +61,8 @@ class BoardBackend final : public Backend {
   /// A point every 100 ms: each costs readings that the program does not get. Points that cannot be
   /// read are left out.
   void trace_to(TraceSink* sink) override;
+  /// The encoders' ticks per metre, as the HDT says.
+  std::vector<DeviceFacts> facts_of(std::string_view kind) override;
   void stop() noexcept override;
 
   [[nodiscard]] BoardLink& link() { return *link_; }
@@ -83,6 +85,7 @@ class BoardBackend final : public Backend {
   std::map<int, BoardMotor> motors_;
   std::map<int, BoardEncoder> encoders_;
   std::map<int, BoardServo> servos_;
+  std::vector<DeviceFacts> encoder_facts_;
 
   std::uint32_t generation_ = 0;  // only step()'s
   Time next_point_{0};

@@ -39,6 +39,7 @@ constexpr auto kSettings = std::to_array<Setting>({
     {"lcd", Kind::Size, "560x400", "size of the LCD, pixels", 160, 4096},
     {"mirror", Kind::Boolean, "false", "write the LCD's text to the terminal"},
     {"out", Kind::Path, "", "folder for pictures and trace; unset: none are written"},
+    {"id_as_ascii", Kind::Boolean, "false", "classic OSMachineID() gives '1', '2' instead of 1, 2"},
     {"record", Kind::Path, "", "file (.ebrec) for all exchanges with the devices, and frames"},
     {"record_frames", Kind::Text, "lossless", "how camera frames are kept in --record",
      -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),

@@ -56,6 +56,9 @@ class HandBackend final : public Backend {
   WorldControl* world() override { return inner_->world(); }
   camera::View* camera_view() override { return inner_->camera_view(); }
   camera::Source* camera_source() override { return &camera_; }
+  std::vector<DeviceFacts> facts_of(std::string_view kind) override {
+    return inner_->facts_of(kind);
+  }
   void trace_to(TraceSink* sink) override { inner_->trace_to(sink); }
   void stop() noexcept override {
     try {

@@ -88,6 +88,9 @@ class MixBackend final : public Backend {
     return view == views_.end() ? backend.camera_view() : view->second.get();
   }
   camera::Source* camera_source() override { return of("camera").camera_source(); }
+  std::vector<DeviceFacts> facts_of(std::string_view kind) override {
+    return of(kind).facts_of(kind);
+  }
   void trace_to(TraceSink* sink) override { main_->trace_to(sink); }
   void stop() noexcept override {
     for (const auto& backend : backends_) backend->stop();

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "eyebridge/base/units.hpp"
+
 namespace eyebridge::hal {
 namespace {
 
@@ -25,6 +27,13 @@ template <class Device>
 std::map<int, Device> make_pair_of(SimWorld& world, robot::RobotIndex robot) {
   std::map<int, Device> out;
   for (const unsigned i : {0U, 1U}) out.try_emplace(static_cast<int>(i) + 1, world, robot, i);
+  return out;
+}
+
+template <class Sensor>
+std::vector<DeviceFacts> facts_about(const std::vector<Sensor>& sensors) {
+  std::vector<DeviceFacts> out;
+  for (const Sensor& sensor : sensors) out.push_back({sensor.id, sensor.name, sensor.semantics});
   return out;
 }
 
@@ -58,6 +67,18 @@ SwitchSensor* SimBackend::bumper(int id) { return find(bumpers_, id); }
 Motor* SimBackend::motor(int id) { return find(motors_, id); }
 Encoder* SimBackend::encoder(int id) { return find(encoders_, id); }
 Servo* SimBackend::servo(int id) { return find(servos_, id); }
+
+std::vector<DeviceFacts> SimBackend::facts_of(std::string_view kind) {
+  const robot::RobotModel& model = world_->model(robot_);
+  if (kind == "psd") return facts_about(model.range_sensors);
+  if (kind == "proximity") return facts_about(model.proximity_sensors);
+  if (kind == "bumper") return facts_about(model.bumpers);
+  if (kind == "robot") return {{robot_id(), model.name}};
+  if (kind != "encoder") return {};
+  const double ticks_per_metre =
+      model.drive.ticks_per_revolution / (kPi * model.drive.wheel_diameter);
+  return {{1, "QUAD_LEFT", 0, ticks_per_metre}, {2, "QUAD_RIGHT", 0, ticks_per_metre}};
+}
 
 void SimBackend::stop() noexcept {
   world_->locked([&](auto& sim) { sim.stop(robot_); });

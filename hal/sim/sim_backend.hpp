@@ -50,6 +50,7 @@ class SimBackend final : public Backend {
   WorldControl* world() override { return &control_; }
   camera::View* camera_view() override { return view_ ? &*view_ : nullptr; }
   camera::Source* camera_source() override { return nullptr; }
+  std::vector<DeviceFacts> facts_of(std::string_view kind) override;
   void trace_to(TraceSink* sink) override { world_->trace_to(sink, robot_); }
   void stop() noexcept override;
 

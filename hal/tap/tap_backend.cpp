@@ -45,6 +45,9 @@ class TapBackend final : public Backend {
     camera::FrameSink* own = tap_->frame_sink();
     return own != nullptr ? own : inner_->frame_sink();
   }
+  std::vector<DeviceFacts> facts_of(std::string_view kind) override {
+    return inner_->facts_of(kind);
+  }
   void trace_to(TraceSink* sink) override { inner_->trace_to(sink); }
   void stop() noexcept override {
     inner_->stop();

@@ -6,6 +6,9 @@
  * positive) and times milliseconds. The reason of the last failure: EYEBRIDGELastError() in
  * eyebridge.h.
  */
+#ifdef EYEBOT_CLASSIC_H
+#error "eyebot.h of RoBIOS-7 and of classic RoBIOS in one source: use one, by eyebridge-cc or eyebridge-cc --classic"
+#endif
 #ifndef EYEBOT_H
 #define EYEBOT_H
 

@@ -12,6 +12,7 @@
 #include "eyebridge/base/result.hpp"
 #include "eyebridge/camera/frame.hpp"
 #include "font.hpp"
+#include "screen.hpp"
 #include "soft_keys.hpp"
 #include "text_screen.hpp"
 
@@ -32,7 +33,7 @@ struct ImageWindow {
 ///
 /// Text lives on a grid of cells that ends above the strip, whether or not it is shown, so that the
 /// number of rows never changes under a program. Any thread: every call locks for itself.
-class Lcd {
+class Lcd final : public Screen {
  public:
   /// 80 columns of 24 rows in the first font (7 x 15 pixels), and the strip: programs put text at
   /// columns 50 to 60 beside a picture of 320 x 240.
@@ -68,7 +69,7 @@ class Lcd {
   /// else OutOfRange.
   Result<void> set_menu_label(int position, std::string_view label, Rgb ink, Rgb paper);
   /// Mask of the soft key under a pixel (1, 2, 4, 8), or 0: outside the strip, or no menu shown.
-  [[nodiscard]] int key_at(int x, int y) const;
+  [[nodiscard]] int key_at(int x, int y) const override;
 
   void pixel(int x, int y, Rgb colour);
   /// What is shown there, the menu included. OutOfRange outside the screen.
@@ -100,14 +101,10 @@ class Lcd {
 
   /// Shows what was drawn while LCD_NOAUTOREFRESH is set.
   void refresh();
-  /// What the screen shows, Rgb24.
-  [[nodiscard]] camera::Frame snapshot() const;
-  /// The text on the screen, one string (UTF-8) a row, trailing blanks cut.
-  [[nodiscard]] std::vector<std::string> text_rows() const;
-  /// The labels of the soft keys as last set, whether or not they are shown.
-  [[nodiscard]] std::array<std::string, kSoftKeys> menu_labels() const;
-  /// Counts the changes of what is shown: equal numbers, equal pictures.
-  [[nodiscard]] std::uint64_t revision() const;
+  [[nodiscard]] camera::Frame snapshot() const override;
+  [[nodiscard]] std::vector<std::string> text_rows() const override;
+  [[nodiscard]] std::array<std::string, kSoftKeys> menu_labels() const override;
+  [[nodiscard]] std::uint64_t revision() const override;
 
  private:
   template <class Draw>

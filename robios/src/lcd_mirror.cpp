@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "lcd.hpp"
+#include "screen.hpp"
 
 namespace eyebridge::robios {
 namespace {
@@ -12,10 +12,10 @@ constexpr Time kPeriod = std::chrono::milliseconds(200);
 }  // namespace
 
 void LcdMirror::update(Time now, bool force) {
-  if ((now < next_ && !force) || lcd_.revision() == revision_) return;
+  if ((now < next_ && !force) || screen_.revision() == revision_) return;
   next_ = now + kPeriod;
-  revision_ = lcd_.revision();
-  const std::vector<std::string> rows = lcd_.text_rows();
+  revision_ = screen_.revision();
+  const std::vector<std::string> rows = screen_.text_rows();
   shown_.resize(rows.size());
   for (std::size_t row = 0; row < rows.size(); ++row) {
     if (rows[row] == shown_[row]) continue;

@@ -8,19 +8,19 @@
 
 namespace eyebridge::robios {
 
-class Lcd;
+class Screen;
 
 /// The LCD's text in the terminal (`--mirror`): rows that changed, five times a second at most.
 class LcdMirror {
  public:
-  explicit LcdMirror(Lcd& lcd) : lcd_(lcd) {}
+  explicit LcdMirror(const Screen& screen) : screen_(screen) {}
 
   /// Prints what changed to standard output. `now` on the robot's clock; `force` at the end of a
   /// run.
   void update(Time now, bool force);
 
  private:
-  Lcd& lcd_;
+  const Screen& screen_;
   Time next_{0};
   std::uint64_t revision_ = 0;
   std::vector<std::string> shown_;

@@ -23,11 +23,11 @@
 #include "eyebridge/hal/registry.hpp"
 #include "failures.hpp"
 #include "keys.hpp"
-#include "lcd.hpp"
 #include "lcd_mirror.hpp"
 #include "library_threads.hpp"
 #include "radio_messages.hpp"
 #include "run_output.hpp"
+#include "screen.hpp"
 #include "signals.hpp"
 #include "stderr_log.hpp"
 #include "timers.hpp"
@@ -56,17 +56,12 @@ hal::Config read_config() {
   return hal::Config::from_process(std::filesystem::read_symlink("/proc/self/exe", error));
 }
 
-std::unique_ptr<Lcd> make_lcd(const hal::Config& config) {
-  const auto [width, height] = config.size("lcd");
-  return std::make_unique<Lcd>(width, height);
-}
-
 /// The rows of the screen, and a last one with the labels of the soft keys in brackets, their line
 /// ends as '/'.
-std::string text_of(const Lcd& lcd) {
+std::string text_of(const Screen& screen) {
   std::string text;
-  for (const std::string& row : lcd.text_rows()) text += row + '\n';
-  for (std::string label : lcd.menu_labels()) {
+  for (const std::string& row : screen.text_rows()) text += row + '\n';
+  for (std::string label : screen.menu_labels()) {
     std::ranges::replace(label, '\n', '/');
     text += '[' + label + ']';
   }
@@ -84,10 +79,10 @@ auto from_setting(const hal::Config& config, const char* name, Use&& use) {
   }
 }
 
-std::unique_ptr<Keys> make_keys(const hal::Config& config, Clock& clock, Lcd& lcd) {
+std::unique_ptr<Keys> make_keys(const hal::Config& config, Clock& clock, Screen& screen) {
   auto script = from_setting(config, "keys", parse_key_script);
   auto keys = std::make_unique<Keys>(clock, std::move(script), terminal_keys());
-  keys->set_touch_map([&lcd](int x, int y) { return lcd.key_at(x, y); });
+  keys->set_touch_map([&screen](int x, int y) { return screen.key_at(x, y); });
   return keys;
 }
 
@@ -108,8 +103,8 @@ struct Session::Impl {
         log(lowest_severity(config)),
         backend(hal::open_backend({config, log})),
         clock(backend->clock()),
-        lcd(make_lcd(config)),
-        keys(make_keys(config, clock, *lcd)),
+        screen(make_screen(config)),
+        keys(make_keys(config, clock, *screen)),
         camera(config.text("camera"), {&clock, backend->camera_view(), &log},
                backend->camera_source()),
         timers(clock),
@@ -117,7 +112,7 @@ struct Session::Impl {
         cost_scale(config.number("cost_scale")) {
     check_camera(config, {&clock, backend->camera_view(), &log});
     if (config.is_set("time_limit")) limit = from_seconds(config.number("time_limit"));
-    if (config.boolean("mirror")) mirror.emplace(*lcd);
+    if (config.boolean("mirror")) mirror.emplace(*screen);
     if (config.is_set("out")) {
       from_setting(config, "out", [&](const std::string&) {
         output.emplace(config.path("out"), config.integer("save_frames"));
@@ -134,7 +129,7 @@ struct Session::Impl {
   StderrLog log;
   std::unique_ptr<hal::Backend> backend;
   Clock& clock;
-  std::unique_ptr<Lcd> lcd;
+  std::unique_ptr<Screen> screen;
   std::unique_ptr<Keys> keys;
   CameraPort camera;
   Timers timers;
@@ -174,7 +169,7 @@ struct Session::Impl {
     camera::View* view = backend->camera_view();
     std::optional<world::Scene> scene;
     if (view != nullptr) scene = view->scene();
-    output->finish(scene ? &*scene : nullptr, lcd->snapshot(), text_of(*lcd));
+    output->finish(scene ? &*scene : nullptr, screen->snapshot(), text_of(*screen));
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_start;
     fmt::print(stderr,
                "eyebridge: {:.2f} s on the robot's clock in {:.2f} s ({:.0f}x); results in {}\n",
@@ -226,7 +221,7 @@ Session::~Session() = default;
 const hal::Config& Session::config() const { return impl_->config; }
 hal::Backend& Session::backend() { return *impl_->backend; }
 Clock& Session::clock() { return impl_->clock; }
-Lcd& Session::lcd() { return *impl_->lcd; }
+Screen& Session::screen() { return *impl_->screen; }
 Keys& Session::keys() { return *impl_->keys; }
 CameraPort& Session::camera() { return impl_->camera; }
 Timers& Session::timers() { return impl_->timers; }

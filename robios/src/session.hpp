@@ -17,6 +17,7 @@ class CameraPort;
 class Keys;
 class Lcd;
 class RadioMessages;
+class Screen;
 class Timers;
 
 /// What one robot program has: its backend, panel, camera and timers. One per process.
@@ -37,6 +38,9 @@ class Session {
   [[nodiscard]] const hal::Config& config() const;
   [[nodiscard]] hal::Backend& backend();
   [[nodiscard]] Clock& clock();
+  /// What make_screen() made.
+  [[nodiscard]] Screen& screen();
+  /// The same as the screen of RoBIOS-7, which defines this.
   [[nodiscard]] Lcd& lcd();
   [[nodiscard]] Keys& keys();
   [[nodiscard]] CameraPort& camera();
@@ -79,5 +83,8 @@ class Session {
 /// Sets the variables that a skin shows to programs and that depend on the robot. Defined by the
 /// skin; called once, when the session has begun.
 void publish_globals(Session& session);
+
+/// The robot's screen, as big as `config` says. Defined by the skin; called once. Throws ConfigError.
+std::unique_ptr<Screen> make_screen(const hal::Config& config);
 
 }  // namespace eyebridge::robios

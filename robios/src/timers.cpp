@@ -51,7 +51,14 @@ void Timers::stop() {
   changed_.notify_all();
 }
 
+void Timers::hold(bool on) {
+  const std::lock_guard lock(mutex_);
+  held_ = on;
+  changed_.notify_all();
+}
+
 std::optional<Time> Timers::earliest() const {
+  if (held_) return std::nullopt;
   std::optional<Time> first;
   for (const auto& [handle, entry] : entries_) {
     if (!first || entry.due < *first) first = entry.due;
@@ -68,7 +75,7 @@ std::optional<Time> Timers::next_due() const {
 void Timers::run_due() {
   if (!clock_.is_virtual() || in_callback) return;
   std::unique_lock lock(mutex_);
-  if (stopping_ || calling_ || entries_.empty()) return;
+  if (stopping_ || held_ || calling_ || entries_.empty()) return;
   call_due(clock_.now(), lock);
 }
 

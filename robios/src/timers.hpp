@@ -28,6 +28,10 @@ class Timers {
   /// False when there is no such timer. The callback may still be running when this returns.
   bool detach(int handle);
 
+  /// Calls nothing from now on; what comes due meanwhile is made up for, once, when it is held no
+  /// longer. For programs that disable interrupts.
+  void hold(bool on);
+
   /// Runs what is due on a virtual clock; does nothing on others, nor inside a callback.
   void run_due();
   /// When the next timer is due on a virtual clock.
@@ -52,6 +56,7 @@ class Timers {
   std::map<int, Entry> entries_;
   int next_handle_ = 1;
   bool stopping_ = false;
+  bool held_ = false;
   bool calling_ = false;  ///< One thread is in callbacks: as on the robot, never two at once.
   std::thread thread_;
 };

@@ -35,7 +35,7 @@ void eyebridge::robios::set_ip_size(ImageSize size) {
 
 namespace {
 
-constexpr std::array<ImageSize, 6> kModes{{{QQVGA_X, QQVGA_Y},
+constexpr std::array<ImageSize, 6> kIpModes{{{QQVGA_X, QQVGA_Y},
                                            {QVGA_X, QVGA_Y},
                                            {VGA_X, VGA_Y},
                                            {CAM1MP_X, CAM1MP_Y},
@@ -96,10 +96,10 @@ void store(BYTE* where, std::uint8_t value) {
 
 int IPSetSize(int resolution) {
   return guarded("IPSetSize", 1, [&](Session&) -> Result<int> {
-    if (resolution < 0 || resolution >= static_cast<int>(kModes.size())) {
+    if (resolution < 0 || resolution >= static_cast<int>(kIpModes.size())) {
       return fail(Errc::OutOfRange, "image mode " + std::to_string(resolution) + ", expected 0..5");
     }
-    eyebridge::robios::set_ip_size(kModes.at(static_cast<std::size_t>(resolution)));
+    eyebridge::robios::set_ip_size(kIpModes.at(static_cast<std::size_t>(resolution)));
     return 0;
   });
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdarg>
 #include <cstdio>
+#include <memory>
 #include <string>
 
 #include "convert.hpp"
@@ -35,6 +36,14 @@ void eyebridge::robios::publish_image_window(const ImageWindow& window, int mode
   IM_WIDTH = window.width;
   IM_LENGTH = window.height;
 }
+
+std::unique_ptr<eyebridge::robios::Screen> eyebridge::robios::make_screen(
+    const hal::Config& config) {
+  const auto [width, height] = config.size("lcd");
+  return std::make_unique<Lcd>(width, height);
+}
+
+Lcd& Session::lcd() { return static_cast<Lcd&>(screen()); }
 
 namespace {
 

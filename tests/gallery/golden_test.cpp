@@ -72,13 +72,26 @@ camera::Frame black(int width, int height) {
   return frame;
 }
 
-TEST(LcdCells, SayWhichColourCoversACell) {
-  camera::Frame lcd = black(24, 20);
-  lcd.bytes[3 * 8] = 255;  // one red pixel in the second cell
-  for (std::size_t y = 0; y < 16; ++y) {
-    for (std::size_t x = 16; x < 24; ++x) lcd.bytes[3 * (24 * y + x) + 1] = 250;  // the third green
+void paint_green(camera::Frame& lcd, std::size_t left, std::size_t right, std::size_t bottom) {
+  const auto width = static_cast<std::size_t>(lcd.width);
+  for (std::size_t y = 0; y < bottom; ++y) {
+    for (std::size_t x = left; x < right; ++x) lcd.bytes[3 * (width * y + x) + 1] = 250;
   }
-  EXPECT_THAT(lcd_cells(lcd), ElementsAre(".rG", "...", HasSubstr("R red")));
+}
+
+TEST(LcdCells, SayWhichColourCoversACell) {
+  camera::Frame lcd = black(168, 20);
+  lcd.bytes[3 * 8] = 255;  // one red pixel in the second cell
+  paint_green(lcd, 16, 24, 16);
+  const std::string nothing(18, '.');
+  EXPECT_THAT(lcd_cells(lcd),
+              ElementsAre(".rG" + nothing, "..." + nothing, ". black  R red  G green"));
+}
+
+TEST(LcdCells, OfASmallScreenAreSmall) {
+  camera::Frame lcd = black(8, 8);
+  paint_green(lcd, 2, 8, 8);  // more than is left of the black
+  EXPECT_THAT(lcd_cells(lcd), ElementsAre("K...", "K...", ". green  K black"));
 }
 
 TEST(LcdCells, TheHashNoticesOnePixel) {

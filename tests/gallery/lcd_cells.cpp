@@ -3,14 +3,23 @@
 #include <array>
 #include <cctype>
 #include <cstdint>
+#include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
 namespace eyebridge::gallery {
 namespace {
 
-constexpr int kCellWidth = 8;
-constexpr int kCellHeight = 16;
+/// Wider ones are colour screens; that of classic RoBIOS has 128 x 64 pixels.
+constexpr int kSmallWidth = 160;
+
+struct Cell {
+  int width;
+  int height;
+};
+constexpr Cell kCell{8, 16};
+constexpr Cell kSmallCell{2, 4};
 
 struct Named {
   char letter;
@@ -21,7 +30,7 @@ struct Named {
 };
 
 constexpr std::array kColours = {
-    Named{'.', "black", 0, 0, 0},       Named{'W', "white", 255, 255, 255},
+    Named{'K', "black", 0, 0, 0},       Named{'W', "white", 255, 255, 255},
     Named{'R', "red", 255, 0, 0},       Named{'G', "green", 0, 255, 0},
     Named{'B', "blue", 0, 0, 255},      Named{'Y', "yellow", 255, 255, 0},
     Named{'C', "cyan", 0, 238, 238},    Named{'M', "magenta", 255, 0, 255},
@@ -47,38 +56,51 @@ std::size_t nearest(int red, int green, int blue) {
   return best;
 }
 
-char cell(const camera::Frame& lcd, int left, int top, std::array<bool, kColours.size()>& used) {
-  std::array<int, kColours.size()> count{};
-  int pixels = 0;
-  for (int y = top; y < std::min(top + kCellHeight, lcd.height); ++y) {
+using Counts = std::array<int, kColours.size()>;
+
+Counts count(const camera::Frame& lcd, int left, int top, Cell size) {
+  Counts counts{};
+  for (int y = top; y < std::min(top + size.height, lcd.height); ++y) {
     const auto row = lcd.row(y);
-    for (int x = left; x < std::min(left + kCellWidth, lcd.width); ++x) {
+    for (int x = left; x < std::min(left + size.width, lcd.width); ++x) {
       const std::size_t at = 3 * static_cast<std::size_t>(x);
-      ++count[nearest(row[at], row[at + 1], row[at + 2])];
-      ++pixels;
+      ++counts[nearest(row[at], row[at + 1], row[at + 2])];
     }
   }
-  const auto* most = std::max_element(count.begin() + 1, count.end());
-  if (*most == 0) return '.';
-  const auto colour = static_cast<std::size_t>(most - count.begin());
-  used[colour] = true;
-  const char letter = kColours[colour].letter;
-  return 2 * *most >= pixels ? letter : static_cast<char>(std::tolower(letter));
+  return counts;
+}
+
+std::size_t most(const Counts& counts) {
+  return static_cast<std::size_t>(std::ranges::max_element(counts) - counts.begin());
 }
 
 }  // namespace
 
 Lines lcd_cells(const camera::Frame& lcd) {
+  const Cell size = lcd.width <= kSmallWidth ? kSmallCell : kCell;
+  const std::size_t background = most(count(lcd, 0, 0, {lcd.width, lcd.height}));
   Lines lines;
   std::array<bool, kColours.size()> used{};
-  for (int top = 0; top < lcd.height; top += kCellHeight) {
+  for (int top = 0; top < lcd.height; top += size.height) {
     std::string line;
-    for (int left = 0; left < lcd.width; left += kCellWidth) line += cell(lcd, left, top, used);
+    for (int left = 0; left < lcd.width; left += size.width) {
+      Counts counts = count(lcd, left, top, size);
+      const int behind = std::exchange(counts[background], 0);
+      const std::size_t colour = most(counts);
+      if (counts[colour] == 0) {
+        line += '.';
+        continue;
+      }
+      used[colour] = true;
+      const int pixels = std::accumulate(counts.begin(), counts.end(), behind);
+      const char letter = kColours[colour].letter;
+      line += 2 * counts[colour] >= pixels ? letter : static_cast<char>(std::tolower(letter));
+    }
     lines.push_back(line);
   }
-  std::string legend;
+  std::string legend = fmt::format(". {}", kColours[background].name);
   for (std::size_t i = 0; i < kColours.size(); ++i) {
-    if (used[i]) legend += fmt::format("{} {}  ", kColours[i].letter, kColours[i].name);
+    if (used[i]) legend += fmt::format("  {} {}", kColours[i].letter, kColours[i].name);
   }
   lines.push_back(legend);
   return lines;

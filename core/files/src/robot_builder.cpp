@@ -160,6 +160,7 @@ void RobotBuilder::number_sensors(std::vector<Sensor>& sensors, const std::vecto
   }
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     sensors[i].id = ids[i].written;
+    if (ids[i].written < 0) sensors[i].semantics = ids[i].written;
     if (ids[i].written > 0 || kind != "psd") continue;
     const int standard = standard_psd(sensors[i].name);
     if (standard != 0 && used.insert(standard).second) sensors[i].id = standard;

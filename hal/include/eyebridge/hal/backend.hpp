@@ -1,8 +1,12 @@
 #pragma once
 
+#include <string_view>
+#include <vector>
+
 #include "eyebridge/base/clock.hpp"
 #include "eyebridge/hal/analog_inputs.hpp"
 #include "eyebridge/hal/compass.hpp"
+#include "eyebridge/hal/device_facts.hpp"
 #include "eyebridge/hal/digital_lines.hpp"
 #include "eyebridge/hal/drive.hpp"
 #include "eyebridge/hal/io_board.hpp"
@@ -77,6 +81,13 @@ class Backend {
   /// Where every frame that the program is given is to be handed, until stop(); null when this run
   /// is not recorded. Owned by the backend.
   virtual camera::FrameSink* frame_sink() { return nullptr; }
+
+  /// What the robot's description says about its devices of one kind ("psd", "proximity", "bumper",
+  /// "motor", "encoder", "servo"; "robot" is the robot itself); nothing where it says nothing.
+  [[nodiscard]] virtual std::vector<DeviceFacts> facts_of(std::string_view kind) {
+    static_cast<void>(kind);
+    return {};
+  }
 
   /// Tells `sink` of every step from now on, in the place of an earlier sink; null ends it. The
   /// sink is lent until then: once this returns, the old one is not called any more. Any thread,

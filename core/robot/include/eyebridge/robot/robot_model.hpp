@@ -33,6 +33,7 @@ struct RangeSensorModel {
   double max_range = 9.999;     ///< Farther surfaces read as `out_of_range`, metres.
   double out_of_range = 9.999;  ///< Metres: EyeSim's 9999 mm.
   GaussianError error;
+  int semantics = 0;  ///< As classic programs ask for it, PSDInit(-205); 0: by name only.
 
   friend bool operator==(const RangeSensorModel&, const RangeSensorModel&) = default;
 };
@@ -44,6 +45,7 @@ struct ProximityModel {
   Pose pose_in_robot;
   double threshold = 0.15;        ///< Metres.
   double flip_probability = 0.0;  ///< Of one wrong answer, 0 … 1.
+  int semantics = 0;              ///< As RangeSensorModel's.
 
   friend bool operator==(const ProximityModel&, const ProximityModel&) = default;
 };
@@ -55,6 +57,7 @@ struct BumperModel {
   double start = 0.0;             ///< Bearing in the robot, radians; the sector goes
   double end = 0.0;               ///< counter-clockwise from `start` to `end`.
   double miss_probability = 0.0;  ///< Of a contact not seen, 0 … 1.
+  int semantics = 0;              ///< As RangeSensorModel's.
 
   friend bool operator==(const BumperModel&, const BumperModel&) = default;
 };

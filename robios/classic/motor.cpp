@@ -1,0 +1,114 @@
+// Servos and motors.
+
+#include <algorithm>
+#include <mutex>
+
+#include <fmt/format.h>
+
+#include "call.hpp"
+#include "drive_train.hpp"
+#include "eyebot.h"
+#include "lookup.hpp"
+#include "slots.hpp"
+
+namespace {
+
+using namespace eyebridge;
+using robios::Session;
+using robios::classic::call;
+using robios::classic::describe;
+using robios::classic::doing;
+using robios::classic::drive_train;
+using robios::classic::DriveTrain;
+using robios::classic::find_device;
+using robios::classic::Slots;
+
+std::mutex servo_mutex;
+Slots<hal::Servo*> servos("servo", 16);
+
+}  // namespace
+
+DriveTrain& eyebridge::robios::classic::drive_train() {
+  static DriveTrain& train = *new DriveTrain;  // threads may call while the process ends
+  return train;
+}
+
+ServoHandle SERVOInit(DeviceSemantics semantics) {
+  return call("SERVOInit", 0, [&](Session& session) -> Result<int> {
+    const std::lock_guard lock(servo_mutex);
+    return find_device(session.backend(), "servo", semantics).and_then([&](int id) -> Result<int> {
+      hal::Servo* const servo = session.backend().servo(id);
+      if (servo == nullptr) {
+        return fail(Errc::OutOfRange, "this robot has no servo " + describe(semantics));
+      }
+      return servos.open(id, servo);
+    });
+  });
+}
+
+int SERVORelease(ServoHandle handle) {
+  return call("SERVORelease", Slots<int>::kWrongHandle, [&](Session&) -> Result<int> {
+    const std::lock_guard lock(servo_mutex);
+    return servos.close(handle);
+  });
+}
+
+int SERVOSet(ServoHandle handle, int angle) {
+  return doing("SERVOSet", -1, [&](Session&) -> Result<void> {
+    if (angle < 0 || angle > 255) {
+      return fail(Errc::OutOfRange, fmt::format("servo position {}, expected 0 … 255", angle));
+    }
+    const std::lock_guard lock(servo_mutex);
+    const auto chosen = servos.all(handle);
+    if (!chosen) return tl::unexpected(chosen.error());
+    for (hal::Servo** servo : *chosen) {
+      // 128 is the middle, 1 and 255 the ends; 0 is one more step.
+      const double position = std::clamp(0.5 + (angle - 128) / 254.0, 0.0, 1.0);
+      if (Result<void> set = (*servo)->set(position); !set) return set;
+    }
+    return {};
+  });
+}
+
+MotorHandle MOTORInit(DeviceSemantics semantics) {
+  return call("MOTORInit", 0, [&](Session& session) -> Result<int> {
+    DriveTrain& train = drive_train();
+    const std::lock_guard lock(train.mutex);
+    return find_device(session.backend(), "motor", semantics).and_then([&](int id) -> Result<int> {
+      hal::Motor* const motor = session.backend().motor(id);
+      if (motor == nullptr) {
+        return fail(Errc::OutOfRange, "this robot has no motor " + describe(semantics));
+      }
+      if (train.vw_open && (id == DriveTrain::kLeft || id == DriveTrain::kRight)) {
+        return fail(Errc::OutOfRange, "this motor belongs to the VW drive, which is open");
+      }
+      return train.motors.open(id, motor);
+    });
+  });
+}
+
+int MOTORRelease(MotorHandle handle) {
+  return call("MOTORRelease", Slots<int>::kWrongHandle, [&](Session&) -> Result<int> {
+    DriveTrain& train = drive_train();
+    const std::lock_guard lock(train.mutex);
+    if (const auto chosen = train.motors.all(handle)) {
+      for (hal::Motor** motor : *chosen) static_cast<void>((*motor)->set_duty(0.0));
+    }
+    return train.motors.close(handle);
+  });
+}
+
+int MOTORDrive(MotorHandle handle, int speed) {
+  return doing("MOTORDrive", -1, [&](Session&) -> Result<void> {
+    DriveTrain& train = drive_train();
+    const std::lock_guard lock(train.mutex);
+    const auto chosen = train.motors.all(handle);
+    if (!chosen) return tl::unexpected(chosen.error());
+    for (hal::Motor** motor : *chosen) {
+      if (Result<void> set = (*motor)->set_duty(std::clamp(speed, -100, 100) / 100.0); !set) {
+        return set;
+      }
+    }
+    return {};
+  });
+}

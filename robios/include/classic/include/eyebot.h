@@ -1,0 +1,2 @@
+/** The ROM's own demos include "include/eyebot.h". */
+#include "../eyebot.h"
