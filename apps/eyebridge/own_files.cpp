@@ -13,14 +13,16 @@ OwnFiles own_files() {
             source / "worlds",
             source / "tests/lab",
             prefix / "firmware/eyebridge-mps2.elf",
-            source / "apps/udev/60-eyebridge.rules"};
+            source / "apps/udev/60-eyebridge.rules",
+            prefix / "python"};
   }
   return {prefix / "lib/libeyebridge.so",
           prefix / "include/eyebridge/eyebot.h",
           prefix / "share/eyebridge/worlds",
           prefix / "share/eyebridge/lab",
           prefix / "share/eyebridge/firmware/eyebridge-mps2.elf",
-          prefix / "share/eyebridge/udev/60-eyebridge.rules"};
+          prefix / "share/eyebridge/udev/60-eyebridge.rules",
+          prefix / "lib/eyebridge/python"};
 }
 
 }  // namespace eyebridge::apps

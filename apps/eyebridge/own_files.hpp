@@ -13,6 +13,7 @@ struct OwnFiles {
   std::filesystem::path lab;       ///< Folder of the lab's scripts.
   std::filesystem::path firmware;  ///< eyebridge-mps2.elf
   std::filesystem::path udev;      ///< The rules for udev.
+  std::filesystem::path python;    ///< Folder of the Python packages.
 };
 
 /// Does not say whether they exist. Throws std::filesystem::filesystem_error without /proc.

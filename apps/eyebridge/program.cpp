@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "eyebridge/base/config_error.hpp"
+#include "own_files.hpp"
 
 namespace eyebridge::apps {
 namespace {
@@ -55,6 +56,15 @@ fs::path find_in_path(const std::string& name) {
   return {};
 }
 
+/// Whatever Python starts from here on, a script with #! too, finds our packages first.
+void offer_python_packages() {
+  std::string folders = own_files().python.string();
+  if (const char* others = std::getenv("PYTHONPATH"); others != nullptr && *others != '\0') {
+    folders += std::string(":") + others;
+  }
+  setenv("PYTHONPATH", folders.c_str(), 1);
+}
+
 }  // namespace
 
 fs::path find_program(const std::string& name) {
@@ -73,8 +83,11 @@ fs::path find_program(const std::string& name) {
 }
 
 void become(const fs::path& program, const std::vector<std::string>& arguments) {
+  offer_python_packages();
   std::vector<std::string> words;
-  if (is_python(program)) words.emplace_back("python3");
+  // Through our package, so that it is ours even beside another eye.py, and its time from the
+  // start.
+  if (is_python(program)) words = {"python3", (own_files().python / "eye").string()};
   words.push_back(program.string());
   words.insert(words.end(), arguments.begin(), arguments.end());
 

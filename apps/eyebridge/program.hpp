@@ -11,8 +11,8 @@ namespace eyebridge::apps {
 /// readable).
 std::filesystem::path find_program(const std::string& name);
 
-/// Becomes `program` with `arguments`; a .py is run by python3. Throws ConfigError when the system
-/// refuses; returns never.
+/// Becomes `program` with `arguments`; a .py is run by python3, and Python finds our packages
+/// (PYTHONPATH). Throws ConfigError when the system refuses; returns never.
 [[noreturn]] void become(const std::filesystem::path& program,
                          const std::vector<std::string>& arguments);
 

@@ -22,6 +22,7 @@
 #include "eyebridge/camera/view.hpp"
 #include "eyebridge/hal/registry.hpp"
 #include "failures.hpp"
+#include "host.hpp"
 #include "keys.hpp"
 #include "lcd_mirror.hpp"
 #include "library_threads.hpp"
@@ -52,8 +53,7 @@ Severity lowest_severity(const hal::Config& config) {
 
 hal::Config read_config() {
   camera::prepare_process();  // before the session's threads
-  std::error_code error;
-  return hal::Config::from_process(std::filesystem::read_symlink("/proc/self/exe", error));
+  return hal::Config::from_process(program_file());
 }
 
 /// The rows of the screen, and a last one with the labels of the soft keys in brackets, their line
@@ -208,6 +208,8 @@ Session& Session::instance() {
   return *session;
 }
 
+bool Session::has_begun() { return the_session != nullptr; }
+
 Session* Session::with_own_time() {
   Session* session = the_session;
   if (session == nullptr || session->impl_->stage != Stage::Running) return nullptr;
@@ -291,8 +293,12 @@ void Session::watch_forks() {
                  });
 }
 
+void Session::await_end() {
+  while (!impl_->claim_end()) pause();
+}
+
 void Session::abort_run(const Error& error) {
-  while (!impl_->claim_end()) pause();  // another thread is ending the process already
+  await_end();  // another thread may be ending the process already
   impl_->log.write(Severity::Error, error.what);
   std::exit(1);
 }
@@ -314,6 +320,7 @@ void Session::end() noexcept {
     release_terminal();
     impl_->timers.stop();
     impl_->backend->stop();
+    host_ending();
     impl_->backend->trace_to(nullptr);
     try {
       impl_->finish();

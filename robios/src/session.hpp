@@ -29,6 +29,9 @@ class Session {
   /// ConfigError is printed and ends the process with exit code 2, before the call returns.
   static Session& instance();
 
+  /// True once the first call has started it.
+  static bool has_begun();
+
   /// The session when it runs and its clock is not the wall clock; else null. Starts nothing.
   static Session* with_own_time();
 
@@ -69,6 +72,9 @@ class Session {
 
   /// Stops the motors and writes the results to --out. Idempotent; never throws.
   void end() noexcept;
+  /// Returns in the thread that ends the process: the one that called end() first. In any other it
+  /// waits for the process to end, so that the exit code is that of the one reason for the end.
+  void await_end();
 
  private:
   Session();

@@ -9,8 +9,10 @@
 
 #include <semaphore.h>
 #include <signal.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
+#include "host.hpp"
 #include "library_threads.hpp"
 
 namespace eyebridge::robios {
@@ -36,6 +38,38 @@ void on_signal(int signal) {
 }
 
 constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
+
+// What an interpreter had for Ctrl-C before us, and whether it has it now. Both belong to the
+// thread that waits, but for the moment before it starts.
+bool host_has_handler = false;
+struct sigaction host_handler {};
+bool handed_over = false;
+
+void take(int signal) {
+  struct sigaction ours {};
+  ours.sa_handler = on_signal;
+  ours.sa_flags = SA_RESTART;
+  sigaction(signal, &ours, nullptr);
+}
+
+/// Lets the interpreter's handler have a Ctrl-C, where it expects it: in the main thread, where it
+/// ends what the system lets it wait for.
+void hand_over() {
+  handed_over = true;
+  sigaction(SIGINT, &host_handler, nullptr);
+  arrived = 0;
+  syscall(SYS_tgkill, getpid(), getpid(), SIGINT);
+}
+
+/// The next one is asked about again, unless the program has another handler by then.
+void take_back() {
+  if (!handed_over) return;
+  handed_over = false;
+  struct sigaction present {};
+  sigaction(SIGINT, nullptr, &present);
+  if (present.sa_handler == host_handler.sa_handler) take(SIGINT);
+}
+
 constexpr long kLookPeriod_ns = 100'000'000;
 
 /// A main thread that left by pthread_exit() takes no signals, and libraries' threads block them.
@@ -62,9 +96,14 @@ bool woken() {
 
 void wait_for_signal(void (*stop)(int), void (*look)()) {
   pthread_setname_np(pthread_self(), "eb:signals");
-  while (!woken()) {
-    take_signals_without_main();
-    look();
+  for (;;) {
+    while (!woken()) {
+      take_signals_without_main();
+      take_back();
+      look();
+    }
+    if (arrived != SIGINT || !host_has_handler || !host_interrupted()) break;
+    hand_over();
   }
   const int signal = arrived;
   stop(signal);
@@ -82,17 +121,16 @@ void watch_signals(void (*stop)(int signal), void (*look)()) {
   sigset_t before;
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);
+  sigaction(SIGINT, nullptr, &host_handler);
+  host_has_handler = host_takes_interrupts() && host_handler.sa_handler != SIG_DFL &&
+                     host_handler.sa_handler != SIG_IGN;
   std::thread(wait_for_signal, stop, look).detach();
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
 
   for (const int signal : kSignals) {
     struct sigaction present {};
     sigaction(signal, nullptr, &present);
-    if (present.sa_handler != SIG_DFL) continue;
-    struct sigaction ours {};
-    ours.sa_handler = on_signal;
-    ours.sa_flags = SA_RESTART;
-    sigaction(signal, &ours, nullptr);
+    if (present.sa_handler == SIG_DFL || (signal == SIGINT && host_has_handler)) take(signal);
   }
 }
 

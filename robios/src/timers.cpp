@@ -57,6 +57,13 @@ void Timers::hold(bool on) {
   changed_.notify_all();
 }
 
+void Timers::finish() {
+  stop();
+  if (in_callback) return;
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return !calling_; });
+}
+
 std::optional<Time> Timers::earliest() const {
   if (held_) return std::nullopt;
   std::optional<Time> first;
@@ -95,6 +102,7 @@ void Timers::call_due(Time now, std::unique_lock<std::mutex>& lock) {
   in_callback = false;
   lock.lock();
   calling_ = false;
+  changed_.notify_all();
 }
 
 void Timers::run_thread() {

@@ -38,6 +38,8 @@ class Timers {
   [[nodiscard]] std::optional<Time> next_due() const;
   /// Ends the thread; no callback starts after this.
   void stop();
+  /// stop(), and waits for the callback that is running now; not from inside a callback.
+  void finish();
 
  private:
   struct Entry {

@@ -68,13 +68,6 @@ TEST_F(Run, FlagsOfAnOuterRunAreNotInherited) {
   EXPECT_EQ(r.out, "started seed=2\n\n") << r.err;
 }
 
-TEST_F(Run, APythonProgramIsRunByPython) {
-  folder_.write("prog.py", "import sys\nprint('python', *sys.argv[1:])\n");
-  const ProgramRun r = run({"prog.py", "a", "-b"});
-  EXPECT_EQ(r.exit_code, 0) << r.err;
-  EXPECT_EQ(r.out, "python a -b\n");
-}
-
 TEST_F(Run, AProgramThatIsNotInTheFolderIsFoundInPath) {
   const ProgramRun r = run({"echo", "found"});
   EXPECT_EQ(r.out, "found\n") << r.err;

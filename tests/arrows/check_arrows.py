@@ -43,7 +43,7 @@ ALLOWED = {
     "firmware-stubs/pins": [*CORE, "firmware-stubs/board"],
     "firmware-stubs/mps2": [*CORE, "firmware-stubs/board", "firmware-stubs/ports", "firmware-stubs/pins"],
     "gui": [*CORE, "camera", "robios"],
-    "python": [*CORE, "robios"],
+    "python": [*CORE, "camera", "robios"],
     "apps": [*CORE, "hal", "hal/replay", "camera", "robios", "bridges", *FIRMWARE],
     "examples": ["robios:eyebot.h", "robios:eyebot++.h"],
     "tests": EVERYTHING,

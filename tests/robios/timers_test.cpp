@@ -1,6 +1,9 @@
 #include "timers.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <semaphore>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -39,6 +42,32 @@ TEST(Timers, CallsEveryPeriodFromTheMomentOfAttaching) {
   timers.run_due();
   EXPECT_EQ(calls, 1);
   EXPECT_EQ(timers.next_due(), milliseconds(27));
+}
+
+std::binary_semaphore callback_runs{0};
+std::binary_semaphore callback_may_end{0};
+std::atomic<bool> callback_ended = false;
+
+TEST(Timers, FinishingWaitsForTheCallbackThatRuns) {
+  VirtualClock clock;
+  Timers timers(clock);
+  timers.attach(milliseconds(10), [] {
+    callback_runs.release();
+    callback_may_end.acquire();
+    callback_ended = true;
+  });
+  clock.wait_until(milliseconds(10));
+  std::thread program([&] { timers.run_due(); });
+  callback_runs.acquire();
+  std::thread ending([&] {
+    timers.finish();
+    EXPECT_TRUE(callback_ended);
+  });
+  callback_may_end.release();
+  program.join();
+  ending.join();
+  timers.run_due();
+  EXPECT_FALSE(timers.next_due());
 }
 
 TEST(Timers, ALateTimerIsCalledOnceAndKeepsItsRhythm) {

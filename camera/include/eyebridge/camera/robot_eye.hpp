@@ -1,0 +1,34 @@
+#pragma once
+
+#include "eyebridge/base/pose.hpp"
+#include "eyebridge/camera/view.hpp"
+#include "eyebridge/robot/simulation.hpp"
+
+namespace eyebridge::camera {
+
+/// Where the camera of a simulated robot is now, pan and tilt included. The robot has one; who asks
+/// links eyebridge::robot. As thread-safe as the simulation.
+inline Eye eye_of(const robot::Simulation& sim, robot::RobotIndex robot) {
+  // Of a servo at `position` 0 … 1 whose throw to either side is `most`, radians.
+  const auto angle = [](double position, double most) { return (2 * position - 1) * most; };
+  const robot::CameraModel& model = *sim.model(robot).camera;
+  const Pose camera_in_robot{model.x, model.y,
+                             model.pan + angle(sim.servo(robot, 0), model.max_pan)};
+  const Pose camera_in_world = transform(sim.pose(robot), camera_in_robot);
+  Eye eye;
+  eye.x = camera_in_world.x;
+  eye.y = camera_in_world.y;
+  eye.z = model.z;
+  eye.heading = camera_in_world.theta;
+  eye.pitch = model.tilt + angle(sim.servo(robot, 1), model.max_tilt);
+  eye.horizontal_field_of_view = model.horizontal_field_of_view;
+  return eye;
+}
+
+/// What its pictures suffer from; otherwise as eye_of().
+inline ImageNoise noise_of(const robot::Simulation& sim, robot::RobotIndex robot) {
+  const robot::CameraModel& model = *sim.model(robot).camera;
+  return {model.salt_and_pepper, model.sigma, sim.camera_noise_seed(robot)};
+}
+
+}  // namespace eyebridge::camera

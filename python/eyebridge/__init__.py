@@ -1,0 +1,19 @@
+"""Worlds and robots for Python: load a scenario, step it, read sensors and pictures as numpy arrays.
+
+    import eyebridge
+
+    with eyebridge.Simulation(eyebridge.load_scenario("worlds/maze-8.maz"), seed=7) as sim:
+        robot = sim.robots[0]
+        while sim.time < 60 and robot.psd(1) > 0.1:
+            robot.set_speed(0.3)
+            sim.step()
+        print(sim.poses)
+
+Metres, radians, seconds; x forward, y left, angles counter-clockwise. The same calls with the same seed give the same
+bits. Any thread may call; calls on one simulation wait for each other, and let other threads of the program run. Signatures,
+ranges and failures: __init__.pyi. For robot programs, which know nothing of a simulation, there is `eye`.
+"""
+
+from ._core import Camera, ConfigError, Robot, Scenario, Simulation, default_scenario, load_scenario
+
+__all__ = ["Camera", "ConfigError", "Robot", "Scenario", "Simulation", "default_scenario", "load_scenario"]

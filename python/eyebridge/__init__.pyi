@@ -1,0 +1,152 @@
+"""Worlds and robots for Python. Metres, radians, seconds; x forward, y left, angles counter-clockwise."""
+
+import os
+from types import TracebackType
+
+import numpy
+from numpy.typing import ArrayLike, NDArray
+
+class ConfigError(ValueError):
+    """A mistake in a file: where it is, what was found, what was expected."""
+
+class Scenario:
+    """What a simulation starts from: a world, and robots at their places. Never changes."""
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height of the floor."""
+    @property
+    def robots(self) -> list[str]:
+        """The name of each robot's model."""
+    @property
+    def walls(self) -> NDArray[numpy.float64]:
+        """One row a wall: x and y of its ends. A copy."""
+    @property
+    def warnings(self) -> list[str]:
+        """What was odd in the files and is read all the same."""
+
+def load_scenario(path: str | os.PathLike[str], robot: str = "S4") -> Scenario:
+    """Reads a .wld, .maz, .sim, .robi or EyeSim parameter file and all that it names. A world without robots gets one
+    `robot`. Raises ConfigError."""
+
+def default_scenario() -> Scenario:
+    """An empty room, 2 m x 2 m, and one S4 in its middle."""
+
+class Camera:
+    """A robot's camera: pictures of the world as it is when they are asked for."""
+
+    def frame(self) -> NDArray[numpy.uint8]:
+        """The next picture, height x width x 3 (R, G, B): a read-only view of the frame's own memory, which stays as it
+        is. Noise follows from the seed and the number of frames since the last reset()."""
+    @property
+    def size(self) -> tuple[int, int]:
+        """Width and height, pixels."""
+
+class Robot:
+    """One robot of a simulation."""
+
+    @property
+    def index(self) -> int:
+        """Its row in poses and twists."""
+    @property
+    def name(self) -> str:
+        """Of its model."""
+    @property
+    def radius(self) -> float:
+        """Of the disc that it is."""
+    @property
+    def pose(self) -> tuple[float, float, float]:
+        """x, y, theta in the world: the truth."""
+    @property
+    def twist(self) -> tuple[float, float]:
+        """Linear and angular speed as driven in the last step."""
+    @property
+    def odometry(self) -> tuple[float, float, float]:
+        """x, y, theta by its wheels; starts at 0, 0, 0."""
+    @property
+    def driving(self) -> bool:
+        """A drive() is under way."""
+    @property
+    def failed(self) -> bool:
+        """The last drive() was given up: stalled for too long."""
+    @property
+    def stalled(self) -> bool:
+        """An obstacle holds a wheel."""
+    @property
+    def encoders(self) -> tuple[int, int]:
+        """Ticks, left and right."""
+    def set_pose(self, x: float, y: float, theta: float) -> None:
+        """Puts the robot somewhere, at rest; nothing is checked, and odometry does not notice."""
+    def set_speed(self, linear: float, angular: float = 0.0) -> None:
+        """Drives until the next command, within the model's limits."""
+    def drive(self, distance: float = 0.0, angle: float = 0.0, speed: float = 0.3) -> None:
+        """Drives a straight, a turn on the spot (distance 0; radians a second) or an arc, and stops."""
+    def set_wheels(self, left: float, right: float) -> None:
+        """Duty of each motor, -1 … 1."""
+    def stop(self) -> None:
+        """Motors off."""
+    def psd(self, id: int) -> float:
+        """Range of a distance sensor by its number (`psd_ids`), with its error. Raises IndexError for none."""
+    def psds(self) -> NDArray[numpy.float64]:
+        """Ranges of all distance sensors, in the order of `psd_ids`."""
+    @property
+    def psd_ids(self) -> list[int]:
+        """Numbers of the distance sensors."""
+    def lidar(
+        self, points: int | None = None, field_of_view: float | None = None, tilt: float | None = None
+    ) -> NDArray[numpy.float64]:
+        """A scan from the left-most ray clockwise to the right-most; a full circle starts behind. What is not given is
+        the model's. Raises ValueError without a lidar and for values outside (1 … 36000 points)."""
+    def compass(self) -> float:
+        """Heading in the world, with its error."""
+    def camera(self, width: int = 320, height: int = 240, options: str = "") -> Camera:
+        """Its camera; options are those of --camera render: "light=0.4&fiducials=on". Raises ValueError without one."""
+
+class Simulation:
+    """A world with robots that move: commands in, readings out, one fixed step at a time.
+
+    Use it with `with`, or close() it: then its memory is free, and every later call raises RuntimeError. Arrays stay."""
+
+    def __init__(self, scenario: Scenario | None = None, *, seed: int = 1, step: float = 0.01) -> None:
+        """Without a scenario, the default one. `step` is the length of a step. Raises ValueError."""
+    def step(self, steps: int = 1) -> None:
+        """Advances by so many steps."""
+    def run(self, seconds: float) -> None:
+        """Advances by the whole number of steps next to `seconds`."""
+    def reset(self, seed: int | None = None) -> None:
+        """Everything as at the start; robots and cameras stay usable. Another seed if one is given."""
+    def close(self) -> None:
+        """Frees the world."""
+    def __enter__(self) -> Simulation: ...
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None: ...
+    @property
+    def robots(self) -> list[Robot]:
+        """All robots, in the order of the scenario."""
+    @property
+    def poses(self) -> NDArray[numpy.float64]:
+        """x, y, theta of each robot: a read-only view, always of this moment; copy() what shall stay."""
+    @property
+    def twists(self) -> NDArray[numpy.float64]:
+        """Linear and angular speed of each robot; a view like poses."""
+    @property
+    def objects(self) -> NDArray[numpy.float64]:
+        """x, y, theta of each ball and can. A copy."""
+    def set_speeds(self, speeds: ArrayLike) -> None:
+        """set_speed() for all robots: one row each, linear and angular."""
+    def cast_rays(
+        self, x: float, y: float, angles: ArrayLike, max_range: float = 9.999, ignore: int | None = None
+    ) -> NDArray[numpy.float64]:
+        """Exact range from (x, y) along each angle to the nearest wall or body, without the robot `ignore`."""
+    @property
+    def time(self) -> float:
+        """Seconds since the start."""
+    @property
+    def seed(self) -> int:
+        """Of all noise."""
+    @property
+    def step_length(self) -> float:
+        """Seconds."""
+    @property
+    def state_hash(self) -> int:
+        """Of everything that moves: equal runs have equal hashes."""
+

@@ -1,0 +1,191 @@
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <pybind11/stl.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "robot_camera.hpp"
+#include "robot_handle.hpp"
+
+namespace eyebridge::python {
+namespace {
+
+namespace py = pybind11;
+using Release = py::call_guard<py::gil_scoped_release>;
+
+/// `read(simulation, index)` without Python's lock.
+template <class Read>
+auto of(const RobotHandle& robot, Read&& read) {
+  const py::gil_scoped_release others_run;
+  return robot.simulation->with([&](auto& sim) { return read(sim, robot.index); });
+}
+
+void need_finite(double a, double b = 0.0, double c = 0.0) {
+  if (!std::isfinite(a) || !std::isfinite(b) || !std::isfinite(c)) {
+    throw std::invalid_argument("found a number that is not finite");
+  }
+}
+
+py::tuple as_tuple(const Pose& pose) { return py::make_tuple(pose.x, pose.y, pose.theta); }
+py::tuple as_tuple(const Twist& twist) { return py::make_tuple(twist.linear, twist.angular); }
+
+/// Index of the distance sensor that programs ask for as `id`.
+std::size_t sensor_index(const robot::RobotModel& model, int id) {
+  for (std::size_t i = 0; i < model.range_sensors.size(); ++i) {
+    if (model.range_sensors[i].id == id) return i;
+  }
+  throw std::out_of_range("this robot has no PSD " + std::to_string(id));
+}
+
+double psd(const RobotHandle& robot, int id) {
+  return robot.simulation->with([&](auto& sim) {
+    return sim.read_range(robot.index, sensor_index(sim.model(robot.index), id));
+  });
+}
+
+py::array_t<double> psds(const RobotHandle& robot) {
+  return array_of(of(robot, [](auto& sim, auto index) {
+    std::vector<double> ranges(sim.model(index).range_sensors.size());
+    for (std::size_t i = 0; i < ranges.size(); ++i) ranges[i] = sim.read_range(index, i);
+    return ranges;
+  }));
+}
+
+py::array_t<double> lidar(const RobotHandle& robot, std::optional<int> points,
+                          std::optional<double> field_of_view, std::optional<double> tilt) {
+  return array_of(of(robot, [&](auto& sim, auto index) {
+    const std::optional<robot::LidarModel>& model = sim.model(index).lidar;
+    if (!model) throw std::invalid_argument("this robot has no lidar");
+    const int count = points.value_or(model->points);
+    const double view = field_of_view.value_or(model->field_of_view);
+    const double down = tilt.value_or(model->tilt);
+    if (count < 1 || count > 36000) throw std::invalid_argument("points must be 1 ... 36000");
+    if (!(view > 0 && view <= 2 * kPi + 1e-9)) {
+      throw std::invalid_argument("field_of_view must be above 0 and at most 2 pi");
+    }
+    if (!(std::abs(down) <= kPi / 2)) {
+      throw std::invalid_argument("tilt must be -pi/2 ... pi/2");
+    }
+    std::vector<double> ranges(static_cast<std::size_t>(count));
+    sim.read_lidar(index, view, down, ranges);
+    return ranges;
+  }));
+}
+
+void set_pose(RobotHandle& robot, double x, double y, double theta) {
+  need_finite(x, y, theta);
+  robot.simulation->moving([&](auto& sim) { sim.set_pose(robot.index, {x, y, theta}); });
+}
+
+void set_speed(RobotHandle& robot, double linear, double angular) {
+  need_finite(linear, angular);
+  robot.simulation->with([&](auto& sim) { sim.set_speed(robot.index, {linear, angular}); });
+}
+
+void drive(RobotHandle& robot, double distance, double angle, double speed) {
+  need_finite(distance, angle, speed);
+  robot.simulation->with([&](auto& sim) {
+    sim.drive(robot.index, {distance, angle, std::abs(speed)});
+  });
+}
+
+void set_wheels(RobotHandle& robot, double left, double right) {
+  need_finite(left, right);
+  robot.simulation->with([&](auto& sim) {
+    sim.set_motor_duty(robot.index, 0, left);
+    sim.set_motor_duty(robot.index, 1, right);
+  });
+}
+
+std::unique_ptr<RobotCamera> open_camera(const RobotHandle& robot, int width, int height,
+                                         const std::string& options) {
+  return std::make_unique<RobotCamera>(robot.simulation, robot.index, width, height,
+                                       options.empty() ? "render" : "render?" + options);
+}
+
+}  // namespace
+
+void bind_robot(py::module_& module) {
+  using robot::DriveState;
+  py::class_<RobotHandle>(module, "Robot")
+      .def_property_readonly("index", [](const RobotHandle& r) { return r.index; })
+      .def_property_readonly("name",
+                             [](const RobotHandle& r) {
+                               return of(r, [](auto& sim, auto i) { return sim.model(i).name; });
+                             })
+      .def_property_readonly("radius",
+                             [](const RobotHandle& r) {
+                               return of(r,
+                                         [](auto& sim, auto i) { return sim.model(i).radius(); });
+                             })
+      .def_property_readonly(
+          "pose",
+          [](const RobotHandle& r) {
+            return as_tuple(of(r, [](auto& sim, auto i) { return sim.pose(i); }));
+          })
+      .def_property_readonly(
+          "twist",
+          [](const RobotHandle& r) {
+            return as_tuple(of(r, [](auto& sim, auto i) { return sim.twist(i); }));
+          })
+      .def_property_readonly(
+          "odometry",
+          [](const RobotHandle& r) {
+            return as_tuple(of(r, [](auto& sim, auto i) { return sim.odometry(i); }));
+          })
+      .def_property_readonly("driving",
+                             [](const RobotHandle& r) {
+                               return of(r, [](auto& sim, auto i) {
+                                 return sim.drive_state(i) == DriveState::Driving;
+                               });
+                             })
+      .def_property_readonly("failed",
+                             [](const RobotHandle& r) {
+                               return of(r, [](auto& sim, auto i) {
+                                 return sim.drive_state(i) == DriveState::Failed;
+                               });
+                             })
+      .def_property_readonly(
+          "stalled",
+          [](const RobotHandle& r) {
+            return of(r, [](auto& sim, auto i) { return sim.stalled(i) != robot::kStallNone; });
+          })
+      .def_property_readonly("encoders",
+                             [](const RobotHandle& r) {
+                               return of(r, [](auto& sim, auto i) {
+                                 return std::pair(sim.encoder_ticks(i, 0), sim.encoder_ticks(i, 1));
+                               });
+                             })
+      .def("set_pose", &set_pose, py::arg("x"), py::arg("y"), py::arg("theta"), Release())
+      .def("set_speed", &set_speed, py::arg("linear"), py::arg("angular") = 0.0, Release())
+      .def("drive", &drive, py::arg("distance") = 0.0, py::arg("angle") = 0.0,
+           py::arg("speed") = 0.3, Release())
+      .def("set_wheels", &set_wheels, py::arg("left"), py::arg("right"), Release())
+      .def("stop", [](const RobotHandle& r) { of(r, [](auto& sim, auto i) { sim.stop(i); }); })
+      .def("psd", &psd, py::arg("id"), Release())
+      .def("psds", &psds)
+      .def_property_readonly("psd_ids",
+                             [](const RobotHandle& r) {
+                               return of(r, [](auto& sim, auto i) {
+                                 std::vector<int> ids;
+                                 for (const auto& sensor : sim.model(i).range_sensors)
+                                   ids.push_back(sensor.id);
+                                 return ids;
+                               });
+                             })
+      .def("lidar", &lidar, py::arg("points") = py::none(), py::arg("field_of_view") = py::none(),
+           py::arg("tilt") = py::none())
+      .def("compass",
+           [](const RobotHandle& r) {
+             return of(r, [](auto& sim, auto i) { return sim.read_compass(i); });
+           })
+      .def("camera", &open_camera, py::arg("width") = 320, py::arg("height") = 240,
+           py::arg("options") = "", Release());
+}
+
+}  // namespace eyebridge::python

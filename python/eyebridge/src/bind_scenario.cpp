@@ -1,0 +1,64 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "eyebridge/files/load.hpp"
+
+namespace eyebridge::python {
+namespace {
+
+namespace py = pybind11;
+using files::Scenario;
+
+std::shared_ptr<Scenario> load(const std::filesystem::path& path, const std::string& robot) {
+  return std::make_shared<Scenario>(files::load_scenario(path, robot));
+}
+
+std::vector<std::string> warnings(const Scenario& scenario) {
+  std::vector<std::string> lines;
+  for (const Warning& warning : scenario.warnings) lines.push_back(warning.str());
+  return lines;
+}
+
+/// One row a wall: its two ends.
+py::array_t<double> walls(const Scenario& scenario) {
+  std::vector<double> ends;
+  for (const world::Wall& wall : scenario.world.walls) {
+    ends.insert(ends.end(), {wall.a.x, wall.a.y, wall.b.x, wall.b.y});
+  }
+  return array_of(std::move(ends)).reshape({-1, 4});
+}
+
+std::vector<std::string> robot_names(const Scenario& scenario) {
+  std::vector<std::string> names;
+  for (const files::RobotPlacement& placed : scenario.robots) {
+    names.push_back(scenario.models.at(placed.model).name);
+  }
+  return names;
+}
+
+}  // namespace
+
+void bind_scenario(py::module_& module) {
+  py::class_<Scenario, std::shared_ptr<Scenario>>(module, "Scenario")
+      .def_property_readonly(
+          "size", [](const Scenario& s) { return py::make_tuple(s.world.width, s.world.height); })
+      .def_property_readonly("robots", &robot_names)
+      .def_property_readonly("walls", &walls)
+      .def_property_readonly("warnings", &warnings)
+      .def("__repr__", [](const Scenario& s) {
+        return "<eyebridge.Scenario: " + std::to_string(s.world.walls.size()) + " walls, " +
+               std::to_string(s.robots.size()) + " robots>";
+      });
+  module.def("load_scenario", &load, py::arg("path"), py::arg("robot") = "S4",
+             py::call_guard<py::gil_scoped_release>());
+  module.def("default_scenario",
+             [] { return std::make_shared<Scenario>(files::default_scenario()); });
+}
+
+}  // namespace eyebridge::python

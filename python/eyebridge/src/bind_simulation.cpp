@@ -1,0 +1,161 @@
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <pybind11/stl.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "eyebridge/files/load.hpp"
+#include "robot_handle.hpp"
+
+namespace eyebridge::python {
+namespace {
+
+namespace py = pybind11;
+using Release = py::call_guard<py::gil_scoped_release>;
+using Shared = std::shared_ptr<SharedSimulation>;
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+Shared make(std::shared_ptr<files::Scenario> scenario, std::uint64_t seed, double step) {
+  if (!scenario) scenario = std::make_shared<files::Scenario>(files::default_scenario());
+  robot::SimulationSettings settings;
+  settings.seed = seed;
+  settings.step = step;
+  const py::gil_scoped_release others_run;
+  return std::make_shared<SharedSimulation>(std::move(scenario), settings);
+}
+
+void step(SharedSimulation& shared, long long steps) {
+  if (steps < 0) throw std::invalid_argument("found a negative number of steps");
+  shared.moving([&](auto& sim) {
+    for (long long i = 0; i < steps; ++i) sim.step();
+  });
+}
+
+void run(SharedSimulation& shared, double seconds) {
+  if (!(seconds >= 0 && seconds < 1e9)) {
+    throw std::invalid_argument("seconds must be 0 ... 1e9");
+  }
+  shared.moving([&](auto& sim) {
+    const double length = sim.settings().step;
+    for (long long left = std::llround(seconds / length); left > 0; --left) sim.step();
+  });
+}
+
+py::array_t<double> poses(const SharedSimulation& shared) {
+  const auto table = shared.table();
+  return view_of(table->poses.data(), {static_cast<py::ssize_t>(shared.robot_count()), 3}, table);
+}
+
+py::array_t<double> twists(const SharedSimulation& shared) {
+  const auto table = shared.table();
+  return view_of(table->twists.data(), {static_cast<py::ssize_t>(shared.robot_count()), 2}, table);
+}
+
+py::array_t<double> objects(const SharedSimulation& shared) {
+  std::vector<double> rows = shared.with([](auto& sim) {
+    std::vector<double> out;
+    for (world::BodyId id = 0; id < sim.world().object_count(); ++id) {
+      const Pose pose = sim.world().pose(id);
+      out.insert(out.end(), {pose.x, pose.y, pose.theta});
+    }
+    return out;
+  });
+  return array_of(std::move(rows)).reshape({-1, 3});
+}
+
+void set_speeds(SharedSimulation& shared, const Numbers& speeds) {
+  const auto count = static_cast<py::ssize_t>(shared.robot_count());
+  if (speeds.ndim() != 2 || speeds.shape(0) != count || speeds.shape(1) != 2) {
+    throw std::invalid_argument("expected an array of " + std::to_string(count) +
+                                " x 2 numbers: linear and angular speed of each robot");
+  }
+  const double* next = speeds.data();
+  for (py::ssize_t i = 0; i < 2 * count; ++i) {
+    if (!std::isfinite(next[i])) throw std::invalid_argument("found a speed that is not finite");
+  }
+  const py::gil_scoped_release others_run;
+  shared.with([&](auto& sim) {
+    for (robot::RobotIndex i = 0; i < shared.robot_count(); ++i, next += 2) {
+      sim.set_speed(i, {next[0], next[1]});
+    }
+  });
+}
+
+py::array_t<double> cast_rays(const SharedSimulation& shared, double x, double y,
+                              const Numbers& angles, double max_range,
+                              std::optional<robot::RobotIndex> ignore) {
+  std::vector<Vec2> directions;
+  const double* first = angles.data();
+  for (py::ssize_t i = 0; i < angles.size(); ++i) {
+    if (!std::isfinite(first[i])) throw std::invalid_argument("found an angle that is not finite");
+    directions.push_back(Heading::from_angle(first[i]).forward());
+  }
+  if (!std::isfinite(x) || !std::isfinite(y) || !(max_range > 0)) {
+    throw std::invalid_argument("x and y must be finite, max_range above 0");
+  }
+  std::vector<double> ranges(directions.size());
+  {
+    const py::gil_scoped_release others_run;
+    shared.with([&](auto& sim) {
+      const world::BodyId body = ignore ? sim.body(*ignore) : world::kNoBody;
+      sim.world().cast_fan({x, y}, directions, max_range, body, ranges);
+    });
+  }
+  return array_of(std::move(ranges));
+}
+
+std::vector<RobotHandle> robot_handles(const Shared& shared) {
+  std::vector<RobotHandle> out;
+  for (robot::RobotIndex i = 0; i < shared->robot_count(); ++i) out.push_back({shared, i});
+  return out;
+}
+
+/// `read(simulation)` without Python's lock.
+template <class Read>
+auto of(const SharedSimulation& shared, Read&& read) {
+  const py::gil_scoped_release others_run;
+  return shared.with(read);
+}
+
+}  // namespace
+
+void bind_simulation(py::module_& module) {
+  py::class_<SharedSimulation, Shared>(module, "Simulation")
+      .def(py::init(&make), py::arg("scenario") = py::none(), py::kw_only(), py::arg("seed") = 1,
+           py::arg("step") = 0.01)
+      .def("step", &step, py::arg("steps") = 1, Release())
+      .def("run", &run, py::arg("seconds"), Release())
+      .def("reset", &SharedSimulation::reset, py::arg("seed") = py::none(), Release())
+      .def("close", &SharedSimulation::close, Release())
+      .def("__enter__", [](const Shared& shared) { return shared; })
+      .def("__exit__", [](SharedSimulation& shared, const py::args&) { shared.close(); })
+      .def_property_readonly("robots", &robot_handles)
+      .def_property_readonly("poses", &poses)
+      .def_property_readonly("twists", &twists)
+      .def_property_readonly("objects", &objects)
+      .def("set_speeds", &set_speeds, py::arg("speeds"))
+      .def("cast_rays", &cast_rays, py::arg("x"), py::arg("y"), py::arg("angles"),
+           py::arg("max_range") = 9.999, py::arg("ignore") = py::none())
+      .def_property_readonly("time",
+                             [](const SharedSimulation& shared) {
+                               return of(shared, [](auto& sim) { return sim.time(); });
+                             })
+      .def_property_readonly("seed",
+                             [](const SharedSimulation& shared) {
+                               return of(shared, [](auto& sim) { return sim.settings().seed; });
+                             })
+      .def_property_readonly("step_length",
+                             [](const SharedSimulation& shared) {
+                               return of(shared, [](auto& sim) { return sim.settings().step; });
+                             })
+      .def_property_readonly("state_hash", [](const SharedSimulation& shared) {
+        return of(shared, [](auto& sim) { return sim.state_hash(); });
+      });
+}
+
+}  // namespace eyebridge::python

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace eyebridge::python {
+
+/// Parts of the module; in this order, because later ones name the types of earlier ones.
+void bind_scenario(pybind11::module_& module);
+void bind_camera(pybind11::module_& module);
+void bind_robot(pybind11::module_& module);
+void bind_simulation(pybind11::module_& module);
+
+}  // namespace eyebridge::python

@@ -1,0 +1,17 @@
+// eyebridge._core: worlds and robots for Python. What it offers is documented in __init__.pyi.
+
+#include <pybind11/pybind11.h>
+
+#include "bindings.hpp"
+#include "eyebridge/base/config_error.hpp"
+#include "eyebridge/camera/prepare_process.hpp"
+
+PYBIND11_MODULE(_core, module) {
+  module.doc() = "Worlds and robots; use it as `eyebridge`.";
+  eyebridge::camera::prepare_process();
+  pybind11::register_exception<eyebridge::ConfigError>(module, "ConfigError", PyExc_ValueError);
+  eyebridge::python::bind_scenario(module);
+  eyebridge::python::bind_camera(module);
+  eyebridge::python::bind_robot(module);
+  eyebridge::python::bind_simulation(module);
+}

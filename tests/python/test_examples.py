@@ -1,0 +1,32 @@
+"""The examples in Python, by what they do."""
+
+import csv
+import sys
+
+from support import SOURCE, ProgramTest, main
+
+
+class Examples(ProgramTest):
+    def run_example(self, name, world, **settings):
+        run = self.run_words([sys.executable, SOURCE / "examples" / name],
+                             {"fast": True, "world": SOURCE / "worlds" / world} | settings)  # fmt: skip
+        self.assertEqual((run.returncode, run.err), (0, ""))
+        return run
+
+    def test_wall_follow_keeps_its_distance_to_the_wall(self):
+        run = self.run_words([sys.executable, SOURCE / "examples" / "wall_follow.py"],
+                             {"fast": True, "world": SOURCE / "worlds" / "empty-room.wld", "out": self.folder / "out"})  # fmt: skip
+        self.assertEqual(run.returncode, 0, run.err)
+        self.assertRegex(run.out, r"^stopped at -?\d+ -?\d+, -?\d+ deg\n$")
+        with open(self.folder / "out" / "trace.csv") as file:
+            rows = list(csv.DictReader(file))
+        left = [float(row["range_2"]) for row in rows if float(row["t"]) > 20]
+        self.assertGreater(len(left), 400)
+        self.assertGreater(sum(0.08 < value < 0.35 for value in left), 0.8 * len(left))
+
+    def test_colour_search_finds_the_red_thing(self):
+        self.assertEqual(self.run_example("colour_search.py", "colour-targets.sim").out, "found it\n")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,183 @@
+"""The module eyebridge: worlds, robots and pictures as numpy arrays."""
+
+import math
+import threading
+import unittest
+
+import eyebridge
+import numpy as np
+from support import SOURCE, main
+
+WORLDS = SOURCE / "worlds"
+
+
+class Scenarios(unittest.TestCase):
+    def test_a_maze_with_a_robot_of_a_name(self):
+        scenario = eyebridge.load_scenario(WORLDS / "maze-8.maz", robot="Mouse")
+        self.assertEqual(scenario.robots, ["Mouse"])
+        self.assertEqual(scenario.walls.shape[1], 4)
+        self.assertGreater(len(scenario.walls), 50)
+        self.assertTrue(0 <= scenario.walls.min() and scenario.walls[:, ::2].max() <= scenario.size[0] + 1e-9)
+
+    def test_a_mistake_names_its_place(self):
+        with self.assertRaisesRegex(eyebridge.ConfigError, "gone.maz"):
+            eyebridge.load_scenario("gone.maz")
+        with self.assertRaisesRegex(ValueError, "R2D2"):
+            eyebridge.load_scenario(WORLDS / "maze-8.maz", robot="R2D2")
+
+    def test_the_default_is_an_empty_room(self):
+        scenario = eyebridge.default_scenario()
+        self.assertEqual((scenario.size, scenario.robots, scenario.warnings), ((2.0, 2.0), ["S4"], []))
+        self.assertIn("4 walls, 1 robots", repr(scenario))
+
+
+class Simulations(unittest.TestCase):
+    def test_a_robot_drives_where_it_is_told(self):
+        with eyebridge.Simulation() as sim:
+            robot = sim.robots[0]
+            self.assertEqual((robot.name, robot.index, robot.pose), ("S4", 0, (1.0, 1.0, 0.0)))
+            robot.drive(distance=0.5, speed=0.4)
+            self.assertTrue(robot.driving)
+            sim.run(5)
+            self.assertFalse(robot.driving or robot.failed or robot.stalled)
+            np.testing.assert_allclose(robot.pose, (1.5, 1, 0), atol=1e-6)
+            np.testing.assert_allclose(robot.odometry, (0.5, 0, 0), atol=1e-6)
+            robot.drive(angle=math.pi / 2, speed=1)
+            sim.run(3)
+            np.testing.assert_allclose(robot.compass(), math.pi / 2, atol=1e-6)
+            self.assertEqual(round(sim.time, 9), 8.0)
+            robot.set_wheels(0.1, 0.1)
+            sim.step(10)
+            self.assertGreater(robot.encoders[0], 0)
+            robot.stop()
+            sim.step(2)
+            self.assertEqual(robot.twist, (0.0, 0.0))
+
+    def test_poses_are_a_view_that_follows_and_cannot_be_written(self):
+        sim = eyebridge.Simulation(seed=3)
+        poses, twists = sim.poses, sim.twists
+        self.assertEqual((poses.shape, twists.shape), ((1, 3), (1, 2)))
+        self.assertTrue(np.shares_memory(poses, sim.poses))
+        sim.robots[0].set_speed(0.2, 0.1)
+        sim.step(100)
+        self.assertEqual(tuple(poses[0]), sim.robots[0].pose)
+        self.assertGreater(poses[0, 0], 1.1)
+        np.testing.assert_allclose(twists[0], (0.2, 0.1), atol=1e-9)
+        sim.robots[0].set_pose(0.5, 0.6, 0.7)
+        np.testing.assert_allclose(poses[0], (0.5, 0.6, 0.7))
+        with self.assertRaises(ValueError):
+            poses[0, 0] = 5
+        sim.close()
+        np.testing.assert_allclose(poses[0], (0.5, 0.6, 0.7))
+
+    def test_sensors_read_what_geometry_says(self):
+        sim = eyebridge.Simulation()
+        robot = sim.robots[0]
+        self.assertEqual(robot.psd_ids, [1, 2, 3, 4])
+        self.assertEqual(list(robot.psds()), [robot.psd(id) for id in robot.psd_ids])
+        with self.assertRaises(IndexError):
+            robot.psd(42)
+        scan = robot.lidar(360)
+        self.assertEqual(scan.shape, (360,))
+        rays = sim.cast_rays(1, 1, [0, math.pi / 2, math.pi], ignore=0)
+        np.testing.assert_allclose(rays, [1, 1, 1], atol=1e-9)
+        self.assertLess(sim.cast_rays(0.5, 1, [0.0])[0], 0.5)
+        self.assertEqual(robot.lidar(8, field_of_view=math.pi).shape, (8,))
+        for bad in ({"points": 0}, {"field_of_view": 0.0}, {"tilt": 2.0}, {"points": 36001}):
+            with self.assertRaises(ValueError):
+                robot.lidar(**bad)
+
+    def test_equal_runs_have_equal_hashes(self):
+        def run(seed, sim=None):
+            sim = sim or eyebridge.Simulation(eyebridge.load_scenario(WORLDS / "maze-8.maz"), seed=seed)
+            for i in range(50):
+                sim.robots[0].set_speed(0.3, 0.5 * (-1) ** i)
+                sim.step(10)
+            return sim
+
+        first, again = run(1), run(1)
+        self.assertEqual(first.state_hash, again.state_hash)
+        again.reset()
+        self.assertEqual((again.time, again.seed), (0.0, 1))
+        self.assertEqual(run(1, again).state_hash, first.state_hash)
+        again.reset(seed=2)
+        self.assertEqual(again.seed, 2)
+
+    def test_a_simulation_that_is_closed_says_so(self):
+        with eyebridge.Simulation() as sim:
+            robot = sim.robots[0]
+        for use in (sim.step, lambda: sim.time, lambda: robot.pose, sim.reset, robot.psds):
+            with self.assertRaisesRegex(RuntimeError, "closed"):
+                use()
+        sim.close()
+
+    def test_bad_numbers_are_refused(self):
+        sim = eyebridge.Simulation()
+        robot = sim.robots[0]
+        nan = float("nan")
+        for use in (lambda: sim.step(-1), lambda: sim.run(nan), lambda: sim.run(-1), lambda: robot.set_speed(nan),
+                    lambda: robot.set_pose(0, 0, math.inf), lambda: robot.drive(nan), lambda: sim.set_speeds([[1, nan]]),
+                    lambda: sim.set_speeds([1, 2]), lambda: sim.cast_rays(0, 0, [nan]), lambda: eyebridge.Simulation(step=0),
+                    lambda: sim.cast_rays(0, 0, [0], max_range=-1), lambda: robot.set_wheels(nan, 0)):  # fmt: skip
+            with self.assertRaises(ValueError):
+                use()
+        with self.assertRaises(IndexError):
+            sim.cast_rays(0, 0, [0], ignore=7)
+
+    def test_all_robots_at_once(self):
+        sim = eyebridge.Simulation(eyebridge.load_scenario(WORLDS / "colour-targets.sim"))
+        sim.set_speeds(np.full((len(sim.robots), 2), 0.1))
+        sim.step(50)
+        np.testing.assert_allclose(sim.twists, np.full((len(sim.robots), 2), 0.1), atol=1e-9)
+        self.assertEqual(sim.objects.shape[1], 3)
+
+    def test_threads_share_a_simulation(self):
+        sim = eyebridge.Simulation()
+        threads = [threading.Thread(target=lambda: [sim.step() for _ in range(500)]) for _ in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(round(sim.time, 6), 20.0)
+
+
+class Cameras(unittest.TestCase):
+    def test_pictures_of_this_moment_without_a_copy(self):
+        sim = eyebridge.Simulation(eyebridge.load_scenario(WORLDS / "colour-targets.sim"))
+        robot = sim.robots[0]
+        camera = robot.camera(160, 120)
+        self.assertEqual(camera.size, (160, 120))
+        frame = camera.frame()
+        self.assertEqual((frame.shape, frame.dtype), ((120, 160, 3), np.uint8))
+        self.assertFalse(frame.flags.owndata or frame.flags.writeable)
+        kept = frame.copy()
+        np.testing.assert_array_equal(camera.frame(), frame)
+        x, y, theta = robot.pose
+        robot.set_pose(x, y, theta + 1.5)
+        self.assertTrue((camera.frame() != kept).any())
+        np.testing.assert_array_equal(frame, kept)
+        del camera
+        np.testing.assert_array_equal(frame, kept)
+
+    def test_a_picture_outlives_everything(self):
+        with eyebridge.Simulation() as sim:
+            frame = sim.robots[0].camera(64, 48).frame()
+        self.assertGreater(len(np.unique(frame)), 2)
+
+    def test_bad_cameras(self):
+        robot = eyebridge.Simulation().robots[0]
+        with self.assertRaises(ValueError):
+            robot.camera(0, 10)
+        with self.assertRaises(eyebridge.ConfigError):
+            robot.camera(options="light=dark")
+
+    def test_a_closed_world_has_no_pictures(self):
+        sim = eyebridge.Simulation()
+        camera = sim.robots[0].camera(64, 48)
+        sim.close()
+        with self.assertRaises(RuntimeError):
+            camera.frame()
+
+
+if __name__ == "__main__":
+    main()
