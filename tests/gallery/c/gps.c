@@ -13,7 +13,9 @@ int main()
     x = SERSend(1, "$PMTK\r\n");
     printf("send anyway: %s\n", x ? "failed" : "sent");
     SERSendChar(1, '\n');
-    printf("waiting: %d, flushed %d, got %d\n", SERCheck(1), SERFlush(1) != 0, SERReceive(1, line, 100));
+    x = SERReceive(1, line, 100);
+    printf("waiting: %d, got %d\n", SERCheck(1), x);
+    SERFlush(1);
     c = SERReceiveChar(1);
     printf("char %d, close %d\n", c, SERClose(1) != 0);
     return 1;

@@ -13,7 +13,7 @@ int main ()
   LCDMenu("A","B","C","END");
   printf("waiting\n");
   KEYWait(KEY4);
-  LCDClear();
+  LCDSetPos(2,0);
   LCDPrintf("bye");
   return 0;
 }

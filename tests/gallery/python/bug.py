@@ -32,9 +32,9 @@ class Bug:
         dist, a = self.pose()
         left, front = PSDGet(PSD_LEFT), PSDGet(PSD_FRONT)
         scan = LIDARGet()
-        ahead = scan[int(180 - a) % 360]
+        ahead = min(scan[int(180 - a + k) % 360] for k in range(-40, 41))    # the robot is wide
         self.min_dist = min(self.min_dist, dist)
-        if dist - ahead < self.min_dist - 400 or (dist < ahead - 200):
+        if dist - ahead < self.min_dist - 300:
             print("leave, still", round(dist, -2))
             VWTurn(int(a), 90)
             VWWait()
