@@ -16,7 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = pathlib.Path(__file__).resolve().parent
 PAGE = ROOT / "docs" / "compatibility.md"
 # Where each generation is declared, and what calls it: programs, then whatever else runs it from outside.
-HEADERS = {"RoBIOS-7": ["robios/include/eyebridge_robios"], "classic": ["robios/include/classic", "robios/include/eyebridge_classic"]}
+HEADERS = {"RoBIOS-7": ["robios/include/eyebridge_robios"], "classic": ["robios/include/classic", "robios/include/classic/eyebridge_classic"]}
 SOURCES = {"RoBIOS-7": "robios/v7", "classic": "robios/classic"}
 UNDECLARED = "Exported, but not declared, as in the published library."
 CALLERS = {

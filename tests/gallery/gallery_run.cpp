@@ -97,6 +97,15 @@ std::string take_time(Lines& err) {
   return time;
 }
 
+/// Messages name files of the source tree, wherever that is.
+std::string without_folder(std::string text) {
+  constexpr std::string_view kFolder = EYEBRIDGE_SOURCE_DIR "/";
+  for (std::size_t at = 0; (at = text.find(kFolder, at)) != std::string::npos;) {
+    text.erase(at, kFolder.size());
+  }
+  return text;
+}
+
 Lines file_lines(const fs::path& folder, const std::set<std::string>& before) {
   std::map<std::string, Lines> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
@@ -151,7 +160,7 @@ Golden run_program_of(const Row& row, const fs::path& pictures) {
 
   Lines printed = lines_of(run.out);
   if (row.threads) std::ranges::sort(printed);
-  Lines messages = lines_of(run.err);
+  Lines messages = lines_of(without_folder(run.err));
   const std::string time = take_time(messages);
   Golden golden;
   const auto add = [&](const char* name, Lines lines) {
