@@ -41,6 +41,9 @@ class HostBackend final : public Backend {
   camera::View* camera_view() override { return inner_->camera_view(); }
   camera::Source* camera_source() override { return inner_->camera_source(); }
   camera::FrameSink* frame_sink() override { return inner_->frame_sink(); }
+  std::vector<DeviceFacts> facts_of(std::string_view kind) override {
+    return inner_->facts_of(kind);
+  }
   void trace_to(TraceSink* sink) override { inner_->trace_to(sink); }
   void stop() noexcept override {
     inner_->stop();

@@ -24,7 +24,7 @@ Result<void> HostSerial::open(int baud, bool handshake) {
                                       " bits per second, expected 50 … "
                                       "4000000");
   }
-  const std::lock_guard lock(mutex_);
+  const std::scoped_lock lock(reading_, writing_);
   stream_.reset();
   arrived_.clear();
   bridges::SerialSettings settings;
@@ -50,7 +50,7 @@ Result<void> HostSerial::check_open() const {
 }
 
 Result<void> HostSerial::send(std::span<const std::uint8_t> bytes) {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(writing_);
   return check_open().and_then(
       [&] { return stream_->write_all(bytes, clock_.now() + kLongestSend); });
 }
@@ -72,7 +72,7 @@ Result<void> HostSerial::fetch(Time patience) {
 }
 
 Result<std::size_t> HostSerial::receive(std::span<std::uint8_t> buffer, Time patience) {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(reading_);
   return check_open().and_then([&] { return fetch(patience); }).map([&] {
     const std::size_t count = std::min(buffer.size(), arrived_.size());
     const auto end = arrived_.begin() + static_cast<std::ptrdiff_t>(count);
@@ -83,12 +83,12 @@ Result<std::size_t> HostSerial::receive(std::span<std::uint8_t> buffer, Time pat
 }
 
 Result<std::size_t> HostSerial::pending() {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(reading_);
   return check_open().and_then([&] { return fetch(Time{0}); }).map([&] { return arrived_.size(); });
 }
 
 Result<void> HostSerial::flush() {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(reading_);
   return check_open().and_then([&]() -> Result<void> {
     std::array<std::uint8_t, 4096> chunk;
     arrived_.clear();
@@ -101,7 +101,7 @@ Result<void> HostSerial::flush() {
 }
 
 Result<void> HostSerial::close() {
-  const std::lock_guard lock(mutex_);
+  const std::scoped_lock lock(reading_, writing_);
   stream_.reset();
   arrived_.clear();
   return {};

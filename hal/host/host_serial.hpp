@@ -26,14 +26,15 @@ class HostSerial final : public SerialPort {
   Result<void> close() override;
 
  private:
-  // Under mutex_:
-  Result<void> check_open() const;
-  Result<void> fetch(Time patience);
+  Result<void> check_open() const;    // under either lock
+  Result<void> fetch(Time patience);  // under reading_
 
   const int id_;
   const std::string device_;
   bridges::MonotonicClock clock_;
-  std::mutex mutex_;
+  // One thread may send while another waits for what comes. Who opens or closes takes both.
+  std::mutex reading_;
+  std::mutex writing_;
   std::unique_ptr<bridges::ByteStream> stream_;
   std::vector<std::uint8_t> arrived_;
 };

@@ -76,6 +76,7 @@ class RecordedRobot final : public Backend {
   WorldControl* world() override { return nullptr; }
   camera::View* camera_view() override { return nullptr; }
   camera::Source* camera_source() override { return nullptr; }
+  std::vector<DeviceFacts> facts_of(std::string_view) override { return {}; }  // not recorded
   void trace_to(TraceSink*) override {}  // nobody knows where the robot was
   void stop() noexcept override {}
 

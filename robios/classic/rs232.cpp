@@ -32,9 +32,9 @@ hal::SerialPort* port_of(Session& session, int interface) {
 
 tl::unexpected<Error> no_port(int interface) {
   return fail(Errc::OutOfRange,
-              fmt::format("no serial interface {}; --serial \"{}=/dev/ttyUSB0\" names the device of "
-                          "SERIAL1 … SERIAL3 as 0 … 2",
-                          interface, interface - SERIAL1));
+              fmt::format("no serial interface {}; --serial \"0=/dev/ttyUSB0\" names the device of "
+                          "SERIAL1, 1= and 2= those of SERIAL2 and SERIAL3",
+                          interface));
 }
 
 /// For what returns 0 or one of the manual's numbers: `act(port)` gives Result<void>, whose failure is

@@ -6,12 +6,14 @@
 #include <ft2build.h>
 #include FT_FREETYPE_H
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "font_grid.hpp"
 
@@ -21,10 +23,11 @@ using eyebridge::robios::kGlyphCount;
 using eyebridge::robios::latin1_of_glyph;
 
 constexpr int kCell = 8;
-// Wider than high, so that letters of six rows fill their cells; two rows stay below the baseline.
-constexpr int kGlyphWidth = 12;
-constexpr int kGlyphHeight = 8;
-constexpr int kBaseline = 6;
+// Wider than high, so that letters of seven rows fill their cells; one row stays below the baseline,
+// and what hangs deeper is cut off.
+constexpr int kGlyphWidth = 11;
+constexpr int kGlyphHeight = 9;
+constexpr int kBaseline = 7;
 
 void check(FT_Error error, const std::string& what) {
   if (error != 0) {
@@ -34,19 +37,34 @@ void check(FT_Error error, const std::string& what) {
 
 using Cell = std::array<std::uint8_t, kCell>;
 
-Cell drawn(FT_Face face, unsigned code) {
-  check(FT_Load_Char(face, code, FT_LOAD_TARGET_MONO | FT_LOAD_RENDER), "glyph");
-  const FT_GlyphSlot slot = face->glyph;
+/// The rows of a glyph from its top. Those of one that is too tall for its cell are made fewer where
+/// two are the same: the dot of an i stays.
+std::vector<std::uint8_t> rows_of(const FT_GlyphSlot slot) {
   const FT_Bitmap& bitmap = slot->bitmap;
-  Cell cell{};
+  std::vector<std::uint8_t> rows(bitmap.rows, 0);
   for (int row = 0; row < static_cast<int>(bitmap.rows); ++row) {
-    const int y = kBaseline - slot->bitmap_top + row;
     for (int column = 0; column < static_cast<int>(bitmap.width); ++column) {
       const int x = slot->bitmap_left + column;
       const int byte = bitmap.buffer[row * bitmap.pitch + column / 8];
-      if (x < 0 || x >= kCell || y < 0 || y >= kCell || (byte & 0x80 >> column % 8) == 0) continue;
-      cell.at(static_cast<std::size_t>(y)) |= static_cast<std::uint8_t>(0x80 >> x);
+      if (x < 0 || x >= kCell || (byte & 0x80 >> column % 8) == 0) continue;
+      rows.at(static_cast<std::size_t>(row)) |= static_cast<std::uint8_t>(0x80 >> x);
     }
+  }
+  for (int excess = slot->bitmap_top - kBaseline; excess > 0 && !rows.empty(); --excess) {
+    const auto twin = std::adjacent_find(rows.begin(), rows.end());
+    rows.erase(twin == rows.end() ? rows.begin() : twin);
+  }
+  return rows;
+}
+
+Cell drawn(FT_Face face, unsigned code) {
+  check(FT_Load_Char(face, code, FT_LOAD_TARGET_MONO | FT_LOAD_RENDER), "glyph");
+  const std::vector<std::uint8_t> rows = rows_of(face->glyph);
+  int top = std::max(kBaseline - face->glyph->bitmap_top, 0);
+  if (top >= kCell) top = kCell - static_cast<int>(rows.size());  // the underscore
+  Cell cell{};
+  for (std::size_t row = 0; row < rows.size() && top + static_cast<int>(row) < kCell; ++row) {
+    cell.at(static_cast<std::size_t>(top) + row) = rows[row];
   }
   return cell;
 }

@@ -14,10 +14,13 @@ namespace eyebridge::robios {
 /// programs want to know first whether there is one. Any thread.
 class RadioMessages {
  public:
-  /// How many wait.
-  Result<std::size_t> count(hal::Radio& radio) {
+  /// Who sent the oldest one; nobody when none waits.
+  Result<std::optional<int>> first_sender(hal::Radio& radio) {
     const std::lock_guard lock(mutex_);
-    return fetch(radio).map([&] { return messages_.size(); });
+    return fetch(radio).map([&]() -> std::optional<int> {
+      if (messages_.empty()) return std::nullopt;
+      return messages_.front().sender;
+    });
   }
   /// The oldest one.
   Result<std::optional<hal::RadioMessage>> take(hal::Radio& radio) {

@@ -319,6 +319,7 @@ void Session::end() noexcept {
     impl_->stage = Stage::Ended;
     release_terminal();
     impl_->timers.stop();
+    impl_->recorder.stop();
     impl_->backend->stop();
     host_ending();
     impl_->backend->trace_to(nullptr);

@@ -86,10 +86,14 @@ int RADIOReceive(int* id_no, char* buf, int size) {
   });
 }
 
-int RADIOCheck(void) {
-  return with_radio("RADIOCheck", -1, [](hal::Radio& radio, Session& session) -> Result<int> {
-    return session.messages().count(radio).map(
-        [](std::size_t waiting) { return waiting > 0 ? 1 : 0; });
+int RADIOCheck(void) { return EYEBRIDGERadioCheck(nullptr); }
+
+int EYEBRIDGERadioCheck(int* id_no) {
+  return with_radio("RADIOCheck", -1, [&](hal::Radio& radio, Session& session) -> Result<int> {
+    return session.messages().first_sender(radio).map([&](std::optional<int> sender) {
+      if (sender && id_no != nullptr) *id_no = *sender;
+      return sender ? 1 : 0;
+    });
   });
 }
 

@@ -2,6 +2,7 @@
 #include "host/host_serial.hpp"
 
 #include <filesystem>
+#include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -67,6 +68,18 @@ TEST_F(HostSerialTest, CarriesAllBytesBothWays) {
   EXPECT_EQ(must(port.pending()), 2u);
   EXPECT_EQ(received(port, 9), "\n\x11");
   EXPECT_EQ(received(port, 9, Time{0}), "");
+}
+
+TEST_F(HostSerialTest, OneThreadSendsWhileAnotherWaits) {
+  HostSerial port(1, path_);
+  ASSERT_TRUE(port.open(115200, false));
+  std::string answer;
+  std::thread waiting([&] { answer = received(port, 1, 60s); });
+  ASSERT_TRUE(port.send(bytes("question")));  // hangs when the one who waits has the port
+  EXPECT_EQ(read_far(8), "question");
+  arrives("!");
+  waiting.join();
+  EXPECT_EQ(answer, "!");
 }
 
 TEST_F(HostSerialTest, FlushForgetsWhatHasCome) {

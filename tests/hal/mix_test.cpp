@@ -42,6 +42,9 @@ class Worldless final : public Backend {
   WorldControl* world() override { return nullptr; }
   camera::View* camera_view() override { return nullptr; }
   camera::Source* camera_source() override { return nullptr; }
+  std::vector<DeviceFacts> facts_of(std::string_view kind) override {
+    return inner_->facts_of(kind);
+  }
   void trace_to(TraceSink* sink) override { inner_->trace_to(sink); }
   void stop() noexcept override { inner_->stop(); }
 

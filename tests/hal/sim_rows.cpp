@@ -1,5 +1,6 @@
 // Rows of the contract without a board: the simulation, and what answers in its place.
 #include "fault/fault_tap.hpp"
+#include "host/host_backend.hpp"
 #include "mix/mix_backend.hpp"
 #include "rigs.hpp"
 
@@ -22,6 +23,13 @@ Rig rig_before_its_faults(const Pose& start) {
   return rig;
 }
 
+/// Nor does the computer that the program runs on.
+Rig hosted_rig(const Pose& start) {
+  Rig rig = lockstep_rig(start);
+  rig.backend = with_host(std::move(rig.backend), {});
+  return rig;
+}
+
 /// Devices of another simulated robot, which follows this one, must not show at the others.
 Rig mixed_rig(const Pose& start) {
   Rig rig = lockstep_rig(start);
@@ -40,7 +48,8 @@ std::vector<RigCase> contract_rows() {
   return {
       {"SimLockstep", lockstep_rig, kSimulated}, {"SimRealTime", real_time_rig, kSimulated},
       {"FaultNone", faultless_rig, kSimulated},  {"FaultLater", rig_before_its_faults, kSimulated},
-      {"MixOther", mixed_rig, kSimulated},       {"Replay", lockstep_rig, kReplayed, true}};
+      {"OnHost", hosted_rig, kSimulated},        {"MixOther", mixed_rig, kSimulated},
+      {"Replay", lockstep_rig, kReplayed, true}};
 }
 
 }  // namespace eyebridge::hal

@@ -66,7 +66,7 @@ TEST(ProgramsIo, CommandsRunInBothForms) {
   EXPECT_THAT(r.out, HasSubstr("version 0 1.0, io 1 ''\nmachine 700000000 1 1 0 EyeBot\n"));
   const ProgramRun cpp = run_named("execute_cpp");
   EXPECT_EQ(cpp.exit_code, 0) << cpp.err;
-  EXPECT_THAT(cpp.out, HasSubstr("one\n0 two\nclosed 1 1 1 1\n"));
+  EXPECT_THAT(cpp.out, HasSubstr("one\n0 two\nclosed 1 1 1 1\nradio off -1 -1\n"));
 }
 
 TEST(ProgramsIo, PsdsMayCountAsIn2015) {

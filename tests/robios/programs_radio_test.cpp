@@ -20,7 +20,7 @@ TEST(ProgramsRadio, ARobotThatIsAloneHearsItselfAndDoesNotWaitForEver) {
   const ProgramRun r = run_named("alone");
   EXPECT_EQ(r.exit_code, 1);
   EXPECT_THAT(r.out, HasSubstr("off 1 -1 0\ninit 0 id 1 check 0\nstatus 1 1\n"));
-  EXPECT_THAT(r.out, HasSubstr("send 0 0 1 1\ncheck 1\nreceived 7 from 1: hello, , check 0\n"));
+  EXPECT_THAT(r.out, HasSubstr("send 0 0 1 1\ncheck 1 1 1\nreceived 7 from 1: hello, , check 0\n"));
   EXPECT_THAT(r.out, HasSubstr("bad -1 -1\nwithout sender 5 again\n"));
   EXPECT_THAT(r.out, HasSubstr("release 0 init 0 check 0 status 0\n"));
   EXPECT_THAT(r.out, Not(HasSubstr("never")));
@@ -29,10 +29,10 @@ TEST(ProgramsRadio, ARobotThatIsAloneHearsItselfAndDoesNotWaitForEver) {
 
 TEST(ProgramsRadio, LossAndDelayArePartOfTheWorld) {
   const ProgramRun lost = run_named("alone", {{"EYEBRIDGE_RADIO", "world?loss=100%"}});
-  EXPECT_THAT(lost.out, HasSubstr("send 0 0 1 1\ncheck 0\n"));
+  EXPECT_THAT(lost.out, HasSubstr("send 0 0 1 1\ncheck 0 0 0\n"));
   EXPECT_THAT(lost.err, HasSubstr("can never come"));
   const ProgramRun late = run_named("alone", {{"EYEBRIDGE_RADIO", "world?delay=2s&id=1"}});
-  EXPECT_THAT(late.out, HasSubstr("check 0\nreceived 7 from 1: hello, , check 0\n"));
+  EXPECT_THAT(late.out, HasSubstr("check 0 0 0\nreceived 7 from 1: hello, , check 0\n"));
 }
 
 TEST(ProgramsRadio, TwoProgramsReachEachOtherOverTheNetwork) {

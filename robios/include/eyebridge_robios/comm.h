@@ -68,8 +68,13 @@ int RADIOSend(int id, const char* buf);
  * with a message, as with KEYGet().
  */
 int RADIOReceive(int* id_no, char* buf, int size);
-/** 1 when a message waits, 0 when none does, -1 on failure. Never waits. */
+/**
+ * 1 when a message waits, 0 when none does, -1 on failure. Never waits. The older RADIOCheck(&id)
+ * works, too, and stores who sent the message that waits.
+ */
 int RADIOCheck(void);
+/** The older form; id_no may be null. */
+int EYEBRIDGERadioCheck(int* id_no);
 /**
  * Fills IDlist with the numbers of the robots whose radio is on, this one too, ascending, and
  * returns how many these are: at most 255. 0 on failure.
@@ -78,9 +83,10 @@ int RADIOStatus(int IDlist[]);
 /** Switches the radio off; messages that nobody has received are forgotten. */
 int RADIORelease(void);
 
-/* SERSend() in both forms that programs use. */
+/* SERSend() and RADIOCheck() in both forms that programs use. */
 #ifdef __cplusplus
 extern "C++" {
+inline int RADIOCheck(int* id_no) { return EYEBRIDGERadioCheck(id_no); }
 inline int SERSend(int interface, const char* buf, int size) {
   return EYEBRIDGESend(interface, buf, size);
 }
@@ -89,6 +95,7 @@ inline int SERSend(int interface, const unsigned char* buf, int size) {
 }
 }
 #else
+#define RADIOCheck(...) EYEBRIDGERadioCheck((int*)(__VA_ARGS__ + 0))
 #define SERSend(...) EYEBRIDGE_FOURTH(__VA_ARGS__, EYEBRIDGESend, SERSend, 0)(__VA_ARGS__)
 #define EYEBRIDGE_FOURTH(a, b, c, d, ...) d
 #endif

@@ -12,7 +12,10 @@ int main() {
   printf("status %d %d\n", n, ids[0]);
   printf("send %d %d %d %d\n", RADIOSend(1, "hello, world"), RADIOSend(2, "nobody"),
          RADIOSend(0, "x"), RADIOSend(1, NULL));
-  printf("check %d\n", RADIOCheck());
+  printf("check %d", RADIOCheck());
+  printf(" %d", RADIOCheck(&id));
+  printf(" %d\n", id);
+  id = 0;
   n = RADIOReceive(&id, text, sizeof text);
   printf("received %d from %d: %s, check %d\n", n, id, text, RADIOCheck());
   RADIOSend(1, "again");

@@ -84,10 +84,7 @@ class Backend {
 
   /// What the robot's description says about its devices of one kind ("psd", "proximity", "bumper",
   /// "motor", "encoder", "servo"; "robot" is the robot itself); nothing where it says nothing.
-  [[nodiscard]] virtual std::vector<DeviceFacts> facts_of(std::string_view kind) {
-    static_cast<void>(kind);
-    return {};
-  }
+  virtual std::vector<DeviceFacts> facts_of(std::string_view kind) = 0;
 
   /// Tells `sink` of every step from now on, in the place of an earlier sink; null ends it. The
   /// sink is lent until then: once this returns, the old one is not called any more. Any thread,

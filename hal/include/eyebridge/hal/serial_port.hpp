@@ -12,7 +12,7 @@ namespace eyebridge::hal {
 /// A serial interface of the computer on the robot. Bytes come and go in real time, whatever clock
 /// the robot has.
 ///
-/// The backend owns it; any thread, one at a time. Every call but open() fails with Unsupported
+/// The backend owns it; any thread: one may wait for what comes while another one sends. Every call but open() fails with Unsupported
 /// before open(), and with Disconnected when the device is gone.
 class SerialPort {
  public:
