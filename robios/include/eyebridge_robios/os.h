@@ -58,6 +58,11 @@ int OSDetachTimer(TIMER t);
  * program counts in 1/1000 s). Virtual time starts at midnight. Null pointers are left out.
  */
 int OSGetTime(int* hrs, int* mins, int* secs, int* ticks);
+/**
+ * Sets the time of day that OSGetTime() tells this program. 1 for what is no time of day. (Of an
+ * older header; later ones do not have it.)
+ */
+int OSSetTime(int hrs, int mins, int secs);
 /** Milliseconds since the program started (one header says 1/100 s). */
 int OSGetCount(void);
 

@@ -20,6 +20,7 @@ int main()
   text = OSExecute("echo shell says hi; ls *.txt 2>/dev/null | wc -l");
   LCDPrintf("%s", text);
   printf("%s", text);
+  OSSetTime(9, 59, 0);
   OSWait(61500);
   OSGetTime(&hrs, &mins, &secs, &ticks);
   LCDPrintf("%02d:%02d:%02d\n", hrs, mins, secs);
