@@ -74,6 +74,8 @@ class Page:
         self.not_yet = {line for line in (HERE / "not_yet.txt").read_text().splitlines() if line and not line.startswith("#")}
         self.offences: list[str] = []
         self.python = calls(PYTHON, {".py"})
+        modules = sorted((ROOT / "python/eye").glob("*.py"))
+        self.in_python = {name for module in modules for name in re.findall(r"^def ([A-Z]\w+)\(", module.read_text(), re.M)}
         self.lines = [
             "# Compatibility",
             "",
@@ -82,6 +84,7 @@ class Page:
             "results a person has looked at, and others. Made by `tests/compatibility/make_compatibility.py`; a test says when it is stale.",
             "",
             "*host*: no device is behind it, it is the same with every backend. Recorded: `--record` keeps it and `--hal replay:` answers.",
+            "In Python: a program that calls it through the module `eye`, or *yes*.",
         ]
         for generation, families in self.functions.items():
             self.add_generation(generation, families)
@@ -123,7 +126,8 @@ class Page:
             more = f" and {len(tests) - SHOWN_TESTS} more" if len(tests) > SHOWN_TESTS else ""
             row = [f"`{name}`", *status, differences(declared[name]), ", ".join(tests[:SHOWN_TESTS]) + more or "none"]
         if python:
-            row.append(str(len(self.python.get(name, []))) if name in self.python else "")
+            programs = self.python.get(name, ["yes"])
+            row.append(", ".join(programs[:1]) if name in self.in_python else "")
         self.lines.append("| " + " | ".join(cell(text) for text in row) + " |")
 
     def text(self) -> str:
