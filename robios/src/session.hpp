@@ -81,6 +81,7 @@ class Session {
   ~Session();
   void check_limit();
   void look_around();
+  void go_on_without_calls();
   static void watch_forks();
   struct Impl;
   std::unique_ptr<Impl> impl_;
@@ -90,7 +91,8 @@ class Session {
 /// skin; called once, when the session has begun.
 void publish_globals(Session& session);
 
-/// The robot's screen, as big as `config` says. Defined by the skin; called once. Throws ConfigError.
+/// The robot's screen, as big as `config` says. Defined by the skin; called once. Throws
+/// ConfigError.
 std::unique_ptr<Screen> make_screen(const hal::Config& config);
 
 }  // namespace eyebridge::robios
