@@ -79,8 +79,13 @@ testing::ProgramRun start(const Row& row, const std::string& program, const fs::
   command.push_back(program);
   command.insert(command.end(), row.arguments.begin(), row.arguments.end());
   std::map<std::string, std::string> environment = {{"XDG_CONFIG_HOME", "/nonexistent"}};
-  // Debian's Python, for which the packages are: it has numpy.
-  if (row.is_python()) environment["PATH"] = "/usr/bin:/bin";
+  if (row.is_python()) {
+    environment["PATH"] = "/usr/bin:/bin";  // Debian's, for which the packages are: it has numpy
+#ifdef EYEBRIDGE_TEST_PRELOAD
+    environment["LD_PRELOAD"] = EYEBRIDGE_TEST_PRELOAD;
+    environment["ASAN_OPTIONS"] = "detect_leaks=0";  // what Python leaves behind is not ours
+#endif
+  }
   return testing::run_program({command, environment, folder});
 }
 

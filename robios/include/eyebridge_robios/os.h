@@ -47,8 +47,9 @@ int OSWait(int n);
 /**
  * Calls fct every `scale` milliseconds on the robot's clock until OSDetachTimer(). The function may
  * call RoBIOS. In real time it has a thread of its own; in virtual time it is called between two
- * calls of the program, in whose thread it must not wait for a mutex. Returns a handle, 0 on
- * failure (null function, scale below 1). There may be any number of timers.
+ * calls of the program, in whose thread it must not wait for a mutex; when the program has only
+ * computed for a second (in an empty loop, say) it is called without that, in another thread.
+ * Returns a handle, 0 on failure (null function, scale below 1). There may be any number of timers.
  */
 TIMER OSAttachTimer(int scale, void (*fct)(void));
 /** Ends a timer. 1 for an unknown handle. */
