@@ -31,6 +31,8 @@ function(eyebridge_package_files folder include_folder)
     list(GET alias 1 wrapper)
     file(CREATE_LINK "${wrapper}" "${folder}/bin/${name}" SYMBOLIC)
   endforeach()
+  configure_file("${CMAKE_SOURCE_DIR}/apps/wrappers/program.map"
+                 "${folder}/lib/eyebridge-program.map" COPYONLY)
   configure_file("${CMAKE_SOURCE_DIR}/cmake/eyebridge.pc.in" "${folder}/lib/pkgconfig/eyebridge.pc"
                  @ONLY)
 endfunction()
@@ -42,6 +44,7 @@ eyebridge_package_files("${for_installation}" "@PREFIX@/include/eyebridge")
 install(TARGETS eyebridge_robios eyebridge_classic EXPORT EyeBridgeTargets LIBRARY DESTINATION lib)
 install(TARGETS eyebridge_command RUNTIME DESTINATION bin)
 install(DIRECTORY "${for_installation}/bin/" DESTINATION bin USE_SOURCE_PERMISSIONS)
+install(FILES "${for_installation}/lib/eyebridge-program.map" DESTINATION lib)
 install(FILES "${for_installation}/lib/pkgconfig/eyebridge.pc" DESTINATION lib/pkgconfig)
 install(DIRECTORY "${CMAKE_SOURCE_DIR}/robios/include/" DESTINATION include/eyebridge
         FILES_MATCHING PATTERN "*.h")

@@ -49,8 +49,9 @@ endif()
 # `./test` leaves to `./test all`), unless it is OPTIMISED: bits that must be the same, code that is chosen.
 # SHARDS n, for tests that mostly wait: a single ctest, named after the program, runs them in n
 # processes at once.
+# CASES a b …, for a test with parameters of these names: one ctest for each, name.a@preset, and one for the program's other tests.
 function(eyebridge_test name)
-  cmake_parse_arguments(arg "OPTIMISED" "LABEL;SHARDS" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "OPTIMISED" "LABEL;SHARDS" "SOURCES;LIBRARIES;CASES" ${ARGN})
   if(NOT arg_LABEL)
     set(arg_LABEL unit)
   endif()
@@ -76,6 +77,14 @@ function(eyebridge_test name)
              COMMAND "${CMAKE_SOURCE_DIR}/cmake/run-shards.sh" $<TARGET_FILE:test_${name}> ${arg_SHARDS})
     # Alone on a computer of two cores: others would only make them late.
     set_tests_properties(${name}@${preset} PROPERTIES LABELS "${labels}" TIMEOUT 300 PROCESSORS 2)
+  elseif(arg_CASES AND EYEBRIDGE_TEST_PROGRAMS)
+    add_test(NAME ${name}@${preset} COMMAND test_${name} --gtest_brief=1 --gtest_filter=-*/*)
+    set_tests_properties(${name}@${preset} PROPERTIES LABELS "${labels}" TIMEOUT 600)
+    foreach(case IN LISTS arg_CASES)
+      add_test(NAME ${name}.${case}@${preset}
+               COMMAND test_${name} --gtest_brief=1 --gtest_filter=*/${case})
+      set_tests_properties(${name}.${case}@${preset} PROPERTIES LABELS "${labels}" TIMEOUT 600)
+    endforeach()
   elseif(EYEBRIDGE_TEST_PROGRAMS)
     add_test(NAME ${name}@${preset} COMMAND test_${name} --gtest_brief=1)
     set_tests_properties(${name}@${preset} PROPERTIES LABELS "${labels}" TIMEOUT 600)

@@ -1,6 +1,7 @@
 #include "run_output.hpp"
 
 #include <algorithm>
+#include <fstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -76,9 +77,13 @@ void RunOutput::write(const camera::Frame& frame, const std::filesystem::path& p
     std::filesystem::create_directories(path.parent_path());
     camera::write_png(frame, path);
   } catch (const std::runtime_error& error) {
-    const std::lock_guard lock(mutex_);
-    if (failure_.empty()) failure_ = error.what();
+    note_failure(error.what());
   }
+}
+
+void RunOutput::note_failure(const std::string& failure) {
+  const std::lock_guard lock(mutex_);
+  if (failure_.empty()) failure_ = failure;
 }
 
 void RunOutput::before_fork() {
@@ -88,7 +93,8 @@ void RunOutput::before_fork() {
 
 void RunOutput::after_fork() { mutex_.unlock(); }
 
-void RunOutput::finish(const world::Scene* scene, const camera::Frame& lcd) {
+void RunOutput::finish(const world::Scene* scene, const camera::Frame& lcd,
+                       const std::string& lcd_text) {
   std::vector<camera::Trail> trail;
   {
     const std::lock_guard lock(mutex_);
@@ -100,6 +106,11 @@ void RunOutput::finish(const world::Scene* scene, const camera::Frame& lcd) {
     trail = fading(trail_);
   }
   write(lcd, directory_ / "lcd.png");
+  const std::filesystem::path text_path = directory_ / "lcd.txt";
+  std::ofstream text(text_path, std::ios::binary);
+  text << lcd_text;
+  text.close();
+  if (!text) note_failure(text_path.string() + ": cannot be written");
   if (scene != nullptr) write(camera::draw_birdseye(*scene, trail), directory_ / "map.png");
   const std::lock_guard lock(mutex_);
   if (!failure_.empty()) throw std::runtime_error(failure_);

@@ -13,7 +13,7 @@
 namespace eyebridge::robios {
 
 /// What `--out DIR` gets: trace.csv while the program runs; the trail on the map, the last LCD and
-/// the camera's frames as PNG. Any thread.
+/// the camera's frames as PNG; the LCD's text. Any thread.
 class RunOutput final : public hal::TraceSink {
  public:
   /// Makes `directory`. Throws ConfigError, without a place, when it cannot be written.
@@ -27,13 +27,14 @@ class RunOutput final : public hal::TraceSink {
   /// Around fork(): the child must not write what the parent has in hand.
   void before_fork();
   void after_fork();
-  /// Writes map.png and lcd.png. Throws std::runtime_error naming the first file, of the whole run,
-  /// that could not be written, after trying all others.
-  void finish(const world::Scene* scene, const camera::Frame& lcd);
+  /// Writes map.png, lcd.png and `lcd_text` as lcd.txt. Throws std::runtime_error naming the first
+  /// file, of the whole run, that could not be written, after trying all others.
+  void finish(const world::Scene* scene, const camera::Frame& lcd, const std::string& lcd_text);
 
  private:
   /// Writes a PNG and remembers why not.
   void write(const camera::Frame& frame, const std::filesystem::path& path);
+  void note_failure(const std::string& failure);
 
   std::filesystem::path directory_;
   std::mutex mutex_;

@@ -1,13 +1,16 @@
 #include "session.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include <fmt/format.h>
 #include <pthread.h>
@@ -55,6 +58,18 @@ Severity lowest_severity(const hal::Config& config) {
 hal::Config read_config() {
   camera::prepare_process();  // before the session's threads
   return hal::Config::from_process(program_file());
+}
+
+/// The rows of the screen, and a last one with the labels of the soft keys in brackets, their line
+/// ends as '/'.
+std::string text_of(const Screen& screen) {
+  std::string text;
+  for (const std::string& row : screen.text_rows()) text += row + '\n';
+  for (std::string label : screen.menu_labels()) {
+    std::ranges::replace(label, '\n', '/');
+    text += '[' + label + ']';
+  }
+  return text + '\n';
 }
 
 /// What `use` makes of the setting `name`; a mistake in it is reported where the setting was made.
@@ -141,6 +156,9 @@ struct Session::Impl {
   Failures failures;
   std::atomic<Stage> stage = Stage::Running;
   std::atomic<std::thread::id> ending_thread{};
+  std::atomic<std::uint64_t> calls = 0;  ///< Of the program, but for its timers'.
+  std::uint64_t calls_seen = 0;
+  std::clock_t processor_seen = 0;
 
   /// exit() must be called by one thread only. True when that is the caller, now or before.
   bool claim_end() {
@@ -156,7 +174,7 @@ struct Session::Impl {
     camera::View* view = backend->camera_view();
     std::optional<world::Scene> scene;
     if (view != nullptr) scene = view->scene();
-    output->finish(scene ? &*scene : nullptr, screen->snapshot());
+    output->finish(scene ? &*scene : nullptr, screen->snapshot(), text_of(*screen));
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_start;
     fmt::print(stderr,
                "eyebridge: {:.2f} s on the robot's clock in {:.2f} s ({:.0f}x); results in {}\n",
@@ -221,6 +239,7 @@ LogSink& Session::log() { return impl_->log; }
 
 void Session::charge(std::string_view call) {
   if (impl_->clock.is_virtual()) {
+    if (!Timers::is_calling()) impl_->calls.fetch_add(1, std::memory_order_relaxed);
     const double cost = static_cast<double>(cost_of(call).count()) * impl_->cost_scale;
     impl_->clock.spend(Time(static_cast<Time::rep>(cost)));
     impl_->timers.run_due();
@@ -250,8 +269,31 @@ void Session::check_limit() {
 // Programs that wait for something else than the robot, or have only threads of ours left.
 void Session::look_around() {
   if (impl_->stage != Stage::Running) return;
-  if (!impl_->clock.is_virtual()) check_limit();
+  if (impl_->clock.is_virtual()) {
+    go_on_without_calls();
+  } else {
+    check_limit();
+  }
   if (only_library_threads_left() && impl_->claim_end()) std::exit(0);
+}
+
+// A program that waits in an empty loop for what its timer changes makes no call with which virtual
+// time would pass. When it has only computed for a second, time goes on from timer to timer;
+// slowly, so that not many more are called than it waits for.
+void Session::go_on_without_calls() {
+  constexpr int kTimersAtOnce = 50;  // then signals are looked after, too
+  const std::uint64_t calls = impl_->calls;
+  const std::clock_t processor = std::clock();
+  if (std::exchange(impl_->calls_seen, calls) != calls) impl_->processor_seen = processor;
+  if (processor - impl_->processor_seen < CLOCKS_PER_SEC) return;
+  for (int i = 0; i < kTimersAtOnce && impl_->calls == calls; ++i) {
+    const std::optional<Time> due = impl_->timers.next_due();
+    if (!due || impl_->stage != Stage::Running) return;
+    impl_->clock.wait_until(*due);
+    impl_->timers.run_due();
+    check_limit();
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
 }
 
 bool Session::may_call(std::string_view call) const {

@@ -81,6 +81,7 @@ class Session {
   ~Session();
   void check_limit();
   void look_around();
+  void go_on_without_calls();
   static void watch_forks();
   struct Impl;
   std::unique_ptr<Impl> impl_;

@@ -52,6 +52,8 @@ void Timers::stop() {
   changed_.notify_all();
 }
 
+bool Timers::is_calling() { return in_callback; }
+
 void Timers::hold(bool on) {
   const std::lock_guard lock(mutex_);
   held_ = on;

@@ -37,6 +37,8 @@ class Timers {
   void run_due();
   /// When the next timer is due on a virtual clock.
   [[nodiscard]] std::optional<Time> next_due() const;
+  /// True in a callback: the calling thread is one's.
+  [[nodiscard]] static bool is_calling();
   /// Ends the thread; no callback starts after this.
   void stop();
   /// stop(), and waits for the callback that is running now; not from inside a callback.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <atomic>
 #include <cstring>
 #include <ctime>
 #include <string>
@@ -15,6 +16,9 @@ using namespace eyebridge;
 using robios::Session;
 using std::chrono::milliseconds;
 
+// What OSSetTime() has added to the time of day, milliseconds.
+std::atomic<long long> set_ahead = 0;
+
 /// Milliseconds since midnight. A virtual clock starts at midnight, so that runs repeat.
 long long milliseconds_of_day(Session& session) {
   const long long since_start = session.clock().now() / milliseconds(1);
@@ -29,7 +33,7 @@ long long milliseconds_of_day(Session& session) {
     start = first_start;
   }
   constexpr long long kDay = 24LL * 60 * 60 * 1000;
-  return ((start + since_start) % kDay + kDay) % kDay;
+  return ((start + since_start + set_ahead) % kDay + kDay) % kDay;
 }
 
 }  // namespace
@@ -68,6 +72,16 @@ int OSGetTime(int* hrs, int* mins, int* secs, int* ticks) {
     put(mins, ms / 60'000 % 60);
     put(secs, ms / 1000 % 60);
     put(ticks, ms % 1000);
+    return 0;
+  });
+}
+
+int OSSetTime(int hrs, int mins, int secs) {
+  return robios::guarded("OSSetTime", 1, [&](Session& session) -> Result<int> {
+    if (hrs < 0 || hrs > 23 || mins < 0 || mins > 59 || secs < 0 || secs > 59) {
+      return fail(Errc::OutOfRange, fmt::format("{}:{}:{} is no time of day", hrs, mins, secs));
+    }
+    set_ahead += ((hrs * 60LL + mins) * 60 + secs) * 1000 - milliseconds_of_day(session);
     return 0;
   });
 }

@@ -77,6 +77,19 @@ TEST(Wrapper, ArgumentsWithSpacesReachTheCompilerWhole) {
   EXPECT_EQ(r.out, "a  b\n");
 }
 
+TEST(Wrapper, ProgramsMayHaveNamesOfTheCLibraryThatTheHeaderDoesNotBring) {
+  const ScratchFolder folder;
+  folder.write("names.c",
+               "#include \"eyebot.h\"\n"
+               "int open[9], stat, mkdir = 1;\n"
+               "int poll(int x) { return x + 1; }\n"
+               "int main() { OSWait(10); open[1] = poll(1); printf(\"%d\\n\", open[1]); }\n");
+  const ProgramRun r =
+      run_shell("eyebridge-cc names.c -o names\nEYEBRIDGE_OUT=out ./names\n", folder.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.out, "2\n");
+}
+
 TEST(Wrapper, AddsNoOptimisationAndPutsLibrariesLast) {
   const ScratchFolder folder;
   const ProgramRun r = run_shell(

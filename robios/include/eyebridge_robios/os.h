@@ -47,8 +47,9 @@ int OSWait(int n);
 /**
  * Calls fct every `scale` milliseconds on the robot's clock until OSDetachTimer(). The function may
  * call RoBIOS. In real time it has a thread of its own; in virtual time it is called between two
- * calls of the program, in whose thread it must not wait for a mutex. Returns a handle, 0 on
- * failure (null function, scale below 1). There may be any number of timers.
+ * calls of the program, in whose thread it must not wait for a mutex; when the program has only
+ * computed for a second (in an empty loop, say) it is called without that, in another thread.
+ * Returns a handle, 0 on failure (null function, scale below 1). There may be any number of timers.
  */
 TIMER OSAttachTimer(int scale, void (*fct)(void));
 /** Ends a timer. 1 for an unknown handle. */
@@ -58,6 +59,11 @@ int OSDetachTimer(TIMER t);
  * program counts in 1/1000 s). Virtual time starts at midnight. Null pointers are left out.
  */
 int OSGetTime(int* hrs, int* mins, int* secs, int* ticks);
+/**
+ * Sets the time of day that OSGetTime() tells this program. 1 for what is no time of day. (Of an
+ * older header; later ones do not have it.)
+ */
+int OSSetTime(int hrs, int mins, int secs);
 /** Milliseconds since the program started (one header says 1/100 s). */
 int OSGetCount(void);
 
