@@ -35,29 +35,19 @@ function(eyebridge_hot name)
   target_compile_options(eyebridge_${name} PRIVATE $<$<CONFIG:Release>:-O3>)
 endfunction()
 
-set(EYEBRIDGE_REPEATED "")
-if(NOT EYEBRIDGE_SANITIZE)
-  set(EYEBRIDGE_REPEATED repeated)
-endif()
-
-# eyebridge_test(core_base SOURCES … LIBRARIES … [LABEL slow] [OPTIMISED]): one GoogleTest program. In the
+# eyebridge_test(core_base SOURCES … LIBRARIES … [LABEL slow]): one GoogleTest program. In the
 # dev preset every test in it becomes a ctest named core_base.Suite.Test@dev; elsewhere the program is
 # one ctest, core_base@preset (EYEBRIDGE_TEST_PROGRAMS): a process with a sanitizer starts in a tenth of
 # a second, in which it can run a dozen tests. LABEL is unit unless given: unit tests together stay under
 # two minutes. Those with LABEL threads or realtime are all that the thread sanitizer runs; the fuzz preset
-# runs only fuzzers. What runs with sanitizers needs no second run without them (label repeated, which
-# `./test` leaves to `./test all`), unless it is OPTIMISED: bits that must be the same, code that is chosen.
+# runs only fuzzers.
 # SHARDS n, for tests that mostly wait: a single ctest, named after the program, runs them in n
 # processes at once.
 # CASES a b …, for a test with parameters of these names: one ctest for each, name.a@preset, and one for the program's other tests.
 function(eyebridge_test name)
-  cmake_parse_arguments(arg "OPTIMISED" "LABEL;SHARDS" "SOURCES;LIBRARIES;CASES" ${ARGN})
+  cmake_parse_arguments(arg "" "LABEL;SHARDS" "SOURCES;LIBRARIES;CASES" ${ARGN})
   if(NOT arg_LABEL)
     set(arg_LABEL unit)
-  endif()
-  set(labels ${arg_LABEL})
-  if(NOT arg_OPTIMISED AND arg_LABEL MATCHES "^(unit|threads|realtime)$")
-    list(APPEND labels ${EYEBRIDGE_REPEATED})
   endif()
   add_executable(test_${name} ${arg_SOURCES})
   target_link_libraries(test_${name} PRIVATE ${arg_LIBRARIES} GTest::gmock GTest::gtest_main
@@ -76,32 +66,30 @@ function(eyebridge_test name)
     add_test(NAME ${name}@${preset}
              COMMAND "${CMAKE_SOURCE_DIR}/cmake/run-shards.sh" $<TARGET_FILE:test_${name}> ${arg_SHARDS})
     # Alone on a computer of two cores: others would only make them late.
-    set_tests_properties(${name}@${preset} PROPERTIES LABELS "${labels}" TIMEOUT 300 PROCESSORS 2)
+    set_tests_properties(${name}@${preset} PROPERTIES LABELS "${arg_LABEL}" TIMEOUT 300 PROCESSORS 2)
   elseif(arg_CASES AND EYEBRIDGE_TEST_PROGRAMS)
     add_test(NAME ${name}@${preset} COMMAND test_${name} --gtest_brief=1 --gtest_filter=-*/*)
-    set_tests_properties(${name}@${preset} PROPERTIES LABELS "${labels}" TIMEOUT 600)
+    set_tests_properties(${name}@${preset} PROPERTIES LABELS "${arg_LABEL}" TIMEOUT 600)
     foreach(case IN LISTS arg_CASES)
       add_test(NAME ${name}.${case}@${preset}
                COMMAND test_${name} --gtest_brief=1 --gtest_filter=*/${case})
-      set_tests_properties(${name}.${case}@${preset} PROPERTIES LABELS "${labels}" TIMEOUT 600)
+      set_tests_properties(${name}.${case}@${preset} PROPERTIES LABELS "${arg_LABEL}" TIMEOUT 600)
     endforeach()
   elseif(EYEBRIDGE_TEST_PROGRAMS)
     add_test(NAME ${name}@${preset} COMMAND test_${name} --gtest_brief=1)
-    set_tests_properties(${name}@${preset} PROPERTIES LABELS "${labels}" TIMEOUT 600)
+    set_tests_properties(${name}@${preset} PROPERTIES LABELS "${arg_LABEL}" TIMEOUT 600)
   else()
     gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_SUFFIX @${preset} NO_PRETTY_VALUES
-                         DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${labels}" TIMEOUT 300)
+                         DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${arg_LABEL}" TIMEOUT 300)
   endif()
   if(arg_LABEL MATCHES "^(threads|realtime)$")
     add_dependencies(threaded_tests test_${name})
   endif()
-  if(NOT labels MATCHES "slow|repeated")
-    add_dependencies(optimised_tests test_${name})
-  endif()
+  add_dependencies(every_test test_${name})
 endfunction()
 
-add_custom_target(threaded_tests)  # What `./test` builds with the thread sanitizer,
-add_custom_target(optimised_tests)  # and what it builds without one.
+add_custom_target(every_test)
+add_custom_target(threaded_tests)  # What `./test all` builds with the thread sanitizer.
 add_custom_target(fuzzers)
 
 # eyebridge_fuzzer(world HEADER entry.hpp LIBRARIES …): fuzz_world, which hands its inputs to the
