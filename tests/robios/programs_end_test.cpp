@@ -114,6 +114,11 @@ class AtATerminal {
   AtATerminal(const AtATerminal&) = delete;
   AtATerminal& operator=(const AtATerminal&) = delete;
 
+  [[nodiscard]] bool has_ended() const {
+    siginfo_t end{};
+    EXPECT_EQ(waitid(P_PID, static_cast<id_t>(pid_), &end, WEXITED | WNOHANG | WNOWAIT), 0);
+    return end.si_pid != 0;
+  }
   [[nodiscard]] bool takes_lines() const {
     termios mode{};
     EXPECT_EQ(tcgetattr(person_, &mode), 0);
@@ -145,7 +150,7 @@ TEST(ProgramEnd, CtrlCWhileAKeyIsAwaitedLeavesTheTerminalAsItWas) {
   const ScratchFolder folder;
   AtATerminal program("awaits_key", folder.path());
   program.await("waiting");
-  while (program.takes_lines()) std::this_thread::yield();
+  while (program.takes_lines() && !program.has_ended()) std::this_thread::yield();
   program.type('\x03');
   EXPECT_EQ(program.wait(), 128 + SIGINT);
   EXPECT_TRUE(program.takes_lines());
