@@ -1,6 +1,7 @@
 #include "keys.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -10,6 +11,7 @@ namespace {
 constexpr int kAllKeys = 1 | 2 | 4 | 8;
 // How long a wait leaves the terminal and the window unasked. A person does not notice 10 ms.
 constexpr std::chrono::milliseconds kSlice{10};
+constexpr std::array kNames{"key", "touch", "key of the remote control"};  // by Keys::Wanted
 
 bool is_key(int key) { return key == 1 || key == 2 || key == 4 || key == 8; }
 
@@ -116,7 +118,8 @@ auto Keys::wait_for(Wanted wanted, const WaitUntil& wait_until, Take take)
     bool typed = false;
     if (terminal_ != nullptr) {
       const std::lock_guard lock(terminal_mutex_);
-      typed = terminal_->open() && (wanted == Wanted::Key || terminal_->has_touches());
+      typed = terminal_->open() &&
+              (wanted == Wanted::Key || (wanted == Wanted::Touch && terminal_->has_touches()));
     }
     const bool person = window || typed;
 
@@ -124,7 +127,7 @@ auto Keys::wait_for(Wanted wanted, const WaitUntil& wait_until, Take take)
       wait_until(*next);
     } else if (!person) {
       return fail(Errc::Unsupported,
-                  std::string("waits for a ") + (wanted == Wanted::Key ? "key" : "touch") +
+                  std::string("waits for a ") + kNames[static_cast<std::size_t>(wanted)] +
                       " that can never come: the key script is used up, and there is no terminal "
                       "and no window; use --keys, as in --keys \"KEY1@2s,KEY4@10s\"");
     } else if (!is_virtual) {
@@ -182,7 +185,7 @@ int Keys::read_remote() {
 }
 
 Result<int> Keys::wait_remote(const WaitUntil& wait_until) {
-  return wait_for("a key of the remote control", wait_until, [&]() -> std::optional<int> {
+  return wait_for(Wanted::Remote, wait_until, [&]() -> std::optional<int> {
     if (remote_.empty()) {
       return std::nullopt;
     }

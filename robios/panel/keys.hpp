@@ -60,7 +60,7 @@ class Keys {
   void flush_remote();
 
  private:
-  enum class Wanted { Key, Touch };
+  enum class Wanted { Key, Touch, Remote };
 
   template <class Take>
   auto wait_for(Wanted wanted, const WaitUntil& wait_until, Take take)
