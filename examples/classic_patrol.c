@@ -1,5 +1,5 @@
-/* Classic RoBIOS: two tasks share the screen by a semaphore. One drives to and fro before a wall, the
-   other shows where the robot is. Built with eyebridge-cc --classic. */
+/* Classic RoBIOS: two tasks share the screen by a semaphore. One drives to and fro before a wall,
+   the other shows where the robot is. Built with eyebridge-cc --classic. */
 #include "eyebot.h"
 
 #define ROUNDS 3
@@ -10,11 +10,13 @@ VWHandle vw;
 PSDHandle front;
 int done = 0;
 
-void drive()
-{ int i;
+void drive() {
+  int i;
   for (i = 0; i < 2 * ROUNDS; i++) {
-    if (i % 2 == 0) VWDriveStraight(vw, 0.4, 0.2);
-      else VWDriveStraight(vw, -0.4, 0.2);
+    if (i % 2 == 0)
+      VWDriveStraight(vw, 0.4, 0.2);
+    else
+      VWDriveStraight(vw, -0.4, 0.2);
     VWDriveWait(vw);
     OSSemP(&screen);
     LCDSetPrintf(0, 0, "leg %d, wall %4d", i + 1, PSDGet(front));
@@ -25,8 +27,8 @@ void drive()
   OSKill(0);
 }
 
-void watch()
-{ PositionType pos;
+void watch() {
+  PositionType pos;
   int column;
   while (1) {
     VWGetPosition(vw, &pos);
@@ -40,8 +42,8 @@ void watch()
   }
 }
 
-int main()
-{ OSMTInit(PREEMPT);
+int main() {
+  OSMTInit(PREEMPT);
   vw = VWInit(VW_DRIVE, 1);
   front = PSDInit(PSD_FRONT);
   if (!vw || !front) OSPanic("this robot cannot patrol");

@@ -24,7 +24,8 @@
 #define LCD_HEIGHT 240
 #define LINE_MAX 80
 
-int x, y, phi, i, t, speed, distance, image[QVGA_SIZE], img, nodes, next, pool, path, points, width, vector, pi;
+int x, y, phi, i, t, speed, distance, image[QVGA_SIZE], img, nodes, next, pool, path, points, width,
+    vector, pi;
 const int PSD_DOWN = 6;
 int called;
 void push(void) { called++; }
@@ -55,7 +56,18 @@ void session(void) { wrong++; }
 int log_level = 1, config, canvas, lcd, keys, fcntl, mkdir;
 
 int main() {
-  push(); map(); update(); drive(); straight(); turn_left(); error(); step(); stop(); scan(); mark(); wall();
+  push();
+  map();
+  update();
+  drive();
+  straight();
+  turn_left();
+  error();
+  step();
+  stop();
+  scan();
+  mark();
+  wall();
   XInitThreads();
   LCDMenu("GO", "", "", "END");
   LCDPrintf("%d names\n", called);

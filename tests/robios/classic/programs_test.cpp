@@ -95,10 +95,10 @@ TEST(ClassicPrograms, WheelsAndServosAreMovedByMasks) {
 
 TEST(ClassicPrograms, TheScreenShowsSevenRowsAndTheLabels) {
   const ScratchFolder folder;
-  const ProgramRun r = testing::run_program(
-      {{EYEBRIDGE_TEST_PROGRAMS "/screen_c", "keep"},
-       {{"EYEBRIDGE_FAST", "true"}, {"EYEBRIDGE_OUT", folder.path()}},
-       ""});
+  const ProgramRun r =
+      testing::run_program({{EYEBRIDGE_TEST_PROGRAMS "/screen_c", "keep"},
+                            {{"EYEBRIDGE_FAST", "true"}, {"EYEBRIDGE_OUT", folder.path()}},
+                            ""});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("at 6 15\nno row 1\nno column 1\nno key 1\nno pixel 1\n"));
   EXPECT_THAT(r.out, HasSubstr("pixels 1 1 0 -1\narea 1 1\ncorners 1\nnulls 6\nlabels 0\n"));

@@ -5,10 +5,10 @@
 
 struct tcb *task1, *task2;
 
-void mytask()
-{ int id, i;
+void mytask() {
+  int id, i;
   id = OSGetUID(0);
-  for (i=1; i<=3; i++) {
+  for (i = 1; i <= 3; i++) {
     LCDPrintf("task %d : %d\n", id, i);
     printf("task %d : %d\n", id, i);
     OSReschedule();
@@ -17,8 +17,8 @@ void mytask()
   printf("never\n");
 }
 
-int main()
-{ TELL("status", OSMTStatus());
+int main() {
+  TELL("status", OSMTStatus());
   TELL("early", OSSpawn("t0", mytask, SSIZE, MIN_PRI, 0) != 0);
   TELL("init", OSMTInit(COOP));
   TELL("again", OSMTInit(COOP));

@@ -1,18 +1,19 @@
 /* The v-omega drive in metres and radians. */
 #include <math.h>
+
 #include "eyebot.h"
 #include "tell.h"
 
 static VWHandle vw;
 
-static void where(const char* what)
-{ PositionType pos;
+static void where(const char* what) {
+  PositionType pos;
   VWGetPosition(vw, &pos);
   printf("%s %.2f %.2f %.2f\n", what, pos.x, pos.y, pos.phi);
 }
 
-int main()
-{ SpeedType speed;
+int main() {
+  SpeedType speed;
   int polls = 0;
   MotorHandle motor;
 

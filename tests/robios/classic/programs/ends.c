@@ -1,12 +1,13 @@
 /* The ends that a program can make: its argument says which. */
-#include "eyebot.h"
 #include <string.h>
+
+#include "eyebot.h"
 
 void falls_off() { printf("task\n"); }
 void exits() { OSExit(3); }
 
-int main(int argc, char** argv)
-{ const char* how = argc > 1 ? argv[1] : "";
+int main(int argc, char** argv) {
+  const char* how = argc > 1 ? argv[1] : "";
   if (!strcmp(how, "panic")) OSPanic("no way");
   if (!strcmp(how, "error")) OSError("dead", 5, TRUE);
   if (!strcmp(how, "key")) printf("error %d\n", OSError("wait", 5, FALSE));

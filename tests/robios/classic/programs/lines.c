@@ -2,8 +2,8 @@
 #include "eyebot.h"
 #include "tell.h"
 
-static void radio()
-{ BYTE id, buf[MAXMSGLEN];
+static void radio() {
+  BYTE id, buf[MAXMSGLEN];
   int len, i;
   RadioIOParameters io;
   RadioStatus status;
@@ -27,8 +27,8 @@ static void radio()
   TELL("term", RADIOTerm());
 }
 
-static void remote()
-{ int key;
+static void remote() {
+  int key;
   TELL("early", IRTVRead());
   TELL("remote", IRTVInitHDT(IRTV));
   TELL("bad type", IRTVInit(9, 0, 0, 0, 0, 1, 0));
@@ -42,8 +42,8 @@ static void remote()
   IRTVTerm();
 }
 
-static void sound()
-{ int i;
+static void sound() {
+  int i;
   BYTE buf[100] = {0};
   TELL("too low", AUTone(10, 10));
   TELL("null", AUPlaySample(NULL));
@@ -57,8 +57,8 @@ static void sound()
   TELL("sample", AUCheckSample() == AUCheckTone());
 }
 
-int main()
-{ char c;
+int main() {
+  char c;
   TELL("no line", OSInitRS232(SER9600, NONE, SERIAL3));
   TELL("no line", OSSendCharRS232('x', SERIAL3));
   TELL("no line", OSRecvRS232(&c, 0));

@@ -4,8 +4,8 @@
 
 colimage c;
 
-int main()
-{ CAMHandle cam;
+int main() {
+  CAMHandle cam;
   VWHandle vw;
   PSDHandle a, b;
   LCDInit();

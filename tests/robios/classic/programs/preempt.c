@@ -6,8 +6,8 @@ struct tcb* slave_p[SLAVES];
 struct sem lcd;
 int counts[SLAVES];
 
-void slave()
-{ int id = OSGetUID(0);
+void slave() {
+  int id = OSGetUID(0);
   while (1) {
     OSSemP(&lcd);
     LCDPrintf("slave %d: %d\n", id, ++counts[id]);
@@ -18,8 +18,8 @@ void slave()
 
 void timer() { OSSemV(&lcd); }
 
-int main()
-{ int i;
+int main() {
+  int i;
   TimerHandle t;
   OSMTInit(PREEMPT);
   OSSemInit(&lcd, 1);

@@ -2,8 +2,8 @@
 #include "eyebot.h"
 #include "tell.h"
 
-int main(int argc, char** argv)
-{ int row = -1, column = -1;
+int main(int argc, char** argv) {
+  int row = -1, column = -1;
   BYTE bits[1024] = {0};
 
   LCDMode(SCROLLING | NOCURSOR);

@@ -5,15 +5,15 @@
 image grey, edges, before;
 colimage col;
 
-static int sum(image* i)
-{ int r, c, s = 0;
+static int sum(image* i) {
+  int r, c, s = 0;
   for (r = 1; r < imagerows - 1; r++)
     for (c = 1; c < imagecolumns - 1; c++) s += (*i)[r][c];
   return s;
 }
 
-int main()
-{ int version, fps, width, height, start, i;
+int main() {
+  int version, fps, width, height, start, i;
   BYTE* bytes = (BYTE*)grey;
 
   TELL("early", CAMGetFrame(&grey));

@@ -2,8 +2,8 @@
 #include "eyebot.h"
 #include "tell.h"
 
-static void distances()
-{ PSDHandle left, front, odd;
+static void distances() {
+  PSDHandle left, front, odd;
   left = PSDInit(PSD_LEFT);
   front = PSDInit(PSD_FRONT);
   odd = PSDInit(-260);
@@ -29,8 +29,8 @@ static void distances()
   TELL("after", PSDGet(front));
 }
 
-static void touches()
-{ IRHandle ir = IRInit(IR_F);
+static void touches() {
+  IRHandle ir = IRInit(IR_F);
   BumpHandle bump = BUMPInit(BUMP_FRONT);
   VWHandle vw;
   int stamp = 7;
@@ -54,8 +54,8 @@ static void touches()
   VWRelease(vw);
 }
 
-int main()
-{ VWHandle vw;
+int main() {
+  VWHandle vw;
   distances();
   touches();
   TELL("early", COMPASSGet());

@@ -2,8 +2,8 @@
 #include "eyebot.h"
 #include "tell.h"
 
-int main()
-{ char c = 'n';
+int main() {
+  char c = 'n';
   int i, n = 0;
   TELL("bad baud", OSInitRS232(99, NONE, SERIAL2));
   TELL("init", OSInitRS232(SER115200, NONE, SERIAL2));

@@ -3,17 +3,21 @@
 
 int flag = 0, count = 0;
 
-void setter()
-{ while (count < 20) { count++; OSWait(1); }
+void setter() {
+  while (count < 20) {
+    count++;
+    OSWait(1);
+  }
   flag = 1;
 }
 
-int main()
-{ OSMTInit(PREEMPT);
+int main() {
+  OSMTInit(PREEMPT);
   OSReady(OSSpawn("s", setter, DEFAULT_STACKSIZE, MIN_PRI, 1));
   OSPermit();
   printf("main goes on\n");
-  while (!flag) ;
+  while (!flag)
+    ;
   printf("counted %d\n", count);
   return 0;
 }

@@ -2,8 +2,8 @@
 #include "eyebot.h"
 #include "tell.h"
 
-int main()
-{ printf("version %s, name %s\n", OSVersion(), OSMachineName());
+int main() {
+  printf("version %s, name %s\n", OSVersion(), OSMachineName());
   TELL("type", OSMachineType() == VEHICLE);
   TELL("speed", OSMachineSpeed());
   TELL("id", OSMachineID());
@@ -27,7 +27,8 @@ int main()
   TELL("no channel", OSGetAD(16));
   TELL("off", OSOffAD(1));
   TELL("bad off", OSOffAD(2));
-  TELL("loader", OSDownload(NULL, NULL, 0, 0, 0) + OSExecute(NULL) + USRStart() + USRResident(NULL, 0));
+  TELL("loader",
+       OSDownload(NULL, NULL, 0, 0, 0) + OSExecute(NULL) + USRStart() + USRResident(NULL, 0));
   TELL("hdt", HDT_FindEntry(1, PSD_LEFT) == NULL);
   TELL("m6", OSLatchInit());
   TELL("bank", OSLatchBankSetup(IOBANK1, 1));

@@ -6,8 +6,8 @@ int fast = 0, slow = 0;
 void tick() { fast++; }
 void tock() { slow++; }
 
-int main()
-{ int h = -1, m = -1, s = -1, t = -1, i, day, month, year;
+int main() {
+  int h = -1, m = -1, s = -1, t = -1, i, day, month, year;
   TimerHandle a, b, last = 1;
 
   TELL("count", OSGetCount());

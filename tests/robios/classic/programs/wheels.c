@@ -1,10 +1,11 @@
 /* Motors, encoders and servos by handles that are added. */
 #include <math.h>
+
 #include "eyebot.h"
 #include "tell.h"
 
-int main()
-{ MotorHandle left, right;
+int main() {
+  MotorHandle left, right;
   QuadHandle ql, qr;
   ServoHandle pan, tilt;
   int ticks;
