@@ -153,7 +153,7 @@ std::string find_in_path(const std::string& name, std::string_view path) {
   if (name.find('/') != std::string::npos) return name;
   while (!path.empty()) {
     const std::size_t end = std::min(path.find(':'), path.size());
-    const std::string file = (std::filesystem::path(path.substr(0, end)) / name).string();
+    std::string file = (std::filesystem::path(path.substr(0, end)) / name).string();
     if (end > 0 && ::access(file.c_str(), X_OK) == 0) return file;
     path.remove_prefix(std::min(end + 1, path.size()));
   }

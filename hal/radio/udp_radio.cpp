@@ -98,7 +98,7 @@ class UdpRadio final : public Radio {
       inbox_.emplace(id_, errors_);
       heard_.clear();
     }
-    if (const auto said = tell(Kind::Hello); !said) return said;
+    if (auto said = tell(Kind::Hello); !said) return said;
     thread_ = std::jthread([this](const std::stop_token& stop) { listen(stop); });
     // By this name robios knows that it is none of the program's own threads.
     ::pthread_setname_np(thread_.native_handle(), "eb:radio");

@@ -95,7 +95,7 @@ int IRTVGet(void) {
   return call("IRTVGet", 0, [](Session& session) -> Result<int> {
     const Time since = session.clock().now();
     while (session.may_call("IRTVGet")) {
-      const Result<int> code = next_code(session, true);
+      Result<int> code = next_code(session, true);
       if (!code || *code != 0) return code;
       if (session.clock().is_virtual() && session.clock().now() - since > kLongestWait) {
         session.abort_run({Errc::Unsupported,

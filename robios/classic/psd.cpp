@@ -50,7 +50,7 @@ Result<int> reading(Session& session, PSDHandle handle, std::optional<int> Psd::
   Psd& psd = **found;
   const long long number = (psd_cycle.mask() & handle) != 0 ? psd_cycle.number(now) : 0;
   if (number != 0 && number == psd.measured && psd.*field) return *(psd.*field);
-  const Result<int> value = read(*psd.sensor);
+  Result<int> value = read(*psd.sensor);
   if (!value) return value;
   if (number != psd.measured) {
     psd.range_mm.reset();

@@ -51,7 +51,7 @@ QuadHandle QUADInit(DeviceSemantics semantics) {
     DriveTrain& train = drive_train();
     const std::lock_guard lock(train.mutex);
     hal::Backend& backend = session.backend();
-    const Result<int> id = find_device(backend, "encoder", semantics);
+    Result<int> id = find_device(backend, "encoder", semantics);
     if (!id) return id;
     hal::Encoder* const encoder = backend.encoder(*id);
     if (encoder == nullptr) {

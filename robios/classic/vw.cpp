@@ -75,7 +75,7 @@ VWHandle VWInit(DeviceSemantics semantics, int Timescale) {
   return call("VWInit", 0, [&](Session& session) -> Result<int> {
     DriveTrain& train = drive_train();
     const std::lock_guard lock(train.mutex);
-    const Result<int> known = robios::classic::find_device(session.backend(), "drive", semantics);
+    Result<int> known = robios::classic::find_device(session.backend(), "drive", semantics);
     if (!known) return known;
     if (Timescale < 1) {
       return fail(Errc::OutOfRange, fmt::format("timescale {}, expected 1 or more", Timescale));

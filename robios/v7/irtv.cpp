@@ -20,7 +20,7 @@ Result<int> read_code(Session& session) {
 /// The robot's receiver has to be asked again and again.
 Result<int> poll_code(Session& session) {
   for (;;) {
-    const Result<int> code = read_code(session);
+    Result<int> code = read_code(session);
     if (!code || *code != 0 || !session.may_call("IRTVGet")) return code;
     session.wait_until(session.clock().now() + kRemotePoll);
   }
@@ -31,8 +31,7 @@ Result<int> poll_code(Session& session) {
 int IRTVGet(void) {
   return robios::guarded("IRTVGet", 0, [](Session& session) -> Result<int> {
     if (session.backend().remote() != nullptr) return poll_code(session);
-    const Result<int> code =
-        session.keys().wait_remote([&](Time until) { session.wait_until(until); });
+    Result<int> code = session.keys().wait_remote([&](Time until) { session.wait_until(until); });
     if (!code && code.error().code == Errc::Unsupported) session.abort_run(code.error());
     return code;
   });

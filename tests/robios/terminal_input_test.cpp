@@ -21,7 +21,7 @@ Events decode(std::string_view bytes) {
   return events;
 }
 
-Events keys(std::vector<int> masks) {
+Events keys(const std::vector<int>& masks) {
   Events events;
   for (const int mask : masks) events.push_back({mask, 0, 0});
   return events;
@@ -72,7 +72,7 @@ TEST(TerminalInput, FindsADigitAfterAnyNoise) {
     InputDecoder decoder;
     for (int n = 0; n < 40; ++n) decoder.push(static_cast<std::uint8_t>(random()));
     // No sequence outlives a control character and three bytes.
-    for (const std::uint8_t byte : {'\n', '\n', '\n', '\n'}) decoder.push(byte);
+    for (int n = 0; n < 4; ++n) decoder.push('\n');
     EXPECT_EQ(decoder.push('4'), (TerminalEvent{8, 0, 0}));
   }
 }

@@ -25,10 +25,10 @@ struct CellGrid {
   std::vector<ScreenCell> cells;  ///< Row by row.
 
   CellGrid() = default;
-  CellGrid(int columns_, int rows_)
-      : columns(columns_),
-        rows(rows_),
-        cells(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {}
+  CellGrid(int width, int height)
+      : columns(width),
+        rows(height),
+        cells(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {}
   [[nodiscard]] ScreenCell& at(int column, int row) {
     return cells.at(static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
                     static_cast<std::size_t>(column));

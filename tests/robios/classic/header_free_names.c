@@ -13,7 +13,7 @@
 #define SLAVES 3
 #define DIST 0.4
 #define MAXLEN 20
-#define NO_HUE -1
+#define NO_HUE (-1)
 
 static int x = 1, y = 1, y1 = 1, j0 = 1, index = 1, phi = 1, speed = 1, push = 1, map = 1, img = 1;
 static int next = 1, path = 1, step = 1, stop = 1, scan = 1, wall = 1, vw = 1, name = 1;
