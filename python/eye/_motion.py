@@ -137,7 +137,7 @@ def VWCurve(dist, angle, speed):
 
 
 def VWDrive(dx, dy, speed):
-    """Drives an arc to the point dx ahead and dy to the left. 1 unless dx > |dy|."""
+    """Drives an arc to the point dx ahead and dy to the left. 1 unless dx >= |dy|."""
     return _C.VWDrive(dx, dy, speed)
 
 

@@ -86,10 +86,11 @@ int VWCurve(int dist, int angle, int lin_speed) {
 }
 
 int VWDrive(int dx, int dy, int lin_speed) {
-  if (dx <= std::abs(static_cast<long>(dy))) {
+  // Equality is a quarter of a circle, which EyeSim's own demonstration drives.
+  if (dx <= 0 || dx < std::abs(static_cast<long>(dy))) {
     return robios::guarded("VWDrive", 1, [&](Session&) -> Result<int> {
       return fail(Errc::OutOfRange,
-                  fmt::format("the point {}, {} must lie ahead: dx > |dy|", dx, dy));
+                  fmt::format("the point {}, {} must lie ahead: dx >= |dy|", dx, dy));
     });
   }
   // The circle through the robot, tangent to its heading, and the point: half the turn is the

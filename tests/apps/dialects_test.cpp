@@ -54,6 +54,26 @@ TEST_F(Dialect, AWrapperInTheFolderAboveWorks) {
   EXPECT_EQ(r.exit_code, 0) << r.err;
 }
 
+TEST_F(Dialect, HeadersByOtherNamesAreThereAndAProgramsOwnComeFirst) {
+  std::filesystem::create_directory(folder_.path() + "/own");
+  folder_.write("own/types.h", "#define WHOSE \"its own\\n\"\n");
+  folder_.write("x.c",
+                "#include \"eyebot.h\"\n#include \"types.h\"\n#ifndef WHOSE\n#define WHOSE "
+                "\"ours\\n\"\n#endif\n"
+                "int main() { printf(WHOSE); return 0; }\n");
+  folder_.write(
+      "demo.c",
+      "#include \"include/eyebot.h\"\nint main() { LCDPrintf(\"x\"); return KEY1 - KEY1; }\n");
+  EXPECT_EQ(build("gccsim x.c -o x.x").out, "ours\n");
+  EXPECT_EQ(build("gccsim x.c -Iown -o x.x").out, "its own\n");
+  EXPECT_EQ(build("gccsim --classic x.c -o x.x").out, "ours\n");
+  for (const char* line : {"gccsim demo.c -o x.x", "gccsim --classic demo.c -o x.x"}) {
+    const ProgramRun r = build(line);
+    EXPECT_EQ(r.exit_code, 0) << line << r.err;
+    EXPECT_EQ(r.err, "");
+  }
+}
+
 TEST_F(Dialect, OldCGivesWarningsOnly) {
   folder_.write(
       "x.c",

@@ -91,6 +91,17 @@ TEST(Drive, SpeedIsRampedAndHeld) {
   EXPECT_NEAR(eb_drive_linear(&drive.host.board.drive), 0.3, 0.004);
 }
 
+TEST(Drive, EmptyMovesTakeNoSpeedFromTheMovesAfterThem) {
+  Drive drive;
+  for (int i = 0; i < 50; ++i) {
+    eb_drive_move(&drive.host.board.drive, 0.0F, 0.0F, 1.0F);
+    EXPECT_EQ(drive.host.board.drive.move_state, EYECAN_MOVE_DONE);
+    eb_drive_move(&drive.host.board.drive, 0.5F, 0.0F, 0.2F);
+    drive.run(5);
+  }
+  EXPECT_NEAR(drive.host.board.drive.linear, 0.2, 0.01);
+}
+
 TEST(Drive, AHeldRobotStallsAndGivesUpAfterTwoSeconds) {
   Drive drive;
   drive.plant.held = true;

@@ -45,7 +45,7 @@ class Calls(ProgramTest):
             1 1 0 0
             [100, 0] 1
             """,
-            err="eyebridge: warning: VWDrive: the point 100, 200 must lie ahead: dx > |dy|\n",
+            err="eyebridge: warning: VWDrive: the point 100, 200 must lie ahead: dx >= |dy|\n",
         )
 
     def test_out_parameters_of_c_are_filled_in(self):

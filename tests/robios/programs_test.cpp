@@ -64,7 +64,7 @@ TEST(Programs, DrivingEndsWhereItShould) {
   EXPECT_THAT(r.out, HasSubstr("straight 200 0 0\nback -200 0 0\nturn 0 0 -90\nturn 0 0 90\n"));
   EXPECT_THAT(r.out, HasSubstr("curve 100 100 90\n"));
   EXPECT_THAT(r.out, HasSubstr("not ahead 1\n"));
-  EXPECT_THAT(r.out, HasSubstr("drive 200 100 53\n"));
+  EXPECT_THAT(r.out, HasSubstr("drive 200 100 53\nquarter 100 -100 -90\n"));
   EXPECT_THAT(r.out, HasSubstr("nothing 0 0 0\n"));
   EXPECT_THAT(r.out, HasSubstr("speed 100 0\n"));
   EXPECT_THAT(r.out, HasSubstr("stuck 1 done -1 stalled 3\n"));

@@ -239,10 +239,13 @@ class MazeReader {
   }
 
   void read_bar(std::size_t r, std::size_t i) {
-    if (i % 2 != 0)
-      return odd(r, i, "'|' in an even column is ignored: walls stand in odd columns");
     if (r == 0) return odd(r, i, "'|' above the top boundary is ignored");
-    grid_.west[(row(r)) * (width() + 1) + i / 2] = 1;
+    if (i % 2 != 0) {
+      odd(r, i,
+          "'|' in an even column, taken for one in the column after it: walls stand in odd "
+          "columns");
+    }
+    grid_.west[(row(r)) * (width() + 1) + (i + 1) / 2] = 1;
   }
 
   void read_dash(std::size_t r, std::size_t i) {
@@ -251,7 +254,11 @@ class MazeReader {
     const std::string_view text = rows_[r].text;
     const bool joined = (i > 0 && (text[i - 1] == '_' || is_upper(text[i - 1]))) ||
                         (i + 1 < text.size() && (text[i + 1] == '_' || is_upper(text[i + 1])));
-    if (!joined) odd(r, i, "'_' in an odd column is ignored: it belongs into an even one");
+    if (joined) return;
+    if (i == 0) return odd(r, i, "'_' in the first column is ignored: it belongs into an even one");
+    odd(r, i,
+        "'_' in an odd column, taken for one in the column before it: it belongs into an even one");
+    put_floor(r, i - 1);
   }
 
   /// The wall under the character at even column `i` + 1 of line `r`; line 0 is the top boundary.

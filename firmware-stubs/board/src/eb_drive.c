@@ -95,13 +95,18 @@ void eb_drive_speed(struct eb_drive* drive, float linear, float angular) {
   drive->move_state = EYECAN_MOVE_SPEED;
 }
 
-static void stand(struct eb_drive* drive, uint8_t state) {
-  drive->linear = drive->angular = 0.0F;
+/* No goal any more; the ramp takes the speed to zero. */
+static void run_out(struct eb_drive* drive, uint8_t state) {
   drive->target_linear = drive->target_angular = 0.0F;
   set_part(&drive->distance, 0.0F);
   set_part(&drive->angle, 0.0F);
   drive->keeps_heading = false;
   drive->move_state = state;
+}
+
+static void stand(struct eb_drive* drive, uint8_t state) {
+  drive->linear = drive->angular = 0.0F;
+  run_out(drive, state);
 }
 
 /* The angle of a move with what those before it owe: a tick's worth after a turn, or what a
@@ -118,7 +123,7 @@ void eb_drive_move(struct eb_drive* drive, float distance, float angle, float sp
   take_over(drive);
   speed = eb_abs(speed);
   if (speed == 0.0F || (distance == 0.0F && angle == 0.0F)) {
-    stand(drive, EYECAN_MOVE_DONE);
+    run_out(drive, EYECAN_MOVE_DONE);
     return;
   }
   drive->linear_top = drive->config.max_linear;

@@ -56,7 +56,7 @@ int VWTurn(int angle, int ang_speed);
  * heading then changes by -angle, as in EyeSim. dist 0 moves nothing.
  */
 int VWCurve(int dist, int angle, int lin_speed);
-/** Drives an arc to the point dx ahead and dy to the left, mm. 1 unless dx > |dy|, and nothing
+/** Drives an arc to the point dx ahead and dy to the left, mm. 1 unless dx >= |dy|, and nothing
  * changes then. */
 int VWDrive(int dx, int dy, int lin_speed);
 /** Distance still to go, in mm; 0 for turns and when nothing is under way. */

@@ -66,11 +66,23 @@ TEST(Maze, WarnsOfMisalignedBarsAndDashes) {
   const auto maze = maze_of(" ___\n| | |\n|_ ||\n");
   ASSERT_EQ(maze_warnings.size(), 1u);
   EXPECT_EQ(maze_warnings[0].str(),
-            "m.maz:3:4: warning: '|' in an even column is ignored: walls stand in odd columns");
+            "m.maz:3:4: warning: '|' in an even column, taken for one in the column after it: "
+            "walls stand in odd "
+            "columns");
   EXPECT_EQ(maze.maze->west, (std::vector<char>{1, 0, 1, 1, 1, 1}));
-  maze_of(" ___\n|   |\n| _ |\n");
+  const auto dash = maze_of(" ___\n|   |\n| _ |\n");
   ASSERT_EQ(maze_warnings.size(), 1u);
   EXPECT_EQ(maze_warnings[0].where.column, 3);
+  EXPECT_EQ(dash.maze->south, (std::vector<char>{1, 0, 0, 0, 1, 1}));
+  maze_of(" ___\n|   |\n_  _|\n");
+  EXPECT_EQ(maze_warnings.size(), 1u);
+}
+
+TEST(Maze, MisalignedBarsStandWhereEyeSimPutsThem) {
+  const auto maze = maze_of(" ______\n|  | | |\n|S_____|\n");
+  EXPECT_EQ(maze_warnings.size(), 4u);
+  EXPECT_EQ(maze.maze->columns, 4);
+  EXPECT_EQ(maze.maze->west, (std::vector<char>{1, 0, 0, 0, 1, 1, 0, 1, 1, 1}));
 }
 
 TEST(Maze, WarnsOfLettersWithoutMeaningButNotOfDots) {

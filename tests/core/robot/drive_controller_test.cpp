@@ -273,7 +273,7 @@ TEST(DriveController, TurnIsNotDoneBeforeTheWayHasRunOut) {
   EXPECT_EQ(robot.controller().twist(), Twist{});
 }
 
-TEST(DriveController, EmptyGoalIsDoneAtOnceAndStops) {
+TEST(DriveController, EmptyGoalIsDoneAtOnceAndRunsOut) {
   for (const DriveGoal goal :
        {DriveGoal{0.0, 0.0, 0.3}, DriveGoal{1.0, 0.0, 0.0}, DriveGoal{0.0, 1.0, 0.0}}) {
     PerfectRobot robot;
@@ -281,8 +281,20 @@ TEST(DriveController, EmptyGoalIsDoneAtOnceAndStops) {
     robot.steps(10);
     robot.controller().start(goal, robot.controller().twist());
     EXPECT_EQ(robot.controller().state(), DriveState::Idle);
+    robot.steps(100);  // none faster than the ramp
     EXPECT_TRUE(robot.controller().at_rest());
   }
+}
+
+TEST(DriveController, EmptyGoalsTakeNoSpeedFromTheGoalsAfterThem) {
+  // As programs that steer with VWTurn(angle, 60); VWStraight(500, 200); all the time.
+  PerfectRobot robot;
+  for (int i = 0; i < 500; ++i) {
+    robot.controller().start({0.0, 0.0, 1.0}, robot.controller().twist());
+    robot.controller().start({0.5, 0.0, 0.2}, robot.controller().twist());
+    robot.steps(5);
+  }
+  EXPECT_NEAR(robot.top_linear(), 0.2, 1e-9);
 }
 
 TEST(DriveController, RemainingFallsToZero) {

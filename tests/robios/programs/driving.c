@@ -35,6 +35,9 @@ int main() {
   VWDrive(200, 100, 100);
   VWWait();
   show("drive");
+  VWDrive(100, -100, 100); /* as far aside as ahead */
+  VWWait();
+  show("quarter");
   VWStraight(0, 0);
   VWWait();
   show("nothing");

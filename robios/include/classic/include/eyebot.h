@@ -1,2 +1,0 @@
-/** The ROM's own demos include "include/eyebot.h". */
-#include "../eyebot.h"

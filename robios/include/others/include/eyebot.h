@@ -1,0 +1,2 @@
+/** Demos include "include/eyebot.h". */
+#include <eyebot.h>
