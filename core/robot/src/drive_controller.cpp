@@ -62,7 +62,8 @@ double DriveController::settle_heading(double angle) {
 void DriveController::start(const DriveGoal& goal, const Twist& present) {
   const double speed = std::abs(goal.speed);
   if (speed == 0.0 || (goal.distance == 0.0 && goal.angle == 0.0)) {
-    // Runs out as after set_speed(): programs that steer give a turn of 0 degrees before each straight.
+    // Runs out as after set_speed(): programs that steer give a turn of 0 degrees before each
+    // straight.
     set_speed({}, present);
     return;
   }

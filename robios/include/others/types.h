@@ -1,2 +1,3 @@
-/** EyeSim's header of this name, which its eyebot.h includes; so do programs. All of it is in eyebot.h. */
+/** EyeSim's header of this name, which its eyebot.h includes; so do programs. All of it is in
+ * eyebot.h. */
 #include <eyebot.h>
