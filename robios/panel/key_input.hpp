@@ -14,6 +14,7 @@ namespace eyebridge::robios {
 struct KeyEvent {
   int key = 0;  ///< Mask of one key (1, 2, 4, 8); 0 for none.
   std::optional<TouchPoint> touch;
+  int remote = 0;  ///< What the same key is on a remote control, or 0.
 
   friend bool operator==(const KeyEvent&, const KeyEvent&) = default;
 };
@@ -34,7 +35,7 @@ class KeyInput {
 /// The LCD pixel under a character of the terminal's window (column and row from 0), or nothing.
 using TouchMap = std::function<std::optional<TouchPoint>(int column, int row)>;
 
-/// Keys 1 to 4 typed at a terminal, taken without Enter and without echo, and clicks of the mouse;
+/// Keys 1 to 4 and those of a remote control typed at a terminal, taken without Enter and without echo, and clicks of the mouse;
 /// all else is dropped. The terminal is switched over at the first poll(), so that programs that
 /// want no keys can read lines, and restored when the object ends, at exit, and by
 /// restore_terminal(). One at a time.

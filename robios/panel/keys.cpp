@@ -74,6 +74,7 @@ void Keys::take_terminal(std::chrono::milliseconds timeout) {
   const std::lock_guard lock(terminal_mutex_);
   const KeyEvent event = terminal_->poll(timeout);
   press(event.key);
+  take_remote(event.remote);
   if (event.touch) touch(event.touch->x, event.touch->y);
 }
 
@@ -118,8 +119,7 @@ auto Keys::wait_for(Wanted wanted, const WaitUntil& wait_until, Take take)
     bool typed = false;
     if (terminal_ != nullptr) {
       const std::lock_guard lock(terminal_mutex_);
-      typed = terminal_->open() &&
-              (wanted == Wanted::Key || (wanted == Wanted::Touch && terminal_->has_touches()));
+      typed = terminal_->open() && (wanted != Wanted::Touch || terminal_->has_touches());
     }
     const bool person = window || typed;
 
@@ -173,29 +173,40 @@ void Keys::press_remote(int code) {
   pressed_.notify_all();
 }
 
-int Keys::read_remote() {
+void Keys::take_remote(int typed) {
   const std::lock_guard lock(mutex_);
-  take_script();
-  if (remote_.empty()) {
-    return 0;
-  }
+  if (typed != 0 && uses_remote_) remote_.push_back(typed);
+}
+
+std::optional<int> Keys::next_remote() {
+  if (remote_.empty()) return std::nullopt;
   const int code = remote_.front();
   remote_.pop_front();
   return code;
 }
 
+void Keys::begin_remote() {
+  {
+    const std::lock_guard lock(mutex_);
+    uses_remote_ = true;
+  }
+  take_terminal(std::chrono::milliseconds{0});
+}
+
+int Keys::read_remote() {
+  begin_remote();
+  const std::lock_guard lock(mutex_);
+  take_script();
+  return next_remote().value_or(0);
+}
+
 Result<int> Keys::wait_remote(const WaitUntil& wait_until) {
-  return wait_for(Wanted::Remote, wait_until, [&]() -> std::optional<int> {
-    if (remote_.empty()) {
-      return std::nullopt;
-    }
-    const int code = remote_.front();
-    remote_.pop_front();
-    return code;
-  });
+  begin_remote();
+  return wait_for(Wanted::Remote, wait_until, [&] { return next_remote(); });
 }
 
 void Keys::flush_remote() {
+  begin_remote();
   const std::lock_guard lock(mutex_);
   take_script();
   remote_.clear();

@@ -50,7 +50,8 @@ class Keys {
   /// As wait(), for a touch.
   Result<TouchPoint> wait_touch(const WaitUntil& wait_until);
 
-  /// A key of the remote control of a window or of a test: its code, 1 … 255; else ignored.
+  /// A key of the remote control of a window or of a test: its code, 1 … 255; else ignored. What is
+  /// typed at the terminal counts from the program's first call about the remote control on.
   void press_remote(int code);
   /// The oldest code not reported yet, or 0. Never waits.
   int read_remote();
@@ -68,6 +69,9 @@ class Keys {
   void take_script();
   void take_terminal(std::chrono::milliseconds timeout);
   void add_touch(TouchPoint point);
+  void begin_remote();
+  void take_remote(int typed);
+  std::optional<int> next_remote();
 
   Clock& clock_;
   std::mutex mutex_;
@@ -80,6 +84,7 @@ class Keys {
   bool window_ = false;
   std::deque<int> presses_;
   std::deque<int> remote_;
+  bool uses_remote_ = false;  // else letters and digits that are typed are not kept
   std::optional<TouchPoint> last_touch_;
 };
 

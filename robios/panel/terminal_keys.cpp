@@ -53,7 +53,7 @@ KeyEvent TerminalKeys::poll(std::chrono::milliseconds timeout) {
 }
 
 KeyEvent TerminalKeys::event_of(const TerminalEvent& event) const {
-  if (event.key != 0) return {event.key, std::nullopt};
+  if (event.key != 0 || event.remote != 0) return {event.key, std::nullopt, event.remote};
   return {0, touch_map_ ? touch_map_(event.column, event.row) : std::nullopt};
 }
 

@@ -204,6 +204,8 @@ inline void terminal_input(std::string_view bytes) {
     const bool is_click = event->key == 0 && event->column >= 0 && event->row >= 0 &&
                           event->column < 100'000 && event->row < 100'000;
     if (!is_key && !is_click) found();
+    if (event->remote != 0 && (event->column != 0 || event->row != 0 || event->remote > 'Y'))
+      found();
     if (is_key && (byte < '1' || byte > '4')) found();
   }
 }

@@ -40,7 +40,8 @@ class FakeInput final : public KeyInput {
     }
     const int key = keys_.front();
     keys_.pop_front();
-    // A key beyond the four is a touch in this test.
+    // A key beyond the four is a touch in this test, a negative one of the remote control.
+    if (key < 0) return {0, std::nullopt, -key};
     return key <= 8 ? KeyEvent{key, std::nullopt} : KeyEvent{0, TouchPoint{key, key}};
   }
   [[nodiscard]] bool has_touches() const override { return has_touches_; }
@@ -215,6 +216,16 @@ TEST(KeysTouch, IsScriptedAndWaitedFor) {
   EXPECT_EQ(clock.now(), seconds(2));
   EXPECT_EQ(keys.read(), 1);
   EXPECT_EQ(keys.wait_touch(on(clock)).error().code, Errc::Unsupported);
+}
+
+TEST(KeysRemote, WhatIsTypedCountsOnceTheProgramAsksForTheRemote) {
+  FakeClock clock(false);
+  Keys keys(clock, {}, std::make_unique<FakeInput>(std::deque<int>{-'5', -'R', 2, -'O'}, true));
+  EXPECT_EQ(keys.read(), 0) << "5, of no use to this program yet";
+  EXPECT_EQ(keys.read_remote(), 'R');
+  EXPECT_EQ(keys.wait_remote(on(clock)).value(), 'O');
+  EXPECT_EQ(keys.read(), 2);
+  EXPECT_EQ(keys.wait_remote(on(clock)).error().code, Errc::Unsupported) << "the terminal is gone";
 }
 
 TEST(KeysRemote, CodesWaitApartFromKeysUntilTheyAreAskedFor) {

@@ -1,5 +1,6 @@
 #include <cstdlib>
 #include <random>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -23,12 +24,27 @@ Events decode(std::string_view bytes) {
 
 Events keys(const std::vector<int>& masks) {
   Events events;
-  for (const int mask : masks) events.push_back({mask, 0, 0});
+  for (const int mask : masks) {
+    const int digit = mask == 8 ? '4' : mask == 4 ? '3' : '0' + mask;
+    events.push_back({mask, 0, 0, digit});
+  }
   return events;
 }
 
 TEST(TerminalInput, TakesTheDigitsOneToFour) {
-  EXPECT_EQ(decode("1x2 34\n059\xC3\xA4"), keys({1, 2, 4, 8}));
+  EXPECT_EQ(decode("1x2 34\xC3\xA4"), keys({1, 2, 4, 8}));
+}
+
+TEST(TerminalInput, TakesTheKeysOfARemoteControl) {
+  // Codes of eyebot.h, IRTV_0 to IRTV_POWER.
+  std::string codes;
+  for (const TerminalEvent& event :
+       decode("0q59rGyB.Pp\r\n\x1b[A\x1b[B\x1b[C\x1b[D\x1bOA\x1bOB\x1bOC\x1bOD")) {
+    EXPECT_EQ(event.key, 0);
+    codes += static_cast<char>(event.remote);
+  }
+  EXPECT_EQ(codes, "059RGYBPPOOUD>LUD>L");
+  EXPECT_EQ(decode("\x1b[1A\x1b[E\x1bOE"), Events{}) << "arrows with Shift, other keys";
 }
 
 TEST(TerminalInput, TakesClicksOfTheFirstButton) {
@@ -46,7 +62,7 @@ TEST(TerminalInput, TakesNoOtherReports) {
 }
 
 TEST(TerminalInput, TakesClicksOfTerminalsThatKnowOnlyTheOldForm) {
-  EXPECT_EQ(decode("\x1b[M !#1"), (Events{{0, 0, 2}, {1, 0, 0}}));
+  EXPECT_EQ(decode("\x1b[M !#1"), (Events{{0, 0, 2}, {1, 0, 0, '1'}}));
   EXPECT_EQ(decode("\x1b[M#!#"), Events{}) << "a release";
   EXPECT_EQ(decode("\x1b[M 12"), (Events{{0, 16, 17}})) << "digits that are a place";
   EXPECT_EQ(decode("\x1b[M \x1b\x1b"), Events{}) << "columns beyond what the form can say";
@@ -73,7 +89,7 @@ TEST(TerminalInput, FindsADigitAfterAnyNoise) {
     for (int n = 0; n < 40; ++n) decoder.push(static_cast<std::uint8_t>(random()));
     // No sequence outlives a control character and three bytes.
     for (int n = 0; n < 4; ++n) decoder.push('\n');
-    EXPECT_EQ(decoder.push('4'), (TerminalEvent{8, 0, 0}));
+    EXPECT_EQ(decoder.push('4'), (TerminalEvent{8, 0, 0, '4'}));
   }
 }
 

@@ -39,7 +39,11 @@ int MOTORSpeed(int motor, int ticks);
  * VWSetSpeed). Speed 0 moves nothing and counts as done.
  */
 
-/** Drives with mm/s (forward positive) and deg/s (left positive) until the next command. */
+/**
+ * Drives with mm/s (forward positive) and deg/s (left positive) until the next command. EyeSim's
+ * robots take a new speed at once, these by 1 m/s and 573 deg/s a second unless their .robi file
+ * says `accel`.
+ */
 int VWSetSpeed(int linSpeed, int angSpeed);
 /** Measured speeds, mm/s and deg/s. Null pointers are left out, here and below. */
 int VWGetSpeed(int* linSpeed, int* angSpeed);

@@ -15,6 +15,36 @@ std::optional<TerminalEvent> click(int button, int column, int row) {
   return TerminalEvent{0, column - 1, row - 1};
 }
 
+/// The remote control's key (eyebot.h: IRTV_…) that a character stands for, or 0.
+int remote_of_character(std::uint8_t byte) {
+  if (byte >= '0' && byte <= '9') return byte;
+  switch (byte) {
+    case 'r':
+    case 'g':
+    case 'y':
+    case 'b':
+    case 'p':
+      return byte - 'a' + 'A';
+    case 'R':
+    case 'G':
+    case 'Y':
+    case 'B':
+    case 'P':
+      return byte;
+    case '\r':
+    case '\n':
+      return 'O';
+    default:
+      return 0;
+  }
+}
+
+/// Likewise the last byte of an arrow's sequence.
+std::optional<TerminalEvent> arrow(std::uint8_t byte) {
+  if (byte < 'A' || byte > 'D') return std::nullopt;
+  return TerminalEvent{0, 0, 0, "UD>L"[byte - 'A']};
+}
+
 }  // namespace
 
 std::optional<TerminalEvent> InputDecoder::push(std::uint8_t byte) {
@@ -33,7 +63,7 @@ std::optional<TerminalEvent> InputDecoder::push(std::uint8_t byte) {
       break;  // a lone Escape, or a key held with Alt: the character counts
     case State::Function:
       state_ = State::Ground;
-      return std::nullopt;
+      return arrow(byte);
     case State::Control:
       return control_byte(byte);
     case State::OldMouse:
@@ -45,8 +75,14 @@ std::optional<TerminalEvent> InputDecoder::push(std::uint8_t byte) {
     case State::Ground:
       break;
   }
-  if (byte < '1' || byte > '4') return std::nullopt;
-  return TerminalEvent{1 << (byte - '1'), 0, 0};
+  return typed(byte);
+}
+
+std::optional<TerminalEvent> InputDecoder::typed(std::uint8_t byte) {
+  const int remote = remote_of_character(byte);
+  if (remote == 0) return std::nullopt;
+  const bool is_key = byte >= '1' && byte <= '4';
+  return TerminalEvent{is_key ? 1 << (byte - '1') : 0, 0, 0, remote};
 }
 
 void InputDecoder::begin_control() {
@@ -66,6 +102,7 @@ std::optional<TerminalEvent> InputDecoder::control_byte(std::uint8_t byte) {
       state_ = State::OldMouse;
       count_ = 0;
     }
+    if (bare) return arrow(byte);
     return byte == 'M' && is_sgr_ ? sgr_click() : std::nullopt;
   }
   if (byte < 0x20 || byte > 0x7E) {  // a control character, or no ASCII at all: broken off
