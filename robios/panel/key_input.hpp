@@ -35,10 +35,10 @@ class KeyInput {
 /// The LCD pixel under a character of the terminal's window (column and row from 0), or nothing.
 using TouchMap = std::function<std::optional<TouchPoint>(int column, int row)>;
 
-/// Keys 1 to 4 and those of a remote control typed at a terminal, taken without Enter and without echo, and clicks of the mouse;
-/// all else is dropped. The terminal is switched over at the first poll(), so that programs that
-/// want no keys can read lines, and restored when the object ends, at exit, and by
-/// restore_terminal(). One at a time.
+/// Keys 1 to 4 and those of a remote control typed at a terminal, taken without Enter and without
+/// echo, and clicks of the mouse; all else is dropped. The terminal is switched over at the first
+/// poll(), so that programs that want no keys can read lines, and restored when the object ends, at
+/// exit, and by restore_terminal(). One at a time.
 class TerminalKeys final : public KeyInput {
  public:
   /// `descriptor` is a terminal, lent for the object's life. Without `touch_map` the mouse is left
