@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "eyebridge/camera/view.hpp"
+#include "eyebridge/hal/passing_backend.hpp"
 #include "hand/hand_drive.hpp"
 #include "hand/pulling_clock.hpp"
 #include "mix/follow.hpp"
@@ -17,10 +18,11 @@ Pose camera_in_robot(Backend& backend) {
   return relative_to(backend.world()->robot_pose(0).value(), {eye.x, eye.y, eye.heading});
 }
 
-class HandBackend final : public Backend {
+class HandBackend final : public PassingBackend {
  public:
   HandBackend(std::unique_ptr<Backend> inner, HandParts parts)
-      : world_(*inner->world()),
+      : PassingBackend(nullptr),
+        world_(*inner->world()),
         display_(std::move(parts.display)),
         robot_({std::move(parts.finder), camera_in_robot(*inner), inner->clock(),
                 [this](const Pose& pose) { (void)world_.set_robot_pose(0, pose); }, *display_}),
@@ -36,30 +38,10 @@ class HandBackend final : public Backend {
     if (inner_clock_.is_virtual()) return pulling_;
     return inner_clock_;
   }
-  [[nodiscard]] int robot_id() const override { return inner_->robot_id(); }
   Drive* drive() override { return &drive_; }
-  RangeSensor* range_sensor(int id) override { return inner_->range_sensor(id); }
-  SwitchSensor* proximity(int id) override { return inner_->proximity(id); }
-  SwitchSensor* bumper(int id) override { return inner_->bumper(id); }
-  Lidar* lidar() override { return inner_->lidar(); }
-  Compass* compass() override { return inner_->compass(); }
   Motor* motor(int) override { return nullptr; }
   Encoder* encoder(int) override { return nullptr; }
-  Servo* servo(int id) override { return inner_->servo(id); }
-  DigitalLines* digital() override { return inner_->digital(); }
-  AnalogInputs* analog() override { return inner_->analog(); }
-  IoBoard* io_board() override { return inner_->io_board(); }
-  Remote* remote() override { return inner_->remote(); }
-  SerialPort* serial_port(int id) override { return inner_->serial_port(id); }
-  Sound* sound() override { return inner_->sound(); }
-  Radio* radio() override { return inner_->radio(); }
-  WorldControl* world() override { return inner_->world(); }
-  camera::View* camera_view() override { return inner_->camera_view(); }
   camera::Source* camera_source() override { return &camera_; }
-  std::vector<DeviceFacts> facts_of(std::string_view kind) override {
-    return inner_->facts_of(kind);
-  }
-  void trace_to(TraceSink* sink) override { inner_->trace_to(sink); }
   void stop() noexcept override {
     try {
       robot_.set_speed({});
@@ -75,7 +57,6 @@ class HandBackend final : public Backend {
   std::unique_ptr<InstructionSink> display_;
   CarriedRobot robot_;
   Clock& inner_clock_;
-  std::unique_ptr<Backend> inner_;  ///< Outlives the camera, which lives on its clock.
   PoseTracker tracker_;
   camera::SharedSource camera_;  ///< Calls the robot from a thread of its own: ends before it.
   PullingClock pulling_;

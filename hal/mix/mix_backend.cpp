@@ -81,6 +81,9 @@ class MixBackend final : public Backend {
   SerialPort* serial_port(int id) override { return of("serial").serial_port(id); }
   Sound* sound() override { return of("sound").sound(); }
   Radio* radio() override { return of("radio").radio(); }
+  [[nodiscard]] RadioConditions radio_conditions() const override {
+    return main_->radio_conditions();
+  }
   WorldControl* world() override { return main_->world(); }
   camera::View* camera_view() override {
     Backend& backend = of("camera");

@@ -41,6 +41,9 @@ class TapBackend final : public Backend {
   WorldControl* world() override { return inner_->world(); }
   camera::View* camera_view() override { return inner_->camera_view(); }
   camera::Source* camera_source() override { return inner_->camera_source(); }
+  [[nodiscard]] RadioConditions radio_conditions() const override {
+    return inner_->radio_conditions();
+  }
   camera::FrameSink* frame_sink() override {
     camera::FrameSink* own = tap_->frame_sink();
     return own != nullptr ? own : inner_->frame_sink();

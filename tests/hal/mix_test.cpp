@@ -5,6 +5,7 @@
 
 #include "config/mix_text.hpp"
 #include "eyebridge/camera/view.hpp"
+#include "eyebridge/hal/passing_backend.hpp"
 #include "eyebridge/hal/registry.hpp"
 #include "mix/mix_backend.hpp"
 #include "replay/recorded_robot.hpp"
@@ -18,22 +19,10 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// A simulated robot that says nothing of its world, like a real one.
-class Worldless final : public Backend {
+class Worldless final : public PassingBackend {
  public:
-  explicit Worldless(std::unique_ptr<Backend> inner) : inner_(std::move(inner)) {}
-  Clock& clock() override { return inner_->clock(); }
+  using PassingBackend::PassingBackend;
   [[nodiscard]] int robot_id() const override { return 1; }
-  Drive* drive() override { return inner_->drive(); }
-  RangeSensor* range_sensor(int id) override { return inner_->range_sensor(id); }
-  SwitchSensor* proximity(int id) override { return inner_->proximity(id); }
-  SwitchSensor* bumper(int id) override { return inner_->bumper(id); }
-  Lidar* lidar() override { return inner_->lidar(); }
-  Compass* compass() override { return inner_->compass(); }
-  Motor* motor(int id) override { return inner_->motor(id); }
-  Encoder* encoder(int id) override { return inner_->encoder(id); }
-  Servo* servo(int id) override { return inner_->servo(id); }
-  DigitalLines* digital() override { return inner_->digital(); }
-  AnalogInputs* analog() override { return inner_->analog(); }
   IoBoard* io_board() override { return nullptr; }
   Remote* remote() override { return nullptr; }
   SerialPort* serial_port(int) override { return nullptr; }
@@ -42,14 +31,6 @@ class Worldless final : public Backend {
   WorldControl* world() override { return nullptr; }
   camera::View* camera_view() override { return nullptr; }
   camera::Source* camera_source() override { return nullptr; }
-  std::vector<DeviceFacts> facts_of(std::string_view kind) override {
-    return inner_->facts_of(kind);
-  }
-  void trace_to(TraceSink* sink) override { inner_->trace_to(sink); }
-  void stop() noexcept override { inner_->stop(); }
-
- private:
-  std::unique_ptr<Backend> inner_;
 };
 
 /// Two simulated robots in virtual time, each before a wall of its own.
@@ -84,6 +65,21 @@ TEST(Mix, TakesTheKindsThatAreNamedFromTheOtherBackendAndTheRestFromTheFirst) {
   ASSERT_TRUE(mix->lidar()->read(scan));
   EXPECT_GT(scan[0], 0.9) << "the lidar is the first one's";
   EXPECT_NEAR(mix->compass()->read().value(), 0.0, 1e-9);
+}
+
+/// A robot whose messages suffer.
+class Deaf final : public PassingBackend {
+ public:
+  using PassingBackend::PassingBackend;
+  [[nodiscard]] RadioConditions radio_conditions() const override { return {0.5, Time(7)}; }
+};
+
+TEST(Mix, MessagesSufferWhatTheFirstBackendSays) {
+  Two two;
+  two.main.backend = std::make_unique<Deaf>(std::move(two.main.backend));
+  const auto mix = two.mix({"psd"});
+  EXPECT_EQ(mix->radio_conditions().loss, 0.5);
+  EXPECT_EQ(mix->radio_conditions().delay, Time(7));
 }
 
 TEST(Mix, ASimulatedRobotThatDoesNotDriveFollowsTheOneThatDoes) {

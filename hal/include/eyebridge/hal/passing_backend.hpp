@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "eyebridge/hal/backend.hpp"
+
+namespace eyebridge::hal {
+
+/// A backend around another one that passes on every question: a base for those that answer a few
+/// differently.
+class PassingBackend : public Backend {
+ public:
+  /// May be given later, before the first call: see inner_.
+  explicit PassingBackend(std::unique_ptr<Backend> inner) : inner_(std::move(inner)) {}
+
+  Clock& clock() override { return inner_->clock(); }
+  [[nodiscard]] int robot_id() const override { return inner_->robot_id(); }
+  Drive* drive() override { return inner_->drive(); }
+  RangeSensor* range_sensor(int id) override { return inner_->range_sensor(id); }
+  SwitchSensor* proximity(int id) override { return inner_->proximity(id); }
+  SwitchSensor* bumper(int id) override { return inner_->bumper(id); }
+  Lidar* lidar() override { return inner_->lidar(); }
+  Compass* compass() override { return inner_->compass(); }
+  Motor* motor(int id) override { return inner_->motor(id); }
+  Encoder* encoder(int id) override { return inner_->encoder(id); }
+  Servo* servo(int id) override { return inner_->servo(id); }
+  DigitalLines* digital() override { return inner_->digital(); }
+  AnalogInputs* analog() override { return inner_->analog(); }
+  IoBoard* io_board() override { return inner_->io_board(); }
+  Remote* remote() override { return inner_->remote(); }
+  SerialPort* serial_port(int id) override { return inner_->serial_port(id); }
+  Sound* sound() override { return inner_->sound(); }
+  Radio* radio() override { return inner_->radio(); }
+  [[nodiscard]] RadioConditions radio_conditions() const override {
+    return inner_->radio_conditions();
+  }
+  WorldControl* world() override { return inner_->world(); }
+  camera::View* camera_view() override { return inner_->camera_view(); }
+  camera::Source* camera_source() override { return inner_->camera_source(); }
+  camera::FrameSink* frame_sink() override { return inner_->frame_sink(); }
+  std::vector<DeviceFacts> facts_of(std::string_view kind) override {
+    return inner_->facts_of(kind);
+  }
+  void trace_to(TraceSink* sink) override { inner_->trace_to(sink); }
+  void stop() noexcept override { inner_->stop(); }
+
+ protected:
+  std::unique_ptr<Backend> inner_;
+};
+
+}  // namespace eyebridge::hal
