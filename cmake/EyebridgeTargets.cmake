@@ -88,6 +88,19 @@ function(eyebridge_test name)
   add_dependencies(every_test test_${name})
 endfunction()
 
+# eyebridge_sanitizer_preload(variable): what LD_PRELOAD needs for a Python that loads what a sanitizer is in. Python
+# is built without: the run-time library has to be there before ours, and libstdc++ with it, so that it finds what throws.
+function(eyebridge_sanitizer_preload variable)
+  set(libraries "")
+  foreach(library libasan.so libubsan.so libstdc++.so)
+    execute_process(COMMAND "${CMAKE_CXX_COMPILER}" -print-file-name=${library}
+                    OUTPUT_VARIABLE path OUTPUT_STRIP_TRAILING_WHITESPACE)
+    list(APPEND libraries "${path}")
+  endforeach()
+  list(JOIN libraries ":" joined)
+  set(${variable} "${joined}" PARENT_SCOPE)
+endfunction()
+
 add_custom_target(every_test)
 add_custom_target(threaded_tests)  # What `./test all` builds with the thread sanitizer.
 add_custom_target(fuzzers)

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <deque>
+#include <functional>
 #include <mutex>
 #include <optional>
+#include <string_view>
 #include <utility>
 
+#include "eyebridge/base/clock.hpp"
 #include "eyebridge/base/result.hpp"
 #include "eyebridge/hal/radio.hpp"
 
@@ -21,6 +25,10 @@ class RadioMessages {
       if (messages_.empty()) return std::nullopt;
       return messages_.front().sender;
     });
+  }
+  Result<std::size_t> count(hal::Radio& radio) {
+    const std::lock_guard lock(mutex_);
+    return fetch(radio).map([&] { return messages_.size(); });
   }
   /// The oldest one.
   Result<std::optional<hal::RadioMessage>> take(hal::Radio& radio) {
@@ -50,5 +58,16 @@ class RadioMessages {
   std::mutex mutex_;
   std::deque<hal::RadioMessage> messages_;
 };
+
+class Session;
+
+/// The radio of the session's robot; Unsupported when it has none.
+Result<hal::Radio*> radio_of(Session& session);
+
+/// The oldest message, for the function `call`; waits by `wait_until`, on the robot's clock. A
+/// program that waits in virtual time for what nobody can send is ended.
+Result<hal::RadioMessage> wait_for_message(Session& session, hal::Radio& radio,
+                                           std::string_view call,
+                                           const std::function<void(Time)>& wait_until);
 
 }  // namespace eyebridge::robios

@@ -15,38 +15,12 @@ namespace {
 using namespace eyebridge;
 using robios::Session;
 
-constexpr Time kRadioPoll = std::chrono::milliseconds(10);
-constexpr Time kPatience = std::chrono::hours(1);
-
 template <class Body>
 int with_radio(const char* call, int failure, Body&& body) {
   return robios::guarded(call, failure, [&](Session& session) -> Result<int> {
-    hal::Radio* radio = session.backend().radio();
-    if (radio == nullptr) return fail(Errc::Unsupported, "this robot has no radio");
-    return body(*radio, session);
+    return robios::radio_of(session).and_then(
+        [&](hal::Radio* radio) -> Result<int> { return body(*radio, session); });
   });
-}
-
-/// In virtual time an hour passes in no time: a program that is alone would wait for ever.
-void check_hope(hal::Radio& radio, Session& session, Time since) {
-  if (!session.clock().is_virtual() || session.clock().now() - since < kPatience) return;
-  const auto robots = radio.robots();
-  if (robots && robots->size() > 1) return;
-  session.abort_run({Errc::Unsupported,
-                     "waits for a radio message that can never come: no other robot of this world "
-                     "has its radio on; other programs are reached by --radio udp:…"});
-}
-
-Result<hal::RadioMessage> wait_for_message(hal::Radio& radio, Session& session) {
-  const Time since = session.clock().now();
-  while (session.may_call("RADIOReceive")) {
-    auto message = session.messages().take(radio);
-    if (!message) return tl::unexpected(message.error());
-    if (*message) return std::move(**message);
-    check_hope(radio, session, since);
-    session.wait_until(session.clock().now() + kRadioPoll);
-  }
-  return fail(Errc::Timeout, "the run has ended");
 }
 
 }  // namespace
@@ -76,13 +50,16 @@ int RADIOReceive(int* id_no, char* buf, int size) {
   return with_radio("RADIOReceive", -1, [&](hal::Radio& radio, Session& session) -> Result<int> {
     if (buf == nullptr) return robios::null_pointer();
     if (size < 1) return fail(Errc::OutOfRange, fmt::format("size {}, expected at least 1", size));
-    return wait_for_message(radio, session).map([&](const hal::RadioMessage& message) {
-      const std::size_t length = std::min(message.text.size(), static_cast<std::size_t>(size) - 1);
-      std::memcpy(buf, message.text.data(), length);
-      buf[length] = '\0';
-      if (id_no != nullptr) *id_no = message.sender;
-      return static_cast<int>(length);
-    });
+    const auto wait_until = [&](Time until) { session.wait_until(until); };
+    return robios::wait_for_message(session, radio, "RADIOReceive", wait_until)
+        .map([&](const hal::RadioMessage& message) {
+          const std::size_t length =
+              std::min(message.text.size(), static_cast<std::size_t>(size) - 1);
+          std::memcpy(buf, message.text.data(), length);
+          buf[length] = '\0';
+          if (id_no != nullptr) *id_no = message.sender;
+          return static_cast<int>(length);
+        });
   });
 }
 

@@ -1,6 +1,7 @@
 // What programs may do to the library while they run.
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 
 #include <gmock/gmock.h>
@@ -38,12 +39,21 @@ TEST(ProgramLife, ThreadsOfTheRendererDoNotKeepAProgramAlive) {
 }
 
 TEST(ProgramLife, SleepingInLibcFollowsTheRobotsClock) {
+  constexpr int kSlept = 3000;  // milliseconds
   for (const auto& clock : kClocks) {
     const ProgramRun r = run_named("sleeps", clock);
     EXPECT_EQ(r.exit_code, 0) << r.err;
-    EXPECT_THAT(r.out, HasSubstr("drove 300\n"));
+    int waited = 0;
+    int drove = 0;
+    ASSERT_EQ(std::sscanf(r.out.c_str(), "waited %d drove %d", &waited, &drove), 2) << r.out;
+    // On a busy computer a thread wakes later than asked for, and the robot drives on meanwhile.
+    EXPECT_GE(waited, kSlept);
+    if (clock.at("EYEBRIDGE_FAST") == "true") {
+      EXPECT_LT(waited, kSlept + 50);
+    }
+    EXPECT_GT(drove, kSlept / 10 - 20) << "at 100 mm/s, with ramps";
+    EXPECT_LE(drove, waited / 10);
   }
-  EXPECT_THAT(run_named("sleeps").out, HasSubstr("waited 3000\n"));
 }
 
 TEST(ProgramLife, NullPointersFailInsteadOfCrashing) {

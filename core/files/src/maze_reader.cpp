@@ -57,6 +57,10 @@ std::optional<double> facing(char letter) {
   }
 }
 
+bool is_object(char c) { return c == 'o' || c == 'O' || c == 'x' || c == 'X'; }
+/// True for letters that put something into the maze.
+bool is_sign(char c) { return is_object(c) || facing(c).has_value(); }
+
 class MazeReader {
  public:
   MazeReader(std::string_view text, const std::string& file, std::vector<Warning>& warnings,
@@ -221,7 +225,7 @@ class MazeReader {
         read_dash(r, i);
       } else if (facing(c)) {
         add_start(r, i);
-      } else if (c == 'o' || c == 'O' || c == 'x' || c == 'X') {
+      } else if (is_object(c)) {
         add_object(r, i);
       } else if (c == '\t') {
         throw ConfigError({file_, rows_[r].line, column(r, i)},
@@ -241,6 +245,7 @@ class MazeReader {
   void read_bar(std::size_t r, std::size_t i) {
     if (r == 0) return odd(r, i, "'|' above the top boundary is ignored");
     if (i % 2 != 0) {
+      if (has_sign(r, i + 1)) return odd(r, i, no_room("'|' in an even column", r, i + 1));
       odd(r, i,
           "'|' in an even column, taken for one in the column after it: walls stand in odd "
           "columns");
@@ -256,9 +261,18 @@ class MazeReader {
                         (i + 1 < text.size() && (text[i + 1] == '_' || is_upper(text[i + 1])));
     if (joined) return;
     if (i == 0) return odd(r, i, "'_' in the first column is ignored: it belongs into an even one");
+    if (has_sign(r, i - 1)) return odd(r, i, no_room("'_' in an odd column", r, i - 1));
     odd(r, i,
         "'_' in an odd column, taken for one in the column before it: it belongs into an even one");
     put_floor(r, i - 1);
+  }
+
+  bool has_sign(std::size_t r, std::size_t i) const {
+    const std::string_view text = rows_[r].text;
+    return i < text.size() && is_sign(text[i]);
+  }
+  std::string no_room(const char* wall, std::size_t r, std::size_t i) const {
+    return std::string(wall) + " is ignored: '" + rows_[r].text[i] + "' stands where it belongs";
   }
 
   /// The wall under the character at even column `i` + 1 of line `r`; line 0 is the top boundary.

@@ -85,6 +85,18 @@ TEST(Maze, MisalignedBarsStandWhereEyeSimPutsThem) {
   EXPECT_EQ(maze.maze->west, (std::vector<char>{1, 0, 0, 0, 1, 1, 0, 1, 1, 1}));
 }
 
+TEST(Maze, MisalignedWallsGiveWayToWhatStandsInTheirPlace) {
+  // One character can draw a robot or a wall, not both: the maze could not be written again.
+  for (const std::string& text :
+       {std::string(" ___\n|   |\n|_||S|\n"), std::string(" ___\n|  |o|\n|___|\n"),
+        std::string(" ___\n|   |\n|s_ |\n"), std::string(" ___\n|o_ |\n|___|\n")}) {
+    const auto maze = maze_of(text);
+    ASSERT_GE(maze_warnings.size(), 1u) << text;
+    EXPECT_THAT(maze_warnings[0].text, testing::HasSubstr("is ignored")) << text;
+    EXPECT_EQ(maze_of(write_maze(maze)), maze) << text;
+  }
+}
+
 TEST(Maze, WarnsOfLettersWithoutMeaningButNotOfDots) {
   maze_of(" ___\n|.F.|\n|___|\n");
   ASSERT_EQ(maze_warnings.size(), 1u);

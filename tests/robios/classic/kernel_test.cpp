@@ -9,32 +9,22 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "eyebridge/base/jumping_clock.hpp"
+
 namespace eyebridge::robios::classic {
 namespace {
 
 using std::chrono::milliseconds;
 using ::testing::ElementsAre;
 
-/// Time that only moves when it is told to.
-class ManualClock final : public Clock {
- public:
-  [[nodiscard]] Time now() const override { return now_; }
-  void wait_until(Time deadline) override { now_ = std::max(now_, deadline); }
-  void spend(Time cost) override { now_ += cost; }
-  [[nodiscard]] bool is_virtual() const override { return true; }
-
- private:
-  Time now_{0};
-};
-
 // Tasks are plain functions, which find what they need here.
 Kernel* kernel = nullptr;
-ManualClock* robot_clock = nullptr;
+JumpingClock* robot_clock = nullptr;
 std::vector<std::string> story;
 sem* gate = nullptr;
 
 // Those of all tests, for ever: tasks that were not ended wait in them.
-auto& kept_clocks = *new std::vector<ManualClock*>;
+auto& kept_clocks = *new std::vector<JumpingClock*>;
 auto& kept_kernels = *new std::vector<Kernel*>;
 auto& kept_gates = *new std::vector<sem*>;
 
@@ -90,7 +80,7 @@ void ends_itself() {
 class KernelTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    robot_clock = new ManualClock;
+    robot_clock = new JumpingClock;
     kernel =
         new Kernel(*robot_clock, {[](Time deadline) { robot_clock->wait_until(deadline); },
                                   []() -> std::optional<Time> { return {}; }, [] { return false; },

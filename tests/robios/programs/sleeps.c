@@ -12,7 +12,6 @@ int main() {
   nanosleep(&half, NULL);
   VWSetSpeed(0, 0);
   VWGetPosition(&x, &y, &phi);
-  printf("waited %d\n", (OSGetCount() - start + 50) / 100 * 100);
-  printf("drove %s\n", x > 280 && x < 310 ? "300" : "wrong");
+  printf("waited %d\ndrove %d\n", OSGetCount() - start, x);
   return 0;
 }
