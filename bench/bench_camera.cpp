@@ -13,6 +13,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
+#include <turbojpeg.h>
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/random.hpp"
@@ -78,7 +79,7 @@ void convert_ours(benchmark::State& state, RawFormat format, int divisor) {
   const Bytes raw = raw_of(format, size);
   camera::PixelDecoder decoder;
   for (auto _ : state) {
-    auto frame = std::make_shared<const camera::Frame>(
+    const camera::FramePtr frame = decoder.share(
         *decoder.decode({format, size, 0, raw}, {size.width / divisor, size.height / divisor}));
     benchmark::DoNotOptimize(frame->bytes.data());
   }
@@ -103,6 +104,20 @@ void convert_opencv(benchmark::State& state, RawFormat format, int divisor) {
       out = small;
     }
     benchmark::DoNotOptimize(out.data);
+  }
+}
+
+/// The least that any use of libjpeg-turbo takes: no new memory, no frame, no check of the header.
+void convert_turbojpeg(benchmark::State& state, RawFormat format) {
+  const Size size = size_of(state);
+  const Bytes raw = raw_of(format, size);
+  Bytes rgb(static_cast<std::size_t>(3 * size.width * size.height));
+  const std::unique_ptr<void, int (*)(void*)> decoder(tjInitDecompress(), tjDestroy);
+  for (auto _ : state) {
+    const int failed = tjDecompress2(decoder.get(), raw.data(), raw.size(), rgb.data(), size.width,
+                                     0, size.height, TJPF_RGB, TJFLAG_FASTUPSAMPLE);
+    if (failed != 0) state.SkipWithError(tjGetErrorStr2(decoder.get()));
+    benchmark::DoNotOptimize(rgb.data());
   }
 }
 
@@ -209,6 +224,7 @@ BENCHMARK_CAPTURE(convert_ours, yuyv_to_half, RawFormat::Yuyv, 2)->Apply(sizes);
 BENCHMARK_CAPTURE(convert_opencv, yuyv_to_half, RawFormat::Yuyv, 2)->Apply(sizes);
 BENCHMARK_CAPTURE(convert_ours, mjpeg, RawFormat::Mjpeg, 1)->Apply(sizes);
 BENCHMARK_CAPTURE(convert_opencv, mjpeg, RawFormat::Mjpeg, 1)->Apply(sizes);
+BENCHMARK_CAPTURE(convert_turbojpeg, mjpeg, RawFormat::Mjpeg)->Apply(sizes);
 BENCHMARK_CAPTURE(convert_ours, mjpeg_to_half, RawFormat::Mjpeg, 2)->Apply(sizes);
 BENCHMARK_CAPTURE(convert_opencv, mjpeg_to_half, RawFormat::Mjpeg, 2)->Apply(sizes);
 BENCHMARK_CAPTURE(live_ours, yuyv, RawFormat::Yuyv)->Apply(frames);

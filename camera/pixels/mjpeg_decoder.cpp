@@ -4,8 +4,6 @@
 
 #include <turbojpeg.h>
 
-#include "eyebridge/camera/convert.hpp"
-
 namespace eyebridge::camera {
 namespace {
 
@@ -34,15 +32,16 @@ Size scaled_size(Size size, Size least) {
 
 void MjpegDecoder::Destroy::operator()(void* decoder) const { tjDestroy(decoder); }
 
-Result<Frame> MjpegDecoder::decode(std::span<const std::uint8_t> bytes, Size size, Size least) {
-  Result<Frame> frame = decode_once(bytes, size, least);
+Result<Frame> MjpegDecoder::decode(std::span<const std::uint8_t> bytes, Size size, Size least,
+                                   FramePool& pool) {
+  Result<Frame> frame = decode_once(bytes, size, least, pool);
   // A decoder that failed keeps tables and flags of the bad frame.
   if (!frame) decoder_.reset();
   return frame;
 }
 
-Result<Frame> MjpegDecoder::decode_once(std::span<const std::uint8_t> bytes, Size size,
-                                        Size least) {
+Result<Frame> MjpegDecoder::decode_once(std::span<const std::uint8_t> bytes, Size size, Size least,
+                                        FramePool& pool) {
   if (!decoder_) decoder_.reset(tjInitDecompress());
   if (!decoder_) return corrupt("no decoder: " + std::string(tjGetErrorStr2(nullptr)));
   Size found;
@@ -58,7 +57,7 @@ Result<Frame> MjpegDecoder::decode_once(std::span<const std::uint8_t> bytes, Siz
                    "x" + std::to_string(size.height));
   }
   const Size out = scaled_size(size, least);
-  Frame frame = make_frame(out.width, out.height, PixelFormat::Rgb24);
+  Frame frame = pool.make(out.width, out.height, PixelFormat::Rgb24);
   if (tjDecompress2(decoder_.get(), bytes.data(), bytes.size(), frame.bytes.data(), out.width,
                     frame.stride, out.height, TJPF_RGB, kFlags) != 0) {
     return corrupt(tjGetErrorStr2(decoder_.get()));

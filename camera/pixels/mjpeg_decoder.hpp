@@ -6,6 +6,7 @@
 
 #include "eyebridge/base/result.hpp"
 #include "eyebridge/camera/frame.hpp"
+#include "pixels/frame_pool.hpp"
 
 namespace eyebridge::camera {
 
@@ -14,11 +15,12 @@ class MjpegDecoder {
  public:
   /// The JPEG `bytes` as Rgb24, in the smallest of turbojpeg's scales (eighths) that is at least
   /// `least` pixels in both directions, at most full size. Fails with Corrupt: cut, damaged, or not
-  /// of `size`, the size of the stream.
-  Result<Frame> decode(std::span<const std::uint8_t> bytes, Size size, Size least);
+  /// of `size`, the size of the stream. The frame is made by `pool`.
+  Result<Frame> decode(std::span<const std::uint8_t> bytes, Size size, Size least, FramePool& pool);
 
  private:
-  Result<Frame> decode_once(std::span<const std::uint8_t> bytes, Size size, Size least);
+  Result<Frame> decode_once(std::span<const std::uint8_t> bytes, Size size, Size least,
+                            FramePool& pool);
 
   struct Destroy {
     void operator()(void* decoder) const;

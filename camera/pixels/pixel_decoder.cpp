@@ -64,7 +64,7 @@ std::size_t raw_bytes(RawFormat format, Size size, std::size_t stride) {
 
 Result<Frame> PixelDecoder::decode(const RawPicture& picture, Size size) {
   if (picture.format == RawFormat::Mjpeg) {
-    return mjpeg_.decode(picture.bytes, picture.size, least_size(picture.size, size))
+    return mjpeg_.decode(picture.bytes, picture.size, least_size(picture.size, size), pool_)
         .map([&](Frame&& frame) { return fit(std::move(frame), size.width, size.height); });
   }
   const std::size_t row = row_bytes(picture.format, picture.size.width);
@@ -77,7 +77,7 @@ Result<Frame> PixelDecoder::decode(const RawPicture& picture, Size size) {
   const bool by_four = picture.format == RawFormat::Yuyv || picture.format == RawFormat::Grey;
   const bool is_half = picture.size == Size{2 * size.width, 2 * size.height};
   const Size made = by_four && is_half ? size : picture.size;
-  Frame frame = make_frame(made.width, made.height, PixelFormat::Rgb24);
+  Frame frame = pool_.make(made.width, made.height, PixelFormat::Rgb24);
   if (by_four) {
     strips_to_rgb(picture, stride, frame);
   } else {

@@ -148,7 +148,7 @@ Result<FramePtr> V4l2Source::picture_of(const RawFrame& raw) {
   frame->time = time;
   frame->sequence = number;
   ++counts_.given;
-  return std::make_shared<const Frame>(*std::move(frame));
+  return decoder_.share(*std::move(frame));
 }
 
 Time V4l2Source::robot_time(Time moment) {

@@ -1,4 +1,7 @@
 // Raw bytes of cameras to R, G, B: exact where nothing is lost, and never a crash.
+#include <algorithm>
+#include <utility>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -156,9 +159,52 @@ TEST(Mjpeg, IsDecodedSmallerWhereThatIsEnough) {
     EXPECT_GE(psnr(small.bytes, fit(whole, size.width, size.height).bytes), 40.0);
   }
   MjpegDecoder decoder;
-  EXPECT_EQ(decoder.decode(jpeg, {640, 480}, {300, 200})->width, 320);
-  EXPECT_EQ(decoder.decode(jpeg, {640, 480}, {321, 200})->width, 400);
-  EXPECT_EQ(decoder.decode(jpeg, {640, 480}, {2000, 2000})->width, 640);
+  FramePool pool;
+  EXPECT_EQ(decoder.decode(jpeg, {640, 480}, {300, 200}, pool)->width, 320);
+  EXPECT_EQ(decoder.decode(jpeg, {640, 480}, {321, 200}, pool)->width, 400);
+  EXPECT_EQ(decoder.decode(jpeg, {640, 480}, {2000, 2000}, pool)->width, 640);
+}
+
+TEST(Pixels, NothingOfAnEarlierFrameIsLeftInItsMemory) {
+  const Size size{37, 23};  // odd: rows end within a pair of pixels, a block, a strip
+  const Bytes picture = smooth_picture(size.width, size.height);
+  const Bytes random = noise(4096, 7);
+  for (const RawFormat format :
+       {RawFormat::Yuyv, RawFormat::Nv12, RawFormat::Rgb24, RawFormat::Grey, RawFormat::Mjpeg}) {
+    const Bytes raw =
+        format == RawFormat::Mjpeg ? jpeg_of(picture, size.width, size.height) : random;
+    PixelDecoder decoder;
+    for (const int fill : {0x00, 0xFF}) {
+      Frame earlier = *decoder.decode({format, size, 0, raw}, size);
+      std::ranges::fill(earlier.bytes, static_cast<std::uint8_t>(fill));
+      static_cast<void>(decoder.share(std::move(earlier)));
+      EXPECT_EQ(decoder.decode({format, size, 0, raw}, size)->bytes,
+                decoded(format, size, raw, size).bytes);
+    }
+  }
+}
+
+TEST(FramePool, UsesTheMemoryOfFramesThatNobodyHas) {
+  FramePool pool;
+  FramePtr held = pool.share(pool.make(8, 4, PixelFormat::Rgb24));
+  const std::uint8_t* const memory = held->bytes.data();
+  EXPECT_NE(pool.make(8, 4, PixelFormat::Rgb24).bytes.data(), memory) << "somebody has it";
+  held.reset();
+  const Frame smaller = pool.make(8, 2, PixelFormat::Rgb24);
+  EXPECT_EQ(smaller.bytes.size(), 48U);
+  EXPECT_NE(smaller.bytes.data(), memory);
+  const Frame again = pool.make(8, 4, PixelFormat::Rgb24);
+  EXPECT_EQ(again.bytes.data(), memory);
+  EXPECT_EQ(again.stride, 24);
+}
+
+TEST(FramePool, FramesMayOutliveIt) {
+  FramePtr frame;
+  {
+    FramePool pool;
+    frame = pool.share(pool.make(8, 4, PixelFormat::Grey8));
+  }
+  EXPECT_EQ(frame->bytes.size(), 32U);
 }
 
 TEST(Mjpeg, AFrameWithoutHuffmanTablesIsRead) {
