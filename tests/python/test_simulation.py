@@ -1,7 +1,10 @@
 """The module eyebridge: worlds, robots and pictures as numpy arrays."""
 
+import contextlib
 import math
+import sys
 import threading
+import time
 import unittest
 
 import eyebridge
@@ -139,6 +142,52 @@ class Simulations(unittest.TestCase):
         for thread in threads:
             thread.join()
         self.assertEqual(round(sim.time, 6), 20.0)
+
+    def test_other_threads_run_while_a_call_waits_for_the_simulation(self):
+        # From now on a thread lets others run only where it waits.
+        self.addCleanup(sys.setswitchinterval, sys.getswitchinterval())
+        sys.setswitchinterval(1000)
+        calls = {
+            "objects": lambda sim: sim.objects,
+            "set_speeds": lambda sim: sim.set_speeds([[0, 0]]),
+            "cast_rays": lambda sim: sim.cast_rays(1, 1, [0.0]),
+            "psd": lambda sim: sim.robots[0].psd(1),
+            "pose": lambda sim: sim.robots[0].pose,
+            "__exit__": lambda sim: sim.__exit__(None, None, None),
+        }
+        for name, call in calls.items():
+            with self.subTest(name):
+                self.assertTrue(any(self.another_runs_during(call) for _ in range(20)))
+
+    def another_runs_during(self, call):
+        """True when another thread ran during call(sim), made while one more steps sim; False also by bad luck: when the
+        call came before the step."""
+        sim = eyebridge.Simulation()
+        turns = 0
+        stepping, ended = threading.Event(), threading.Event()
+
+        def step():
+            stepping.set()
+            with contextlib.suppress(RuntimeError):  # closed already
+                sim.step(100_000)
+
+        def take_turns():
+            nonlocal turns
+            while not ended.is_set():
+                turns += 1
+                time.sleep(0)
+
+        threads = [threading.Thread(target=take_turns), threading.Thread(target=step)]
+        for thread in threads:
+            thread.start()
+        stepping.wait()
+        before = turns
+        call(sim)
+        after = turns
+        ended.set()
+        for thread in threads:
+            thread.join()
+        return after > before
 
 
 class Cameras(unittest.TestCase):

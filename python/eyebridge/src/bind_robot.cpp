@@ -43,8 +43,8 @@ std::size_t sensor_index(const robot::RobotModel& model, int id) {
 }
 
 double psd(const RobotHandle& robot, int id) {
-  return robot.simulation->with([&](auto& sim) {
-    return sim.read_range(robot.index, sensor_index(sim.model(robot.index), id));
+  return of(robot, [id](auto& sim, auto index) {
+    return sim.read_range(index, sensor_index(sim.model(index), id));
   });
 }
 
@@ -167,7 +167,7 @@ void bind_robot(py::module_& module) {
            py::arg("speed") = 0.3, Release())
       .def("set_wheels", &set_wheels, py::arg("left"), py::arg("right"), Release())
       .def("stop", [](const RobotHandle& r) { of(r, [](auto& sim, auto i) { sim.stop(i); }); })
-      .def("psd", &psd, py::arg("id"), Release())
+      .def("psd", &psd, py::arg("id"))
       .def("psds", &psds)
       .def_property_readonly("psd_ids",
                              [](const RobotHandle& r) {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <pybind11/stl.h>
@@ -46,6 +47,13 @@ void run(SharedSimulation& shared, double seconds) {
   });
 }
 
+/// `use(simulation)` without Python's lock: whoever waits for the simulation lets others run.
+template <class Use>
+auto of(const SharedSimulation& shared, Use&& use) {
+  const py::gil_scoped_release others_run;
+  return shared.with(std::forward<Use>(use));
+}
+
 py::array_t<double> poses(const SharedSimulation& shared) {
   const auto table = shared.table();
   return view_of(table->poses.data(), {static_cast<py::ssize_t>(shared.robot_count()), 3}, table);
@@ -57,7 +65,7 @@ py::array_t<double> twists(const SharedSimulation& shared) {
 }
 
 py::array_t<double> objects(const SharedSimulation& shared) {
-  std::vector<double> rows = shared.with([](auto& sim) {
+  std::vector<double> rows = of(shared, [](auto& sim) {
     std::vector<double> out;
     for (world::BodyId id = 0; id < sim.world().object_count(); ++id) {
       const Pose pose = sim.world().pose(id);
@@ -78,8 +86,7 @@ void set_speeds(SharedSimulation& shared, const Numbers& speeds) {
   for (py::ssize_t i = 0; i < 2 * count; ++i) {
     if (!std::isfinite(next[i])) throw std::invalid_argument("found a speed that is not finite");
   }
-  const py::gil_scoped_release others_run;
-  shared.with([&](auto& sim) {
+  of(shared, [&](auto& sim) {
     for (robot::RobotIndex i = 0; i < shared.robot_count(); ++i, next += 2) {
       sim.set_speed(i, {next[0], next[1]});
     }
@@ -99,13 +106,10 @@ py::array_t<double> cast_rays(const SharedSimulation& shared, double x, double y
     throw std::invalid_argument("x and y must be finite, max_range above 0");
   }
   std::vector<double> ranges(directions.size());
-  {
-    const py::gil_scoped_release others_run;
-    shared.with([&](auto& sim) {
-      const world::BodyId body = ignore ? sim.body(*ignore) : world::kNoBody;
-      sim.world().cast_fan({x, y}, directions, max_range, body, ranges);
-    });
-  }
+  of(shared, [&](auto& sim) {
+    const world::BodyId body = ignore ? sim.body(*ignore) : world::kNoBody;
+    sim.world().cast_fan({x, y}, directions, max_range, body, ranges);
+  });
   return array_of(std::move(ranges));
 }
 
@@ -113,13 +117,6 @@ std::vector<RobotHandle> robot_handles(const Shared& shared) {
   std::vector<RobotHandle> out;
   for (robot::RobotIndex i = 0; i < shared->robot_count(); ++i) out.push_back({shared, i});
   return out;
-}
-
-/// `read(simulation)` without Python's lock.
-template <class Read>
-auto of(const SharedSimulation& shared, Read&& read) {
-  const py::gil_scoped_release others_run;
-  return shared.with(read);
 }
 
 }  // namespace
@@ -133,7 +130,11 @@ void bind_simulation(py::module_& module) {
       .def("reset", &SharedSimulation::reset, py::arg("seed") = py::none(), Release())
       .def("close", &SharedSimulation::close, Release())
       .def("__enter__", [](const Shared& shared) { return shared; })
-      .def("__exit__", [](SharedSimulation& shared, const py::args&) { shared.close(); })
+      .def("__exit__",
+           [](SharedSimulation& shared, const py::args&) {
+             const py::gil_scoped_release others_run;
+             shared.close();
+           })
       .def_property_readonly("robots", &robot_handles)
       .def_property_readonly("poses", &poses)
       .def_property_readonly("twists", &twists)
