@@ -21,7 +21,7 @@ SOURCES = {"RoBIOS-7": "robios/v7", "classic": "robios/classic"}
 UNDECLARED = "Exported, but not declared, as in the published library."
 CALLERS = {
     "RoBIOS-7": ["tests/gallery/c", "tests/robios/programs", "tests/apps/consumer", "tests/robios/v7", "examples"],
-    "classic": ["tests/gallery/classic", "tests/robios/classic", "examples/classic"],
+    "classic": ["tests/gallery/classic", "tests/robios/classic", "examples"],
 }
 PYTHON = ["tests/gallery/python", "tests/python", "examples"]
 SHOWN_TESTS = 3
@@ -41,12 +41,12 @@ def read_functions(text: str) -> dict[str, dict[str, list[str]]]:
     return found
 
 
-def calls(folders: list[str], suffixes: set[str]) -> dict[str, list[str]]:
-    """Function -> the programs, without suffix, that call it."""
+def calls(folders: list[str], suffixes: set[str], classic: bool = False) -> dict[str, list[str]]:
+    """Function -> the programs, without suffix, that call it. Examples for classic RoBIOS are called classic_…"""
     found: dict[str, list[str]] = {}
     for folder in folders:
         for path in sorted((ROOT / folder).rglob("*")):
-            if path.suffix not in suffixes or (folder == "examples" and "classic" in path.parts):
+            if path.suffix not in suffixes or (folder == "examples" and path.name.startswith("classic_") != classic):
                 continue
             relative = path.relative_to(ROOT / folder)
             name = f"{folder.removeprefix('tests/').removeprefix('robios/')}/{relative.with_suffix('')}"
@@ -94,7 +94,7 @@ class Page:
         for folder in HEADERS[generation]:
             declared |= declared_in(ROOT / folder)
         declared |= {name: UNDECLARED for name in defined_in(ROOT / SOURCES[generation]) if name not in declared}
-        called = calls(CALLERS[generation], {".c", ".cpp", ".h"})
+        called = calls(CALLERS[generation], {".c", ".cpp", ".h"}, generation == "classic")
         wanted = [name for names in families.values() for name in names]
         there = sum(1 for name in wanted if name in declared)
         tested = sum(1 for name in wanted if name in declared and name in called)
