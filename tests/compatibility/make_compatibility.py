@@ -71,7 +71,6 @@ class Page:
     def __init__(self) -> None:
         self.functions = read_functions((HERE / "functions.txt").read_text())
         self.status = tomllib.loads((HERE / "status.toml").read_text())
-        self.not_yet = {line for line in (HERE / "not_yet.txt").read_text().splitlines() if line and not line.startswith("#")}
         self.offences: list[str] = []
         self.python = calls(PYTHON, {".py"})
         modules = sorted((ROOT / "python/eye").glob("*.py"))
@@ -111,17 +110,14 @@ class Page:
     def add_row(self, generation: str, name: str, declared: dict[str, str], called: dict[str, list[str]], python: bool) -> None:
         key = f"{generation} {name}"
         tests = called.get(name, [])
-        if key in self.not_yet and name in declared and tests:
-            self.offences.append(f"not_yet.txt: {key} is there and tested, it has to leave the list")
         if name not in declared:
             row = [f"`{name}`", "missing", "", "", "", "", ""]
-            if key not in self.not_yet:
-                self.offences.append(f"{key}: declared in no header")
+            self.offences.append(f"{key}: declared in no header")
         else:
             status = status_of(name, self.status[generation])
             if "?" in status:
                 self.offences.append(f"status.toml: says nothing about {key}")
-            if not tests and key not in self.not_yet:
+            if not tests:
                 self.offences.append(f"{key}: no program calls it; expected one in {' or '.join(CALLERS[generation])}")
             more = f" and {len(tests) - SHOWN_TESTS} more" if len(tests) > SHOWN_TESTS else ""
             row = [f"`{name}`", *status, differences(declared[name]), ", ".join(tests[:SHOWN_TESTS]) + more or "none"]
