@@ -102,6 +102,16 @@ bool comparable(const Lines& a, const Lines& b) {
 
 }  // namespace
 
+Lines lines_of(std::string_view text) {
+  Lines lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
 std::string to_text(const Golden& golden) {
   std::string text(kReview);
   text += golden.review.empty() ? std::string(kNotYet) : golden.review;
@@ -119,13 +129,10 @@ std::string to_text(const Golden& golden) {
 Golden parse_golden(std::string_view text) {
   Golden golden;
   int number = 0;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
+  for (const std::string& line : lines_of(text)) {
     ++number;
     if (line.starts_with(kReview)) {
-      const std::string_view review = line.substr(kReview.size());
+      const std::string review = line.substr(kReview.size());
       if (review != kNotYet) golden.review = review;
     } else if (line.starts_with('[') && line.ends_with(']')) {
       golden.sections.emplace_back(line.substr(1, line.size() - 2), Lines{});
@@ -133,8 +140,7 @@ Golden parse_golden(std::string_view text) {
       golden.sections.back().second.emplace_back(
           line.substr(std::min(line.size(), line.starts_with(kLine) ? kLine.size() : 1)));
     } else {
-      throw std::runtime_error("line " + std::to_string(number) + " of a golden: '" +
-                               std::string(line) + "'");
+      throw std::runtime_error("line " + std::to_string(number) + " of a golden: '" + line + "'");
     }
   }
   return golden;

@@ -9,6 +9,9 @@ namespace eyebridge::gallery {
 
 using Lines = std::vector<std::string>;
 
+/// The lines of `text`, without their ends.
+Lines lines_of(std::string_view text);
+
 /// What a run left behind, as text that a person can judge: the content of golden/NAME.txt.
 struct Golden {
   std::string review;  ///< What the person found; "" while nobody has looked.
