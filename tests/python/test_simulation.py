@@ -87,7 +87,7 @@ class Simulations(unittest.TestCase):
         self.assertLess(sim.cast_rays(0.5, 1, [0.0])[0], 0.5)
         self.assertEqual(robot.lidar(8, field_of_view=math.pi).shape, (8,))
         for bad in ({"points": 0}, {"field_of_view": 0.0}, {"tilt": 2.0}, {"points": 36001}):
-            with self.assertRaises(ValueError):
+            with self.assertRaisesRegex(ValueError, "found .* for .*, expected "):
                 robot.lidar(**bad)
 
     def test_equal_runs_have_equal_hashes(self):
@@ -120,10 +120,12 @@ class Simulations(unittest.TestCase):
         nan = float("nan")
         for use in (lambda: sim.step(-1), lambda: sim.run(nan), lambda: sim.run(-1), lambda: robot.set_speed(nan),
                     lambda: robot.set_pose(0, 0, math.inf), lambda: robot.drive(nan), lambda: sim.set_speeds([[1, nan]]),
-                    lambda: sim.set_speeds([1, 2]), lambda: sim.cast_rays(0, 0, [nan]), lambda: eyebridge.Simulation(step=0),
+                    lambda: sim.set_speeds([1, 2]), lambda: sim.cast_rays(0, 0, [nan]),
                     lambda: sim.cast_rays(0, 0, [0], max_range=-1), lambda: robot.set_wheels(nan, 0)):  # fmt: skip
-            with self.assertRaises(ValueError):
+            with self.assertRaisesRegex(ValueError, "found .*, expected "):
                 use()
+        with self.assertRaises(ValueError):
+            eyebridge.Simulation(step=0)
         with self.assertRaises(IndexError):
             sim.cast_rays(0, 0, [0], ignore=7)
 
