@@ -100,8 +100,12 @@ class Simulations(unittest.TestCase):
 
         first, again = run(1), run(1)
         self.assertEqual(first.state_hash, again.state_hash)
+        again.robots[0].set_speed(-0.1)
+        again.step(100)
+        self.assertNotEqual(again.state_hash, first.state_hash)
         again.reset()
         self.assertEqual((again.time, again.seed), (0.0, 1))
+        self.assertEqual(again.state_hash, eyebridge.Simulation(eyebridge.load_scenario(WORLDS / "maze-8.maz")).state_hash)
         self.assertEqual(run(1, again).state_hash, first.state_hash)
         again.reset(seed=2)
         self.assertEqual(again.seed, 2)
@@ -129,12 +133,21 @@ class Simulations(unittest.TestCase):
         with self.assertRaises(IndexError):
             sim.cast_rays(0, 0, [0], ignore=7)
 
-    def test_all_robots_at_once(self):
+    def test_each_robot_has_its_row(self):
+        sim = eyebridge.Simulation(eyebridge.load_scenario(WORLDS / "two-robots.sim"))
+        self.assertEqual([(robot.index, robot.name) for robot in sim.robots], [(0, "S4"), (1, "LabBot")])
+        np.testing.assert_allclose(sim.poses, [(2, 0.4, math.pi / 2), (0.7, 1, 0)])
+        self.assertEqual(sim.objects.shape, (0, 3))
+        sim.set_speeds([(0.2, 0), (0, 0.5)])
+        sim.step(100)
+        np.testing.assert_allclose(sim.twists, [(0.2, 0), (0, 0.5)], atol=1e-9)
+        np.testing.assert_allclose(sim.poses, [(2, 0.6, math.pi / 2), (0.7, 1, 0.5)], atol=0.03)
+        for robot in sim.robots:
+            self.assertEqual((robot.pose, robot.twist), (tuple(sim.poses[robot.index]), tuple(sim.twists[robot.index])))
+
+    def test_objects_lie_where_the_file_has_them(self):
         sim = eyebridge.Simulation(eyebridge.load_scenario(WORLDS / "colour-targets.sim"))
-        sim.set_speeds(np.full((len(sim.robots), 2), 0.1))
-        sim.step(50)
-        np.testing.assert_allclose(sim.twists, np.full((len(sim.robots), 2), 0.1), atol=1e-9)
-        self.assertEqual(sim.objects.shape[1], 3)
+        np.testing.assert_allclose(sim.objects, [(1.5, 1.3, 0), (1.2, 0.7, 0)])
 
     def test_threads_share_a_simulation(self):
         sim = eyebridge.Simulation()
