@@ -69,7 +69,7 @@ def _files(build):
     """What goes into the wheel: pairs of a file and its name there."""
     for package in ("eye", "eyebridge"):
         for path in sorted((ROOT / "python" / package).iterdir()):
-            if path.suffix in PACKED or path.name == "py.typed":
+            if path.suffix in PACKED:
                 yield path, f"{package}/{path.name}"
     for path in sorted((build / "python" / "eyebridge").glob("_core*.so")):
         yield path, f"eyebridge/{path.name}"

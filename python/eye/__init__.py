@@ -15,12 +15,12 @@ import ctypes
 
 from ._library import lib
 from ._constants import *
-from ._convert import RobotError
 from ._lcd import *
 from ._live import Live as _Live
 from ._motion import *
 from ._os import *
 from ._ports import *
+from ._readings import RobotError
 from ._sim import *
 from ._vision import *
 from . import _host
@@ -34,10 +34,3 @@ IP_PIXELS, IP_SIZE = _Live("IP_PIXELS"), _Live("IP_SIZE")
 IM_TYPE, IM_LEFT, IM_TOP = _Live("IM_TYPE"), _Live("IM_LEFT"), _Live("IM_TOP")
 IM_WIDTH, IM_LENGTH = _Live("IM_WIDTH"), _Live("IM_LENGTH")
 LIDAR_RESOLUTION = _Live("LIDAR_RESOLUTION")
-
-
-def EYEBRIDGELastError():
-    """Why the last RoBIOS call of this program that failed did so; "" when none has failed."""
-    from ._library import C
-
-    return C.EYEBRIDGELastError().decode("utf-8", "replace")

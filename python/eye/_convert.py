@@ -42,21 +42,6 @@ class Character:
         return _ctypes.c_char(_whole(value) & 0xFF)
 
 
-class RobotError(RuntimeError):
-    """A call that returns readings has none; the text says why."""
-
-
-def await_end():
-    """Waits for ever while another thread ends the process; set by _host.py."""
-
-
-def failure(call, reason):
-    """The RobotError for `call`; `reason` are the bytes of EYEBRIDGELastError()."""
-    await_end()
-    text = reason.decode("utf-8", "replace") if reason else "failed"
-    return RobotError(text if text.startswith(call) else f"{call}: {text}")
-
-
 _said = set()
 
 
@@ -85,6 +70,15 @@ def _flat(values):
             yield _whole(value) & 0xFF
 
 
+def _byte_view(value):
+    """`value` as a memoryview of bytes without gaps, None when it is something else."""
+    try:
+        view = memoryview(value)
+    except TypeError:
+        return None
+    return view if view.itemsize == 1 and view.c_contiguous else None
+
+
 def memory(image):
     """An image as something that c_void_p takes, and its bytes: ctypes arrays, bytes, bytearrays, and numpy arrays of
     bytes without a copy; other arrays and lists of numbers, of any shape, copied, each number cut to a byte."""
@@ -92,11 +86,8 @@ def memory(image):
         return image, _ctypes.sizeof(image)
     if isinstance(image, bytes):
         return image, len(image)
-    try:
-        view = memoryview(image)
-    except TypeError:
-        view = None
-    if view is None or view.itemsize != 1 or not view.c_contiguous:
+    view = _byte_view(image)
+    if view is None:
         copy = bytes(_flat(image.tolist() if hasattr(image, "tolist") else image))
         return copy, len(copy)
     if view.readonly:
@@ -125,11 +116,8 @@ def image_out(call, given, needed):
     if given is None:
         return (_ctypes.c_byte * needed)()
     if not isinstance(given, _ctypes.Array) and not is_pointer(given):
-        try:
-            view = memoryview(given)
-        except TypeError:
-            view = None
-        if view is None or view.readonly or view.itemsize != 1 or not view.c_contiguous:
+        view = _byte_view(given)
+        if view is None or view.readonly:
             warn(f"{call}: the memory for the result cannot be written byte by byte")
             return None
     return image_in(call, given, needed)

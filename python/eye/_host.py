@@ -8,7 +8,6 @@ import sys as _sys
 import threading as _threading
 import time as _time
 
-from . import _convert
 from ._library import library as _library
 
 _FOLDER = _os.path.dirname(_os.path.abspath(__file__))
@@ -38,7 +37,7 @@ def _interrupted():
     return 0 if waits and frame.f_code.co_name not in ("run_program", "<module>") else 1
 
 
-def _await_end():
+def await_end():
     """For threads that still run while another one ends the process: they shall not take what they see for failures."""
     while _is_ending:
         _real_sleep(1)
@@ -115,7 +114,6 @@ def _at_exit():
     _end()
 
 
-_convert.await_end = _await_end
 _begin(_os.fsencode(_program()), _interrupted, _ending)
 _atexit.register(_at_exit)
 _take_over_time()

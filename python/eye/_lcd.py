@@ -1,9 +1,12 @@
 """LCD and KEY: the panel."""
 
+import ctypes as _ctypes
+
 from . import _convert
 from ._format import c_format as _c_format
 from ._library import C as _C
 from ._library import variable as _variable
+from ._readings import pair as _pair
 
 _image_width = _variable("IM_WIDTH")
 _image_height = _variable("IM_LENGTH")
@@ -179,17 +182,6 @@ def KEYReadXY(x=None, y=None):
     """The touch since the last call: [x, y], or None when there was none. Given two ctypes ints, fills them in and
     returns 0, or returns 1 when there was none."""
     if x is None and y is None:
-        pair = (_convert._ctypes.c_int * 2)()
-        return pair[:] if _C.KEYReadXY(pair, _second(pair)) == 0 else None
+        touch = (_ctypes.c_int * 2)()
+        return touch[:] if _C.KEYReadXY(touch, _ctypes.byref(touch, 4)) == 0 else None
     return _C.KEYReadXY(_convert.out(x), _convert.out(y))
-
-
-def _second(pair):
-    return _convert._ctypes.byref(pair, 4)
-
-
-def _pair(call, function):
-    pair = (_convert._ctypes.c_int * 2)()
-    if function(pair, _second(pair)) != 0:
-        raise _convert.failure(call, _C.EYEBRIDGELastError())
-    return pair[:]

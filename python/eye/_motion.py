@@ -6,11 +6,12 @@ import ctypes as _ctypes
 from . import _convert
 from ._library import C as _C
 from ._library import variable as _variable
+from ._readings import failure as _failure
+from ._readings import pair as _pair
 
 _lidar_points = _variable("LIDAR_RESOLUTION")
 # The most that LIDARSet() takes: a timer or another thread may call it while a scan is made.
 _Scan = _ctypes.c_int * 36000
-_Two = _ctypes.c_int * 2
 _Three = _ctypes.c_int * 3
 _byref = _ctypes.byref
 
@@ -98,10 +99,7 @@ def VWGetSpeed(linSpeed=None, angSpeed=None):
     """Measured speeds: [mm/s, deg/s]. Given two ctypes ints, fills them in and returns 0. RobotError when the robot
     cannot say."""
     if linSpeed is None and angSpeed is None:
-        speeds = _Two()
-        if _C.VWGetSpeed(speeds, _byref(speeds, 4)) != 0:
-            raise _convert.failure("VWGetSpeed", _C.EYEBRIDGELastError())
-        return speeds[:]
+        return _pair("VWGetSpeed", _C.VWGetSpeed)
     return _C.VWGetSpeed(_convert.out(linSpeed), _convert.out(angSpeed))
 
 
@@ -116,7 +114,7 @@ def VWGetPosition(x=None, y=None, phi=None):
     if x is None and y is None and phi is None:
         pose = _Three()
         if _C.VWGetPosition(pose, _byref(pose, 4), _byref(pose, 8)) != 0:
-            raise _convert.failure("VWGetPosition", _C.EYEBRIDGELastError())
+            raise _failure("VWGetPosition")
         return pose[:]
     return _C.VWGetPosition(_convert.out(x), _convert.out(y), _convert.out(phi))
 

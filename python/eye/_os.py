@@ -1,4 +1,4 @@
-"""OS: system, time and timers. Milliseconds on the robot's clock."""
+"""OS: system, time, timers and errors. Milliseconds on the robot's clock."""
 
 import ctypes as _ctypes
 
@@ -18,7 +18,7 @@ def OSExecute(command):
 
 def _string(call, function, buf):
     """For functions that fill in a string of at most 100 bytes: the str, or the result where `buf` is given."""
-    if buf is not None and (isinstance(buf, _ctypes.Array) or _convert.is_pointer(buf)):
+    if isinstance(buf, _ctypes.Array) or _convert.is_pointer(buf):
         if isinstance(buf, _ctypes.Array) and _ctypes.sizeof(buf) < 100:
             _convert.warn(f"{call}: the buffer has {_ctypes.sizeof(buf)} bytes, 100 are needed")
             return 1
@@ -71,7 +71,7 @@ def OSAttachTimer(scale, fct):
     if not callable(fct):
         _convert.warn(f"OSAttachTimer: {fct!r} cannot be called")
         return 0
-    callback = fct if isinstance(fct, _ctypes._CFuncPtr) else _Callback(lambda: (fct(), None)[1])
+    callback = fct if isinstance(fct, _ctypes._CFuncPtr) else _Callback(fct)
     handle = _C.OSAttachTimer(scale, callback)
     if handle > 0:
         _callbacks[handle] = callback
@@ -100,3 +100,8 @@ def OSSetTime(hrs, mins, secs):
 def OSGetCount():
     """Milliseconds since the program started."""
     return _C.OSGetCount()
+
+
+def EYEBRIDGELastError():
+    """Why the last RoBIOS call of this program that failed did so; "" when none has failed."""
+    return _C.EYEBRIDGELastError().decode("utf-8", "replace")

@@ -4,6 +4,7 @@ import ctypes as _ctypes
 
 from . import _convert
 from ._library import C as _C
+from ._readings import failure as _failure
 
 _MOST_TEXT = 1024  # bytes of a message, as other generations of `eye` have it
 _MOST_SAMPLES = 10_000_000  # that ANALOGRecord() takes
@@ -169,7 +170,7 @@ def RADIOReceive():
     sender = _ctypes.c_int()
     memory = _ctypes.create_string_buffer(_MOST_TEXT + 1)
     if _C.RADIOReceive(_ctypes.byref(sender), memory, _MOST_TEXT + 1) < 0:
-        raise _convert.failure("RADIOReceive", _C.EYEBRIDGELastError())
+        raise _failure("RADIOReceive")
     return [sender.value, _decoded(memory.value)]
 
 

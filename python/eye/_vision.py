@@ -6,6 +6,7 @@ import ctypes as _ctypes
 from . import _convert
 from ._library import C as _C
 from ._library import variable as _variable
+from ._readings import failure as _failure
 
 _colour_bytes = _variable("CAMSIZE")
 _grey_bytes = _variable("CAMPIXELS")
@@ -36,7 +37,7 @@ def CAMGet():
     CAMInit(), no camera, a camera that is lost."""
     image = _array(_colour_bytes.value)
     if _C.CAMGet(image) != 0:
-        raise _convert.failure("CAMGet", _C.EYEBRIDGELastError())
+        raise _failure("CAMGet")
     return image
 
 
@@ -44,7 +45,7 @@ def CAMGetGray():
     """Waits for the next frame in grey: CAMPIXELS bytes in a new array. Fails as CAMGet()."""
     image = _array(_grey_bytes.value)
     if _C.CAMGetGray(image) != 0:
-        raise _convert.failure("CAMGetGray", _C.EYEBRIDGELastError())
+        raise _failure("CAMGetGray")
     return image
 
 

@@ -21,7 +21,7 @@ SOURCES = {"RoBIOS-7": "robios/v7", "classic": "robios/classic"}
 UNDECLARED = "Exported, but not declared, as in the published library."
 CALLERS = {
     "RoBIOS-7": ["tests/gallery/c", "tests/robios/programs", "tests/apps/consumer", "tests/robios/v7", "examples"],
-    "classic": ["tests/gallery/classic", "tests/robios/classic", "examples/classic"],
+    "classic": ["tests/gallery/classic", "tests/robios/classic", "examples"],
 }
 PYTHON = ["tests/gallery/python", "tests/python", "examples"]
 SHOWN_TESTS = 3
@@ -41,12 +41,12 @@ def read_functions(text: str) -> dict[str, dict[str, list[str]]]:
     return found
 
 
-def calls(folders: list[str], suffixes: set[str]) -> dict[str, list[str]]:
-    """Function -> the programs, without suffix, that call it."""
+def calls(folders: list[str], suffixes: set[str], classic: bool = False) -> dict[str, list[str]]:
+    """Function -> the programs, without suffix, that call it. Examples for classic RoBIOS are called classic_…"""
     found: dict[str, list[str]] = {}
     for folder in folders:
         for path in sorted((ROOT / folder).rglob("*")):
-            if path.suffix not in suffixes or (folder == "examples" and "classic" in path.parts):
+            if path.suffix not in suffixes or (folder == "examples" and path.name.startswith("classic_") != classic):
                 continue
             relative = path.relative_to(ROOT / folder)
             name = f"{folder.removeprefix('tests/').removeprefix('robios/')}/{relative.with_suffix('')}"
@@ -71,7 +71,6 @@ class Page:
     def __init__(self) -> None:
         self.functions = read_functions((HERE / "functions.txt").read_text())
         self.status = tomllib.loads((HERE / "status.toml").read_text())
-        self.not_yet = {line for line in (HERE / "not_yet.txt").read_text().splitlines() if line and not line.startswith("#")}
         self.offences: list[str] = []
         self.python = calls(PYTHON, {".py"})
         modules = sorted((ROOT / "python/eye").glob("*.py"))
@@ -94,7 +93,7 @@ class Page:
         for folder in HEADERS[generation]:
             declared |= declared_in(ROOT / folder)
         declared |= {name: UNDECLARED for name in defined_in(ROOT / SOURCES[generation]) if name not in declared}
-        called = calls(CALLERS[generation], {".c", ".cpp", ".h"})
+        called = calls(CALLERS[generation], {".c", ".cpp", ".h"}, generation == "classic")
         wanted = [name for names in families.values() for name in names]
         there = sum(1 for name in wanted if name in declared)
         tested = sum(1 for name in wanted if name in declared and name in called)
@@ -111,17 +110,14 @@ class Page:
     def add_row(self, generation: str, name: str, declared: dict[str, str], called: dict[str, list[str]], python: bool) -> None:
         key = f"{generation} {name}"
         tests = called.get(name, [])
-        if key in self.not_yet and name in declared and tests:
-            self.offences.append(f"not_yet.txt: {key} is there and tested, it has to leave the list")
         if name not in declared:
             row = [f"`{name}`", "missing", "", "", "", "", ""]
-            if key not in self.not_yet:
-                self.offences.append(f"{key}: declared in no header")
+            self.offences.append(f"{key}: declared in no header")
         else:
             status = status_of(name, self.status[generation])
             if "?" in status:
                 self.offences.append(f"status.toml: says nothing about {key}")
-            if not tests and key not in self.not_yet:
+            if not tests:
                 self.offences.append(f"{key}: no program calls it; expected one in {' or '.join(CALLERS[generation])}")
             more = f" and {len(tests) - SHOWN_TESTS} more" if len(tests) > SHOWN_TESTS else ""
             row = [f"`{name}`", *status, differences(declared[name]), ", ".join(tests[:SHOWN_TESTS]) + more or "none"]

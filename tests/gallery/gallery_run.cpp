@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -21,28 +20,17 @@ namespace fs = std::filesystem;
 const fs::path kGallery = EYEBRIDGE_SOURCE_DIR "/tests/gallery";
 constexpr std::size_t kFileLines = 40;
 
-Lines lines_of(const std::string& text) {
-  Lines lines;
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
 /// Puts what the program needs into `folder`; its sources' names.
 std::vector<std::string> unpack(const Row& row, const fs::path& folder) {
-  std::vector<std::string> names;
   const auto take = [&](const fs::path& from) {
     fs::copy_file(from, folder / from.filename());
-    names.push_back(from.filename());
+    return from.filename().string();
   };
   for (const std::string& file : row.files) take(kGallery / file);
-  names.clear();
   const fs::path source = kGallery / row.source;
-  if (fs::is_directory(source)) {
-    for (const auto& entry : fs::directory_iterator(source)) take(entry.path());
-  } else {
-    take(source);
-  }
+  if (!fs::is_directory(source)) return {take(source)};
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(source)) names.push_back(take(entry.path()));
   std::erase_if(names, [](const std::string& name) { return name.ends_with(".h"); });
   std::ranges::sort(names);
   return names;

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <fstream>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "gallery_run.hpp"
@@ -62,6 +63,23 @@ TEST(GalleryTable, EveryGoldenBelongsToAProgram) {
   std::ranges::sort(expected);
   std::ranges::sort(found);
   EXPECT_EQ(found, expected);
+}
+
+TEST(GalleryTable, AMistakeSaysWhatWasFoundAndWhatWasExpected) {
+  const testing::ScratchFolder scratch;
+  for (const auto& [text, complaint] : {
+           std::pair{"[a]\nsource = 5", "programs.toml:2: found 5, expected a string"},
+           std::pair{"[a]\ncamera = 1", "programs.toml:2: found 1, expected true or false"},
+           std::pair{"[a]\nfiles = 'b'", "found 'b', expected a list of strings"},
+           std::pair{"[a]\ntolerance = -1", "found -1, expected a number from 0"},
+           std::pair{"[a]\nwrold = 'b'", "found the key 'wrold', expected one"},
+           std::pair{"[a]\nworld = 'b'", "programs.toml:1: found no source of a"},
+           std::pair{"a = 1", "found 1, expected a table"},
+       }) {
+    const std::string file = scratch.write("programs.toml", text);
+    EXPECT_THAT([&] { read_table(file); },
+                ::testing::ThrowsMessage<std::runtime_error>(::testing::HasSubstr(complaint)));
+  }
 }
 
 }  // namespace

@@ -1,13 +1,16 @@
 #pragma once
 
-#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace eyebridge::gallery {
 
 using Lines = std::vector<std::string>;
+
+/// The lines of `text`, without their ends.
+Lines lines_of(std::string_view text);
 
 /// What a run left behind, as text that a person can judge: the content of golden/NAME.txt.
 struct Golden {
@@ -23,8 +26,8 @@ Golden parse_golden(std::string_view text);
 
 /// How far a run may be from its golden.
 struct Tolerance {
-  double number = 0.0;  ///< Of numbers, except in stdout and stderr.
-  double cells = 0.0;   ///< Share of the cells of "lcd picture" that may differ.
+  double number = 0.0;  ///< Of numbers, except in stdout, stderr, "lcd picture" and the exit code.
+  double cells = 0.0;  ///< Share of the cells of "lcd picture" that may differ, not its first line.
 };
 
 /// One line for each thing that differs; empty when the run is as it should be.

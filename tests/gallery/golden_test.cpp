@@ -55,6 +55,27 @@ TEST(Golden, WhatIsPrintedIsExact) {
   EXPECT_THAT(differences(one("stdout", {"1"}), one("stdout", {"2"}), {10, 0}), SizeIs(1));
 }
 
+TEST(Golden, TheExitCodeIsExactAndTheTimeIsNot) {
+  const Golden golden = one("end", {"exit code 0 after 2.00 s"});
+  EXPECT_THAT(differences(golden, one("end", {"exit code 0 after 2.50 s"}), {1, 0}), IsEmpty());
+  EXPECT_THAT(differences(golden, one("end", {"exit code 0 after 3.50 s"}), {1, 0}), SizeIs(1));
+  EXPECT_THAT(differences(golden, one("end", {"exit code 1 after 2.00 s"}), {1, 0}), SizeIs(1));
+  EXPECT_THAT(differences(one("end", {"exit code 0"}), one("end", {"exit code 1"}), {1, 0}),
+              SizeIs(1));
+}
+
+TEST(Golden, TheHashOfAPictureIsExact) {
+  EXPECT_THAT(differences(one("lcd picture", {"8 x 8, pixels 122c"}),
+                          one("lcd picture", {"8 x 8, pixels 123c"}), {10, 0}),
+              SizeIs(1));
+}
+
+TEST(Golden, TheSizeOfAPictureOfTheCameraIsExact) {
+  EXPECT_THAT(differences(one("lcd picture", {"80 x 16", ".........."}),
+                          one("lcd picture", {"80 x 15", ".........."}), {10, 0.5}),
+              SizeIs(1));
+}
+
 TEST(Golden, APictureOfTheCameraMayDifferInFewCells) {
   const Golden golden = one("lcd picture", {"..........", ".........."});
   EXPECT_THAT(differences(golden, one("lcd picture", {"..........", ".........W"}), {0, 0.05}),

@@ -1,5 +1,6 @@
 #include "lcd_cells.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstdint>
@@ -7,6 +8,8 @@
 #include <utility>
 
 #include <fmt/format.h>
+
+#include "eyebridge/base/hash.hpp"
 
 namespace eyebridge::gallery {
 namespace {
@@ -107,11 +110,9 @@ Lines lcd_cells(const camera::Frame& lcd) {
 }
 
 std::string hash_of(const camera::Frame& picture) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const std::uint8_t byte : picture.bytes) {
-    hash = (hash ^ byte) * 0x100000001b3;
-  }
-  return fmt::format("{:016x}", hash);
+  StateHash hash;
+  for (const std::uint8_t byte : picture.bytes) hash.add_byte(byte);
+  return fmt::format("{:016x}", hash.value());
 }
 
 }  // namespace eyebridge::gallery

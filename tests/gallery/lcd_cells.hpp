@@ -11,8 +11,7 @@ namespace eyebridge::gallery {
 /// the letters that were used. Rgb24.
 Lines lcd_cells(const camera::Frame& lcd);
 
-/// FNV-1a of the picture's bytes, 16 hexadecimal digits
-/// (http://www.isthe.com/chongo/tech/comp/fnv).
+/// FNV-1a of the picture's bytes, 16 hexadecimal digits.
 std::string hash_of(const camera::Frame& picture);
 
 }  // namespace eyebridge::gallery

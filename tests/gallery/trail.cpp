@@ -1,8 +1,10 @@
 #include "trail.hpp"
 
 #include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -24,21 +26,17 @@ struct Point {
 std::vector<Point> read(std::string_view csv) {
   std::vector<Point> points;
   bool header = true;
-  while (!csv.empty()) {
-    const std::size_t end = std::min(csv.find('\n'), csv.size());
-    const std::string line(csv.substr(0, end));
-    csv.remove_prefix(std::min(end + 1, csv.size()));
-    if (!std::exchange(header, false)) {
-      Point p{};
-      const char* at = line.c_str();
-      for (double* value : {&p.t, &p.x, &p.y, &p.theta}) {
-        char* after = nullptr;
-        *value = std::strtod(at, &after);
-        if (after == at || *after != ',') throw std::runtime_error("trace.csv: " + line);
-        at = after + 1;
-      }
-      points.push_back(p);
+  for (const std::string& line : lines_of(csv)) {
+    if (std::exchange(header, false)) continue;
+    Point p{};
+    const char* at = line.c_str();
+    for (double* value : {&p.t, &p.x, &p.y, &p.theta}) {
+      char* after = nullptr;
+      *value = std::strtod(at, &after);
+      if (after == at || *after != ',') throw std::runtime_error("trace.csv: " + line);
+      at = after + 1;
     }
+    points.push_back(p);
   }
   return points;
 }

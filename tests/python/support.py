@@ -54,10 +54,10 @@ class ProgramTest(unittest.TestCase):
     def run_words(self, words, settings=None):
         return self.finish(self.start(words, settings))
 
-    def run_program(self, text, settings=None, arguments=()):
+    def run_program(self, text, settings=None):
         """Runs a program, in virtual time unless `settings` say otherwise."""
         path = self.write("prog.py", text)
-        return self.run_words([sys.executable, path, *arguments], {"fast": True} | (settings or {}))
+        return self.run_words([sys.executable, path], {"fast": True} | (settings or {}))
 
     def expect(self, text, lines, settings=None, err=""):
         """The program ends well, prints `lines`, and says `err` on standard error (None: anything)."""

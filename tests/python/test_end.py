@@ -27,10 +27,10 @@ class End(ProgramTest):
         for name in ("map.png", "lcd.png", "trace.csv"):
             self.assertGreater((self.folder / "out" / name).stat().st_size, 100, name)
 
-    def interrupt(self, text, how=signal.SIGINT, keys="KEY1@9999s"):
+    def interrupt(self, text, how=signal.SIGINT):
         """Runs a program in real time until it prints "ready", then sends a signal."""
         self.write("prog.py", text)
-        process = self.start([sys.executable, "prog.py"], REAL_TIME | {"out": self.folder / "out", "keys": keys})
+        process = self.start([sys.executable, "prog.py"], REAL_TIME | {"out": self.folder / "out", "keys": "KEY1@9999s"})
         while (line := process.stdout.readline()) != "ready\n":
             self.assertNotEqual(line, "", "the program ended before it was ready")
         process.send_signal(how)

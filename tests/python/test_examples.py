@@ -10,13 +10,11 @@ class Examples(ProgramTest):
     def run_example(self, name, world, **settings):
         run = self.run_words([sys.executable, SOURCE / "examples" / name],
                              {"fast": True, "world": SOURCE / "worlds" / world} | settings)  # fmt: skip
-        self.assertEqual((run.returncode, run.err), (0, ""))
+        self.assertEqual(run.returncode, 0, run.err)
         return run
 
     def test_wall_follow_keeps_its_distance_to_the_wall(self):
-        run = self.run_words([sys.executable, SOURCE / "examples" / "wall_follow.py"],
-                             {"fast": True, "world": SOURCE / "worlds" / "empty-room.wld", "out": self.folder / "out"})  # fmt: skip
-        self.assertEqual(run.returncode, 0, run.err)
+        run = self.run_example("wall_follow.py", "empty-room.wld", out=self.folder / "out")
         self.assertRegex(run.out, r"^stopped at -?\d+ -?\d+, -?\d+ deg\n$")
         with open(self.folder / "out" / "trace.csv") as file:
             rows = list(csv.DictReader(file))
@@ -25,7 +23,8 @@ class Examples(ProgramTest):
         self.assertGreater(sum(0.08 < value < 0.35 for value in left), 0.8 * len(left))
 
     def test_colour_search_finds_the_red_thing(self):
-        self.assertEqual(self.run_example("colour_search.py", "colour-targets.sim").out, "found it\n")
+        run = self.run_example("colour_search.py", "colour-targets.sim")
+        self.assertEqual((run.out, run.err), ("found it\n", ""))
 
 
 if __name__ == "__main__":

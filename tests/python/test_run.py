@@ -16,8 +16,8 @@ class Run(ProgramTest):
         del out["PYTHONPATH"]
         return out
 
-    def eyebridge(self, *words, settings=None):
-        run = self.run_words([EYEBRIDGE, "run", "--fast", *words], settings or {"log": "warning"})
+    def eyebridge(self, *words):
+        run = self.run_words([EYEBRIDGE, "run", "--fast", *words], {"log": "warning"})
         self.assertEqual(run.err, "")
         return run
 

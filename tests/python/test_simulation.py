@@ -1,7 +1,10 @@
 """The module eyebridge: worlds, robots and pictures as numpy arrays."""
 
+import contextlib
 import math
+import sys
 import threading
+import time
 import unittest
 
 import eyebridge
@@ -84,7 +87,7 @@ class Simulations(unittest.TestCase):
         self.assertLess(sim.cast_rays(0.5, 1, [0.0])[0], 0.5)
         self.assertEqual(robot.lidar(8, field_of_view=math.pi).shape, (8,))
         for bad in ({"points": 0}, {"field_of_view": 0.0}, {"tilt": 2.0}, {"points": 36001}):
-            with self.assertRaises(ValueError):
+            with self.assertRaisesRegex(ValueError, "found .* for .*, expected "):
                 robot.lidar(**bad)
 
     def test_equal_runs_have_equal_hashes(self):
@@ -97,8 +100,12 @@ class Simulations(unittest.TestCase):
 
         first, again = run(1), run(1)
         self.assertEqual(first.state_hash, again.state_hash)
+        again.robots[0].set_speed(-0.1)
+        again.step(100)
+        self.assertNotEqual(again.state_hash, first.state_hash)
         again.reset()
         self.assertEqual((again.time, again.seed), (0.0, 1))
+        self.assertEqual(again.state_hash, eyebridge.Simulation(eyebridge.load_scenario(WORLDS / "maze-8.maz")).state_hash)
         self.assertEqual(run(1, again).state_hash, first.state_hash)
         again.reset(seed=2)
         self.assertEqual(again.seed, 2)
@@ -117,19 +124,30 @@ class Simulations(unittest.TestCase):
         nan = float("nan")
         for use in (lambda: sim.step(-1), lambda: sim.run(nan), lambda: sim.run(-1), lambda: robot.set_speed(nan),
                     lambda: robot.set_pose(0, 0, math.inf), lambda: robot.drive(nan), lambda: sim.set_speeds([[1, nan]]),
-                    lambda: sim.set_speeds([1, 2]), lambda: sim.cast_rays(0, 0, [nan]), lambda: eyebridge.Simulation(step=0),
+                    lambda: sim.set_speeds([1, 2]), lambda: sim.cast_rays(0, 0, [nan]),
                     lambda: sim.cast_rays(0, 0, [0], max_range=-1), lambda: robot.set_wheels(nan, 0)):  # fmt: skip
-            with self.assertRaises(ValueError):
+            with self.assertRaisesRegex(ValueError, "found .*, expected "):
                 use()
+        with self.assertRaises(ValueError):
+            eyebridge.Simulation(step=0)
         with self.assertRaises(IndexError):
             sim.cast_rays(0, 0, [0], ignore=7)
 
-    def test_all_robots_at_once(self):
+    def test_each_robot_has_its_row(self):
+        sim = eyebridge.Simulation(eyebridge.load_scenario(WORLDS / "two-robots.sim"))
+        self.assertEqual([(robot.index, robot.name) for robot in sim.robots], [(0, "S4"), (1, "LabBot")])
+        np.testing.assert_allclose(sim.poses, [(2, 0.4, math.pi / 2), (0.7, 1, 0)])
+        self.assertEqual(sim.objects.shape, (0, 3))
+        sim.set_speeds([(0.2, 0), (0, 0.5)])
+        sim.step(100)
+        np.testing.assert_allclose(sim.twists, [(0.2, 0), (0, 0.5)], atol=1e-9)
+        np.testing.assert_allclose(sim.poses, [(2, 0.6, math.pi / 2), (0.7, 1, 0.5)], atol=0.03)
+        for robot in sim.robots:
+            self.assertEqual((robot.pose, robot.twist), (tuple(sim.poses[robot.index]), tuple(sim.twists[robot.index])))
+
+    def test_objects_lie_where_the_file_has_them(self):
         sim = eyebridge.Simulation(eyebridge.load_scenario(WORLDS / "colour-targets.sim"))
-        sim.set_speeds(np.full((len(sim.robots), 2), 0.1))
-        sim.step(50)
-        np.testing.assert_allclose(sim.twists, np.full((len(sim.robots), 2), 0.1), atol=1e-9)
-        self.assertEqual(sim.objects.shape[1], 3)
+        np.testing.assert_allclose(sim.objects, [(1.5, 1.3, 0), (1.2, 0.7, 0)])
 
     def test_threads_share_a_simulation(self):
         sim = eyebridge.Simulation()
@@ -139,6 +157,52 @@ class Simulations(unittest.TestCase):
         for thread in threads:
             thread.join()
         self.assertEqual(round(sim.time, 6), 20.0)
+
+    def test_other_threads_run_while_a_call_waits_for_the_simulation(self):
+        # From now on a thread lets others run only where it waits.
+        self.addCleanup(sys.setswitchinterval, sys.getswitchinterval())
+        sys.setswitchinterval(1000)
+        calls = {
+            "objects": lambda sim: sim.objects,
+            "set_speeds": lambda sim: sim.set_speeds([[0, 0]]),
+            "cast_rays": lambda sim: sim.cast_rays(1, 1, [0.0]),
+            "psd": lambda sim: sim.robots[0].psd(1),
+            "pose": lambda sim: sim.robots[0].pose,
+            "__exit__": lambda sim: sim.__exit__(None, None, None),
+        }
+        for name, call in calls.items():
+            with self.subTest(name):
+                self.assertTrue(any(self.another_runs_during(call) for _ in range(20)))
+
+    def another_runs_during(self, call):
+        """True when another thread ran during call(sim), made while one more steps sim; False also by bad luck: when the
+        call came before the step."""
+        sim = eyebridge.Simulation()
+        turns = 0
+        stepping, ended = threading.Event(), threading.Event()
+
+        def step():
+            stepping.set()
+            with contextlib.suppress(RuntimeError):  # closed already
+                sim.step(100_000)
+
+        def take_turns():
+            nonlocal turns
+            while not ended.is_set():
+                turns += 1
+                time.sleep(0)
+
+        threads = [threading.Thread(target=take_turns), threading.Thread(target=step)]
+        for thread in threads:
+            thread.start()
+        stepping.wait()
+        before = turns
+        call(sim)
+        after = turns
+        ended.set()
+        for thread in threads:
+            thread.join()
+        return after > before
 
 
 class Cameras(unittest.TestCase):

@@ -1,33 +1,34 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include <pybind11/numpy.h>
 
 namespace eyebridge::python {
 
+/// A base for numpy arrays that keeps `owner` alive as long as they live.
+template <class Owner>
+pybind11::capsule keep(std::shared_ptr<Owner> owner) {
+  return {new std::shared_ptr<Owner>(std::move(owner)),
+          [](void* held) { delete static_cast<std::shared_ptr<Owner>*>(held); }};
+}
+
 /// A numpy array that looks at memory of ours, read-only; `owner` lives as long as the array.
 template <class Value, class Owner>
 pybind11::array_t<Value> view_of(const Value* data, std::vector<pybind11::ssize_t> shape,
                                  std::shared_ptr<Owner> owner) {
-  auto* held = new std::shared_ptr<Owner>(std::move(owner));
-  const pybind11::capsule base(
-      held, [](void* pointer) { delete static_cast<std::shared_ptr<Owner>*>(pointer); });
-  pybind11::array_t<Value> array(std::move(shape), data, base);
+  pybind11::array_t<Value> array(std::move(shape), data, keep(std::move(owner)));
   array.attr("setflags")(pybind11::arg("write") = false);
   return array;
 }
 
 /// A numpy array that owns `values`, without copying them.
 inline pybind11::array_t<double> array_of(std::vector<double> values) {
-  auto owner = std::make_shared<std::vector<double>>(std::move(values));
-  auto* held = new std::shared_ptr<std::vector<double>>(owner);
-  const pybind11::capsule base(held, [](void* pointer) {
-    delete static_cast<std::shared_ptr<std::vector<double>>*>(pointer);
-  });
+  const auto owner = std::make_shared<std::vector<double>>(std::move(values));
   return pybind11::array_t<double>(static_cast<pybind11::ssize_t>(owner->size()), owner->data(),
-                                   base);
+                                   keep(owner));
 }
 
 }  // namespace eyebridge::python

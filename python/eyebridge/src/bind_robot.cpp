@@ -9,6 +9,7 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "checks.hpp"
 #include "robot_camera.hpp"
 #include "robot_handle.hpp"
 
@@ -25,12 +26,6 @@ auto of(const RobotHandle& robot, Read&& read) {
   return robot.simulation->with([&](auto& sim) { return read(sim, robot.index); });
 }
 
-void need_finite(double a, double b = 0.0, double c = 0.0) {
-  if (!std::isfinite(a) || !std::isfinite(b) || !std::isfinite(c)) {
-    throw std::invalid_argument("found a number that is not finite");
-  }
-}
-
 py::tuple as_tuple(const Pose& pose) { return py::make_tuple(pose.x, pose.y, pose.theta); }
 py::tuple as_tuple(const Twist& twist) { return py::make_tuple(twist.linear, twist.angular); }
 
@@ -43,8 +38,8 @@ std::size_t sensor_index(const robot::RobotModel& model, int id) {
 }
 
 double psd(const RobotHandle& robot, int id) {
-  return robot.simulation->with([&](auto& sim) {
-    return sim.read_range(robot.index, sensor_index(sim.model(robot.index), id));
+  return of(robot, [id](auto& sim, auto index) {
+    return sim.read_range(index, sensor_index(sim.model(index), id));
   });
 }
 
@@ -64,13 +59,11 @@ py::array_t<double> lidar(const RobotHandle& robot, std::optional<int> points,
     const int count = points.value_or(model->points);
     const double view = field_of_view.value_or(model->field_of_view);
     const double down = tilt.value_or(model->tilt);
-    if (count < 1 || count > 36000) throw std::invalid_argument("points must be 1 ... 36000");
+    if (count < 1 || count > 36000) refuse("points", count, "1 ... 36000");
     if (!(view > 0 && view <= 2 * kPi + 1e-9)) {
-      throw std::invalid_argument("field_of_view must be above 0 and at most 2 pi");
+      refuse("field_of_view", view, "more than 0 and at most 2 pi");
     }
-    if (!(std::abs(down) <= kPi / 2)) {
-      throw std::invalid_argument("tilt must be -pi/2 ... pi/2");
-    }
+    if (!(std::abs(down) <= kPi / 2)) refuse("tilt", down, "-pi/2 ... pi/2");
     std::vector<double> ranges(static_cast<std::size_t>(count));
     sim.read_lidar(index, view, down, ranges);
     return ranges;
@@ -78,24 +71,30 @@ py::array_t<double> lidar(const RobotHandle& robot, std::optional<int> points,
 }
 
 void set_pose(RobotHandle& robot, double x, double y, double theta) {
-  need_finite(x, y, theta);
+  need_finite("x", x);
+  need_finite("y", y);
+  need_finite("theta", theta);
   robot.simulation->moving([&](auto& sim) { sim.set_pose(robot.index, {x, y, theta}); });
 }
 
 void set_speed(RobotHandle& robot, double linear, double angular) {
-  need_finite(linear, angular);
+  need_finite("linear", linear);
+  need_finite("angular", angular);
   robot.simulation->with([&](auto& sim) { sim.set_speed(robot.index, {linear, angular}); });
 }
 
 void drive(RobotHandle& robot, double distance, double angle, double speed) {
-  need_finite(distance, angle, speed);
+  need_finite("distance", distance);
+  need_finite("angle", angle);
+  need_finite("speed", speed);
   robot.simulation->with([&](auto& sim) {
     sim.drive(robot.index, {distance, angle, std::abs(speed)});
   });
 }
 
 void set_wheels(RobotHandle& robot, double left, double right) {
-  need_finite(left, right);
+  need_finite("left", left);
+  need_finite("right", right);
   robot.simulation->with([&](auto& sim) {
     sim.set_motor_duty(robot.index, 0, left);
     sim.set_motor_duty(robot.index, 1, right);
@@ -167,7 +166,7 @@ void bind_robot(py::module_& module) {
            py::arg("speed") = 0.3, Release())
       .def("set_wheels", &set_wheels, py::arg("left"), py::arg("right"), Release())
       .def("stop", [](const RobotHandle& r) { of(r, [](auto& sim, auto i) { sim.stop(i); }); })
-      .def("psd", &psd, py::arg("id"), Release())
+      .def("psd", &psd, py::arg("id"))
       .def("psds", &psds)
       .def_property_readonly("psd_ids",
                              [](const RobotHandle& r) {

@@ -3,12 +3,14 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <pybind11/stl.h>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "checks.hpp"
 #include "eyebridge/files/load.hpp"
 #include "robot_handle.hpp"
 
@@ -30,20 +32,25 @@ Shared make(std::shared_ptr<files::Scenario> scenario, std::uint64_t seed, doubl
 }
 
 void step(SharedSimulation& shared, long long steps) {
-  if (steps < 0) throw std::invalid_argument("found a negative number of steps");
+  if (steps < 0) refuse("steps", steps, "0 or more");
   shared.moving([&](auto& sim) {
     for (long long i = 0; i < steps; ++i) sim.step();
   });
 }
 
 void run(SharedSimulation& shared, double seconds) {
-  if (!(seconds >= 0 && seconds < 1e9)) {
-    throw std::invalid_argument("seconds must be 0 ... 1e9");
-  }
+  if (!(seconds >= 0 && seconds < 1e9)) refuse("seconds", seconds, "0 ... 1e9");
   shared.moving([&](auto& sim) {
     const double length = sim.settings().step;
     for (long long left = std::llround(seconds / length); left > 0; --left) sim.step();
   });
+}
+
+/// `use(simulation)` without Python's lock: whoever waits for the simulation lets others run.
+template <class Use>
+auto of(const SharedSimulation& shared, Use&& use) {
+  const py::gil_scoped_release others_run;
+  return shared.with(std::forward<Use>(use));
 }
 
 py::array_t<double> poses(const SharedSimulation& shared) {
@@ -57,7 +64,7 @@ py::array_t<double> twists(const SharedSimulation& shared) {
 }
 
 py::array_t<double> objects(const SharedSimulation& shared) {
-  std::vector<double> rows = shared.with([](auto& sim) {
+  std::vector<double> rows = of(shared, [](auto& sim) {
     std::vector<double> out;
     for (world::BodyId id = 0; id < sim.world().object_count(); ++id) {
       const Pose pose = sim.world().pose(id);
@@ -71,15 +78,15 @@ py::array_t<double> objects(const SharedSimulation& shared) {
 void set_speeds(SharedSimulation& shared, const Numbers& speeds) {
   const auto count = static_cast<py::ssize_t>(shared.robot_count());
   if (speeds.ndim() != 2 || speeds.shape(0) != count || speeds.shape(1) != 2) {
-    throw std::invalid_argument("expected an array of " + std::to_string(count) +
-                                " x 2 numbers: linear and angular speed of each robot");
+    const std::vector<py::ssize_t> found(speeds.shape(), speeds.shape() + speeds.ndim());
+    throw std::invalid_argument(
+        fmt::format("found an array of shape ({}) for 'speeds', expected ({}, 2): linear and "
+                    "angular speed of each robot",
+                    fmt::join(found, ", "), count));
   }
   const double* next = speeds.data();
-  for (py::ssize_t i = 0; i < 2 * count; ++i) {
-    if (!std::isfinite(next[i])) throw std::invalid_argument("found a speed that is not finite");
-  }
-  const py::gil_scoped_release others_run;
-  shared.with([&](auto& sim) {
+  for (py::ssize_t i = 0; i < 2 * count; ++i) need_finite("speeds", next[i]);
+  of(shared, [&](auto& sim) {
     for (robot::RobotIndex i = 0; i < shared.robot_count(); ++i, next += 2) {
       sim.set_speed(i, {next[0], next[1]});
     }
@@ -92,20 +99,17 @@ py::array_t<double> cast_rays(const SharedSimulation& shared, double x, double y
   std::vector<Vec2> directions;
   const double* first = angles.data();
   for (py::ssize_t i = 0; i < angles.size(); ++i) {
-    if (!std::isfinite(first[i])) throw std::invalid_argument("found an angle that is not finite");
+    need_finite("angles", first[i]);
     directions.push_back(Heading::from_angle(first[i]).forward());
   }
-  if (!std::isfinite(x) || !std::isfinite(y) || !(max_range > 0)) {
-    throw std::invalid_argument("x and y must be finite, max_range above 0");
-  }
+  need_finite("x", x);
+  need_finite("y", y);
+  if (!(max_range > 0)) refuse("max_range", max_range, "more than 0");
   std::vector<double> ranges(directions.size());
-  {
-    const py::gil_scoped_release others_run;
-    shared.with([&](auto& sim) {
-      const world::BodyId body = ignore ? sim.body(*ignore) : world::kNoBody;
-      sim.world().cast_fan({x, y}, directions, max_range, body, ranges);
-    });
-  }
+  of(shared, [&](auto& sim) {
+    const world::BodyId body = ignore ? sim.body(*ignore) : world::kNoBody;
+    sim.world().cast_fan({x, y}, directions, max_range, body, ranges);
+  });
   return array_of(std::move(ranges));
 }
 
@@ -113,13 +117,6 @@ std::vector<RobotHandle> robot_handles(const Shared& shared) {
   std::vector<RobotHandle> out;
   for (robot::RobotIndex i = 0; i < shared->robot_count(); ++i) out.push_back({shared, i});
   return out;
-}
-
-/// `read(simulation)` without Python's lock.
-template <class Read>
-auto of(const SharedSimulation& shared, Read&& read) {
-  const py::gil_scoped_release others_run;
-  return shared.with(read);
 }
 
 }  // namespace
@@ -133,7 +130,11 @@ void bind_simulation(py::module_& module) {
       .def("reset", &SharedSimulation::reset, py::arg("seed") = py::none(), Release())
       .def("close", &SharedSimulation::close, Release())
       .def("__enter__", [](const Shared& shared) { return shared; })
-      .def("__exit__", [](SharedSimulation& shared, const py::args&) { shared.close(); })
+      .def("__exit__",
+           [](SharedSimulation& shared, const py::args&) {
+             const py::gil_scoped_release others_run;
+             shared.close();
+           })
       .def_property_readonly("robots", &robot_handles)
       .def_property_readonly("poses", &poses)
       .def_property_readonly("twists", &twists)

@@ -53,7 +53,7 @@ RobotCamera::~RobotCamera() = default;
 void RobotCamera::open() {
   source_.reset();
   generation_ = simulation_->generation();
-  clock_ = std::make_unique<FrameClock>();
+  clock_ = std::make_unique<JumpingClock>();
   source_ = camera::open_source(url_, {clock_.get(), view_.get(), nullptr});
   if (const Result<void> sized = source_->set_size(width_, height_); !sized) {
     throw std::invalid_argument(sized.error().what);

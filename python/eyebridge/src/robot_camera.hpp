@@ -4,25 +4,11 @@
 #include <mutex>
 #include <string>
 
-#include "eyebridge/base/clock.hpp"
+#include "eyebridge/base/jumping_clock.hpp"
 #include "eyebridge/camera/source.hpp"
 #include "shared_simulation.hpp"
 
 namespace eyebridge::python {
-
-/// A camera's own time: whoever waits for a frame finds it due. Not thread-safe.
-class FrameClock final : public Clock {
- public:
-  [[nodiscard]] Time now() const override { return now_; }
-  void wait_until(Time deadline) override {
-    if (deadline > now_) now_ = deadline;
-  }
-  void spend(Time) override {}
-  [[nodiscard]] bool is_virtual() const override { return true; }
-
- private:
-  Time now_{0};
-};
 
 /// The camera of a simulated robot: pictures of the world as it is when they are asked for. Any
 /// thread; calls wait for each other.
@@ -52,7 +38,8 @@ class RobotCamera {
   const std::string url_;
   std::mutex mutex_;
   std::uint64_t generation_ = 0;
-  std::unique_ptr<FrameClock> clock_;
+  std::unique_ptr<JumpingClock>
+      clock_;  ///< The camera's own: whoever waits for a frame finds it due.
   std::unique_ptr<camera::Source> source_;
 };
 

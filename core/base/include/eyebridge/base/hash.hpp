@@ -5,13 +5,13 @@
 
 namespace eyebridge {
 
-/// A running 64-bit hash (FNV-1a) of a simulation's state: pins determinism in tests and runs.
+/// A running 64-bit hash (FNV-1a, http://www.isthe.com/chongo/tech/comp/fnv) of a simulation's
+/// state or a picture: pins determinism in tests and runs.
 class StateHash {
  public:
+  void add_byte(std::uint8_t byte) { hash_ = (hash_ ^ byte) * kPrime; }
   void add(std::uint64_t value) {
-    for (int byte = 0; byte < 8; ++byte) {
-      hash_ = (hash_ ^ ((value >> (8 * byte)) & 0xFFU)) * kPrime;
-    }
+    for (int byte = 0; byte < 8; ++byte) add_byte(static_cast<std::uint8_t>(value >> (8 * byte)));
   }
   /// Adds the bits of `value`; 0.0 and -0.0 count as equal.
   void add(double value) { add(std::bit_cast<std::uint64_t>(value == 0.0 ? 0.0 : value)); }
