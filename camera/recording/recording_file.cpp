@@ -12,6 +12,8 @@ namespace {
 
 constexpr Time kCommitPeriod = std::chrono::seconds(1);
 constexpr auto kRealCommitPeriod = std::chrono::milliseconds(500);
+// While a recording begins, and while it is closed, whoever looks at it is in the way for a moment.
+constexpr int kPatience_ms = 2000;
 
 constexpr const char* kSchema =
     "PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; PRAGMA application_id=0x45425243;"
@@ -30,6 +32,7 @@ sqlite::Database make_database(const std::filesystem::path& path, const Recordin
   const int code = sqlite3_open(path.c_str(), &opened);
   sqlite::Database database(opened);
   if (code != SQLITE_OK) throw std::runtime_error(sqlite3_errmsg(opened));
+  sqlite3_busy_timeout(opened, kPatience_ms);
   sqlite::run(opened, kSchema);
   const sqlite::Statement add = sqlite::prepare(opened, "INSERT INTO meta VALUES(?,?)");
   for (const auto& [key, value] : facts) {
@@ -77,7 +80,8 @@ RecordingFile::~RecordingFile() {
   try {
     commit();
     // Closed well, it needs no files beside it, also where readers may not make any. Not possible
-    // while somebody reads it.
+    // while somebody reads it, which is not waited for.
+    sqlite3_busy_timeout(database_.get(), 0);
     sqlite::run(database_.get(), "PRAGMA journal_mode=DELETE");
   } catch (const std::runtime_error&) {  // write() has met it, or will not come any more
   }
@@ -130,6 +134,7 @@ sqlite::Database open_recording(const std::filesystem::path& path) {
   const int code = sqlite3_open_v2(path.c_str(), &opened, SQLITE_OPEN_READONLY, nullptr);
   sqlite::Database database(opened);
   if (code != SQLITE_OK) throw std::runtime_error(sqlite3_errmsg(opened));
+  sqlite3_busy_timeout(opened, kPatience_ms);
   const auto row = sqlite::prepare(opened, "SELECT value FROM meta WHERE key='version'");
   if (!sqlite::step(row)) throw std::runtime_error("it has no version, expected 1");
   if (const std::string found = sqlite::text(row, 0); found != "1") {
