@@ -1,11 +1,13 @@
 // Programs at a terminal: what a person sees there, types and clicks, and what is left at the end.
 
+#include <array>
 #include <csignal>
 #include <functional>
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <pty.h>
 #include <sys/ioctl.h>
 #include <sys/wait.h>
@@ -25,6 +27,31 @@ constexpr int kColumns = 90;
 constexpr int kRows = 36;
 constexpr int kTop = 9;  // of the panel, 27 rows
 
+/// Runs `program` as a shell does: in its session, but not as the leader. With the leader's end the
+/// kernel takes the terminal from all, and the guard, which restores it after SIGKILL, may be late.
+/// Tells its process id and then each of its states, as waitpid() gives them. Never returns.
+[[noreturn]] void lead_session(const std::string& program, int states) {
+  // Those of the keyboard go to all at the terminal.
+  constexpr std::array kKeyboard = {SIGINT, SIGQUIT, SIGTSTP, SIGTTOU, SIGHUP};
+  for (const int signal : kKeyboard) std::signal(signal, SIG_IGN);
+  const pid_t pid = fork();
+  if (pid == 0) {
+    for (const int signal : kKeyboard) std::signal(signal, SIG_DFL);
+    close(states);
+    execl(program.c_str(), program.c_str(), nullptr);
+    _exit(127);
+  }
+  for (const int terminal : {0, 1, 2}) close(terminal);  // its last reader sees its end
+  bool is_told = write(states, &pid, sizeof pid) == sizeof pid;
+  int status = 0;
+  while (is_told && waitpid(pid, &status, WUNTRACED) == pid) {
+    is_told = write(states, &status, sizeof status) == sizeof status && WIFSTOPPED(status);
+  }
+  pollfd reader{states, 0, 0};
+  poll(&reader, 1, -1);  // until nobody wants to know more
+  _exit(0);
+}
+
 /// A program of tests/robios/programs at a terminal of its own.
 class Person {
  public:
@@ -32,21 +59,25 @@ class Person {
     winsize size{};
     size.ws_col = kColumns;
     size.ws_row = kRows;
-    pid_ = forkpty(&terminal_, nullptr, nullptr, &size);
-    if (pid_ != 0) return;
-    setenv("TERM", "xterm-256color", 1);
-    setenv("COLORTERM", "truecolor", 1);
-    setenv("ASAN_OPTIONS", "handle_segv=0:handle_sigbus=0:use_sigaltstack=0", 1);
-    for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
-    const std::string path = std::string(EYEBRIDGE_TEST_PROGRAMS) + "/" + program;
-    execl(path.c_str(), path.c_str(), nullptr);
-    _exit(127);
+    int states[2];
+    EXPECT_EQ(pipe2(states, O_CLOEXEC), 0);
+    leader_ = forkpty(&terminal_, nullptr, nullptr, &size);
+    if (leader_ == 0) {
+      close(states[0]);
+      setenv("TERM", "xterm-256color", 1);
+      setenv("COLORTERM", "truecolor", 1);
+      setenv("ASAN_OPTIONS", "handle_segv=0:handle_sigbus=0:use_sigaltstack=0", 1);
+      for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
+      lead_session(std::string(EYEBRIDGE_TEST_PROGRAMS) + "/" + program, states[1]);
+    }
+    close(states[1]);
+    states_ = states[0];
+    EXPECT_EQ(read(states_, &pid_, sizeof pid_), static_cast<ssize_t>(sizeof pid_));
   }
   ~Person() {
-    if (pid_ > 0 && !waited_) {
-      kill(pid_, SIGKILL);
-      waitpid(pid_, nullptr, 0);
-    }
+    if (pid_ > 0 && !waited_) kill(pid_, SIGKILL);
+    close(states_);
+    waitpid(leader_, nullptr, 0);
     close(terminal_);
   }
   Person(const Person&) = delete;
@@ -85,11 +116,16 @@ class Person {
     screen.resize(columns, rows);
   }
   [[nodiscard]] pid_t pid() const { return pid_; }
+  /// Waits until it ends or is stopped: what waitpid() gives.
+  int next_state() {
+    int status = 0;
+    EXPECT_EQ(read(states_, &status, sizeof status), static_cast<ssize_t>(sizeof status));
+    return status;
+  }
   /// How it ended: 128 + a signal, or its exit code. All that it and its guard wrote is shown then.
   int wait() {
     look([] { return false; });
-    int status = 0;
-    EXPECT_EQ(waitpid(pid_, &status, 0), pid_);
+    const int status = next_state();
     waited_ = true;
     return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
   }
@@ -110,6 +146,8 @@ class Person {
 
  private:
   int terminal_ = -1;
+  int states_ = -1;
+  pid_t leader_ = -1;
   pid_t pid_ = -1;
   bool waited_ = false;
 };
@@ -191,9 +229,7 @@ TEST(ProgramPanel, LendsTheTerminalToOthersWhileTheProgramIsStopped) {
   ASSERT_TRUE(person.may_type());
   ASSERT_TRUE(person.sees_on_lcd(25, "END"));
   person.type("\x1a");  // Ctrl-Z
-  int status = 0;
-  ASSERT_EQ(waitpid(person.pid(), &status, WUNTRACED), person.pid());
-  ASSERT_TRUE(WIFSTOPPED(status));
+  ASSERT_TRUE(WIFSTOPPED(person.next_state()));
   ASSERT_TRUE(person.look([&] { return !person.screen.has_region(); }));
   EXPECT_FALSE(person.screen.reports_clicks());
   person.screen.feed("$ fg\r\n");  // as a shell would
