@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "eyebridge/camera/convert.hpp"
+
 namespace eyebridge::camera {
 namespace {
 
@@ -12,14 +14,8 @@ constexpr std::size_t kMostSpare = 4;
 }  // namespace
 
 Frame FramePool::make(int width, int height, PixelFormat format) {
-  Frame frame;
-  frame.width = width;
-  frame.height = height;
-  frame.format = format;
-  frame.stride = width * bytes_per_pixel(format);
-  frame.bytes =
-      store_->take(static_cast<std::size_t>(frame.stride) * static_cast<std::size_t>(height));
-  return frame;
+  const auto row = static_cast<std::size_t>(width * bytes_per_pixel(format));
+  return make_frame(width, height, format, store_->take(row * static_cast<std::size_t>(height)));
 }
 
 FramePtr FramePool::share(Frame&& frame) {
@@ -31,16 +27,12 @@ FramePtr FramePool::share(Frame&& frame) {
 }
 
 std::vector<std::uint8_t> FramePool::Store::take(std::size_t size) {
-  {
-    const std::lock_guard lock(mutex_);
-    const auto found = std::ranges::find(spare_, size, &std::vector<std::uint8_t>::size);
-    if (found != spare_.end()) {
-      std::vector<std::uint8_t> bytes = std::move(*found);
-      spare_.erase(found);
-      return bytes;
-    }
-  }
-  return std::vector<std::uint8_t>(size);
+  const std::lock_guard lock(mutex_);
+  const auto found = std::ranges::find(spare_, size, &std::vector<std::uint8_t>::size);
+  if (found == spare_.end()) return {};
+  std::vector<std::uint8_t> bytes = std::move(*found);
+  spare_.erase(found);
+  return bytes;
 }
 
 void FramePool::Store::give_back(std::vector<std::uint8_t>&& bytes) {

@@ -22,6 +22,7 @@ class FramePool {
  private:
   class Store {
    public:
+    /// Spare memory of `size` bytes; none when there is none.
     std::vector<std::uint8_t> take(std::size_t size);
     void give_back(std::vector<std::uint8_t>&& bytes);
 

@@ -129,12 +129,17 @@ void scale(const Frame& frame, Span cut_columns, Span cut_rows, Frame& to) {
 }  // namespace
 
 Frame make_frame(int width, int height, PixelFormat format) {
+  return make_frame(width, height, format, {});
+}
+
+Frame make_frame(int width, int height, PixelFormat format, std::vector<std::uint8_t>&& memory) {
   assert(width > 0 && height > 0);
   Frame frame;
   frame.width = width;
   frame.height = height;
   frame.format = format;
   frame.stride = width * bytes_per_pixel(format);
+  frame.bytes = std::move(memory);
   frame.bytes.resize(static_cast<std::size_t>(frame.stride) * static_cast<std::size_t>(height));
   return frame;
 }

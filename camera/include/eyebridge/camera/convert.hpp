@@ -8,6 +8,8 @@ namespace eyebridge::camera {
 
 /// An empty picture: rows without padding, all bytes 0. Sizes of at least 1.
 Frame make_frame(int width, int height, PixelFormat format);
+/// The same in `memory`, which is resized; what is in it stays.
+Frame make_frame(int width, int height, PixelFormat format, std::vector<std::uint8_t>&& memory);
 
 /// `frame` as Rgb24. Grey becomes R = G = B; alpha is dropped.
 Frame to_rgb24(const Frame& frame);
