@@ -59,7 +59,8 @@ std::unique_ptr<Sound> make_sound(const Config& config, Clock& clock) {
   return make_played_sound(player, path == nullptr ? "" : path);
 }
 
-std::unique_ptr<Radio> make_radio(Backend& robot, const BackendContext& context) {
+std::unique_ptr<Radio> make_radio(Backend& robot, const BackendContext& context,
+                                  std::shared_ptr<RadioMedium> air) {
   const RadioSetting setting = radio_setting(context.config);
   const RadioConditions model = robot.radio_conditions();
   const RadioErrors errors{setting.loss.value_or(model.loss), setting.delay.value_or(model.delay),
@@ -69,7 +70,8 @@ std::unique_ptr<Radio> make_radio(Backend& robot, const BackendContext& context)
     case Medium::None:
       return nullptr;
     case Medium::World:
-      return make_medium_radio(std::make_shared<RadioMedium>(errors), id, robot.clock());
+      if (air == nullptr) air = std::make_shared<RadioMedium>();
+      return make_medium_radio(std::move(air), id, errors, robot.clock());
     case Medium::Udp:
       return make_udp_radio(setting, id, errors, robot.clock(), context.log);
   }
@@ -84,13 +86,14 @@ void check_host_settings(const Config& config) {
 }
 
 std::unique_ptr<Backend> with_host_devices(std::unique_ptr<Backend> inner,
-                                           const BackendContext& context) {
+                                           const BackendContext& context,
+                                           std::shared_ptr<RadioMedium> air) {
   HostDevices devices;
   for (auto& [id, device] : serial_devices(context.config)) {
     devices.serial_ports.emplace(id, std::make_unique<HostSerial>(id, device));
   }
   devices.sound = make_sound(context.config, inner->clock());
-  devices.radio = make_radio(*inner, context);
+  devices.radio = make_radio(*inner, context, std::move(air));
   return with_host(std::move(inner), std::move(devices));
 }
 

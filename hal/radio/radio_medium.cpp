@@ -7,15 +7,15 @@ namespace {
 
 class MediumRadio final : public Radio {
  public:
-  MediumRadio(std::shared_ptr<RadioMedium> medium, int id, Clock& clock)
-      : medium_(std::move(medium)), id_(id), clock_(clock) {}
+  MediumRadio(std::shared_ptr<RadioMedium> medium, int id, const RadioErrors& errors, Clock& clock)
+      : medium_(std::move(medium)), id_(id), errors_(errors), clock_(clock) {}
   ~MediumRadio() override { medium_->leave(id_); }
   MediumRadio(const MediumRadio&) = delete;
   MediumRadio& operator=(const MediumRadio&) = delete;
 
   [[nodiscard]] int id() const override { return id_; }
   Result<void> start() override {
-    medium_->join(id_);
+    medium_->join(id_, errors_);
     on_ = true;
     return {};
   }
@@ -42,15 +42,16 @@ class MediumRadio final : public Radio {
  private:
   const std::shared_ptr<RadioMedium> medium_;
   const int id_;
+  const RadioErrors errors_;
   Clock& clock_;
   std::atomic<bool> on_ = false;
 };
 
 }  // namespace
 
-void RadioMedium::join(int id) {
+void RadioMedium::join(int id, const RadioErrors& errors) {
   const std::lock_guard lock(mutex_);
-  inboxes_.try_emplace(id, id, errors_);
+  inboxes_.try_emplace(id, id, errors);
 }
 
 void RadioMedium::leave(int id) {
@@ -80,8 +81,8 @@ std::vector<int> RadioMedium::robots() {
 }
 
 std::unique_ptr<Radio> make_medium_radio(std::shared_ptr<RadioMedium> medium, int id,
-                                         Clock& clock) {
-  return std::make_unique<MediumRadio>(std::move(medium), id, clock);
+                                         const RadioErrors& errors, Clock& clock) {
+  return std::make_unique<MediumRadio>(std::move(medium), id, errors, clock);
 }
 
 }  // namespace eyebridge::hal

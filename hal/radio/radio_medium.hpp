@@ -16,12 +16,12 @@ namespace eyebridge::hal {
 /// the seed: in virtual time every run is the same.
 class RadioMedium {
  public:
-  explicit RadioMedium(const RadioErrors& errors) : errors_(errors) {}
+  RadioMedium() = default;
   RadioMedium(const RadioMedium&) = delete;
   RadioMedium& operator=(const RadioMedium&) = delete;
 
-  /// The robot listens from now on; once more forgets nothing.
-  void join(int id);
+  /// The robot listens from now on, and messages to it suffer `errors`; once more forgets nothing.
+  void join(int id, const RadioErrors& errors);
   void leave(int id);
   /// To all others when `receiver` is kEveryone.
   void send(int receiver, const RadioMessage& message, Time now);
@@ -30,12 +30,12 @@ class RadioMedium {
   std::vector<int> robots();
 
  private:
-  const RadioErrors errors_;
   std::mutex mutex_;
   std::map<int, RadioInbox> inboxes_;
 };
 
-/// The radio of robot `id` in `medium`; `clock` is lent.
-std::unique_ptr<Radio> make_medium_radio(std::shared_ptr<RadioMedium> medium, int id, Clock& clock);
+/// The radio of robot `id` in `medium`, whose messages to it suffer `errors`; `clock` is lent.
+std::unique_ptr<Radio> make_medium_radio(std::shared_ptr<RadioMedium> medium, int id,
+                                         const RadioErrors& errors, Clock& clock);
 
 }  // namespace eyebridge::hal

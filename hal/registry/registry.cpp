@@ -16,6 +16,7 @@
 #include "mix/mix_backend.hpp"
 #include "replay/open_replay.hpp"
 #include "replay/record_tap.hpp"
+#include "shared/open_seat.hpp"
 #include "sim/open_sim.hpp"
 
 namespace eyebridge::hal {
@@ -159,7 +160,9 @@ std::unique_ptr<Backend> open_backend(const BackendContext& context) {
   const Config& config = context.config;
   const ConfigValue& hal = config.value("hal");
   FaultScript script = faults_of(config);
-  auto backend = opened(find_backend(config), hal.text, hal.where, context);
+  auto backend = context.seat != nullptr
+                     ? open_seat(*context.seat, context)
+                     : opened(find_backend(config), hal.text, hal.where, context);
   if (config.is_set("record")) check_record_is_not_read(config);
   if (config.is_set("mix")) backend = mixed(std::move(backend), context);
   backend = with_hand(std::move(backend), context);

@@ -9,7 +9,6 @@
 #include "sim/sim_backend.hpp"
 
 namespace eyebridge::hal {
-namespace {
 
 robot::SimulationSettings simulation_settings(const Config& config) {
   robot::SimulationSettings settings;
@@ -20,19 +19,16 @@ robot::SimulationSettings simulation_settings(const Config& config) {
   return settings;
 }
 
-void report(const files::Scenario& scenario, LogSink& log) {
+void report_scenario(const files::Scenario& scenario, LogSink& log) {
   for (const Warning& warning : scenario.warnings) log.write(Severity::Warning, warning.str());
-  if (scenario.robots.size() > 1) {
-    log.write(Severity::Info, fmt::format("this program drives robot 1 of {}, the others stand "
-                                          "still",
-                                          scenario.robots.size()));
-  }
   if (scenario.start_paused) {
     log.write(Severity::Info,
               "the world asks to start paused: ignored, as there is no window that "
               "could resume it");
   }
 }
+
+namespace {
 
 std::unique_ptr<Clock> make_clock(const Config& config, Time step, SimWorld& world) {
   if (config.boolean("fast")) {
@@ -48,7 +44,13 @@ std::unique_ptr<Backend> open_scenario(files::Scenario scenario, const SourceLoc
   if (scenario.robots.empty()) {
     throw ConfigError(where, "found no robot, expected at least one");
   }
-  report(scenario, context.log);
+  report_scenario(scenario, context.log);
+  if (scenario.robots.size() > 1) {
+    context.log.write(Severity::Info,
+                      fmt::format("this program drives robot 1 of {}, the others stand still; all "
+                                  "have one with --robots all",
+                                  scenario.robots.size()));
+  }
   const robot::SimulationSettings settings = simulation_settings(context.config);
   std::unique_ptr<SimWorld> world;
   try {

@@ -4,12 +4,22 @@
 
 #include "eyebridge/files/scenario.hpp"
 #include "eyebridge/hal/registry.hpp"
+#include "eyebridge/robot/simulation.hpp"
 
 namespace eyebridge::hal {
 
 /// The row "sim" of the table of backends: robot 1 of the world that the configuration names, or of
 /// an empty room. Throws ConfigError.
 std::unique_ptr<Backend> open_sim(const BackendUrl& url, const BackendContext& context);
+
+/// The scenario that the configuration names, or an empty room.
+files::Scenario configured_scenario(const Config& config);
+
+/// How the configuration wants it simulated.
+robot::SimulationSettings simulation_settings(const Config& config);
+
+/// Tells `log` what is odd about the scenario.
+void report_scenario(const files::Scenario& scenario, LogSink& log);
 
 /// The same for a scenario at hand, named `where` in messages.
 std::unique_ptr<Backend> open_scenario(files::Scenario scenario, const SourceLocation& where,

@@ -39,11 +39,12 @@ std::vector<DeviceFacts> facts_about(const std::vector<Sensor>& sensors) {
 
 }  // namespace
 
-SimBackend::SimBackend(std::unique_ptr<SimWorld> world, std::unique_ptr<Clock> clock,
-                       robot::RobotIndex robot, double supply_voltage)
+SimBackend::SimBackend(std::shared_ptr<SimWorld> world, std::shared_ptr<Clock> clock,
+                       robot::RobotIndex robot, double supply_voltage, AtEnd at_end)
     : world_(std::move(world)),
       clock_(std::move(clock)),
       robot_(robot),
+      at_end_(at_end),
       drive_(*world_, robot),
       compass_(*world_, robot),
       control_(*world_, robot),
@@ -86,7 +87,7 @@ std::vector<DeviceFacts> SimBackend::facts_of(std::string_view kind) {
 }
 
 void SimBackend::stop() noexcept {
-  world_->locked([&](auto& sim) { sim.stop(robot_); });
+  if (at_end_ == AtEnd::Stop) world_->locked([&](auto& sim) { sim.stop(robot_); });
 }
 
 }  // namespace eyebridge::hal

@@ -20,14 +20,21 @@
 
 namespace eyebridge::hal {
 
+/// What a simulated robot does when its program has ended.
+enum class AtEnd {
+  Stop,         ///< As a real one.
+  KeepDriving,  ///< As in EyeSim: it keeps its last command; others may be following it.
+};
+
 /// One robot of a simulated world.
 class SimBackend final : public Backend {
  public:
   /// `clock` steps `world`. The robot has the devices of its model, a compass, two motors with
   /// encoders (1 left, 2 right), two servos (1 pan, 2 tilt), digital lines, and analog inputs with
   /// a battery of `supply_voltage` volts. It has no I/O board and nothing of a computer.
-  SimBackend(std::unique_ptr<SimWorld> world, std::unique_ptr<Clock> clock, robot::RobotIndex robot,
-             double supply_voltage);
+  /// Both may be shared with other robots.
+  SimBackend(std::shared_ptr<SimWorld> world, std::shared_ptr<Clock> clock, robot::RobotIndex robot,
+             double supply_voltage, AtEnd at_end = AtEnd::Stop);
 
   Clock& clock() override { return *clock_; }
   [[nodiscard]] int robot_id() const override { return static_cast<int>(robot_) + 1; }
@@ -56,9 +63,10 @@ class SimBackend final : public Backend {
   void stop() noexcept override;
 
  private:
-  std::unique_ptr<SimWorld> world_;
-  std::unique_ptr<Clock> clock_;  ///< After the world that it steps: it must end first.
+  std::shared_ptr<SimWorld> world_;
+  std::shared_ptr<Clock> clock_;  ///< After the world that it steps: it must end first.
   const robot::RobotIndex robot_;
+  const AtEnd at_end_;
   SimDrive drive_;
   SimCompass compass_;
   SimWorldControl control_;

@@ -32,27 +32,30 @@ void SimWorld::step() {
   const std::lock_guard lock(mutex_);
   simulation_.step();
   ++steps_;
-  if (sink_ != nullptr) trace();
+  if (!traced_.empty()) trace();
 }
 
 void SimWorld::trace_to(TraceSink* sink, robot::RobotIndex robot) {
   const std::lock_guard lock(mutex_);
-  sink_ = sink;
-  traced_ = robot;
-  traced_sensors_.clear();
+  traced_.erase(robot);
+  if (sink == nullptr) return;
+  Traced& traced = traced_[robot];
+  traced.sink = sink;
   const auto& sensors = simulation_.model(robot).range_sensors;
-  for (std::size_t i = 0; i < sensors.size(); ++i) traced_sensors_.push_back(i);
-  std::ranges::sort(traced_sensors_, {}, [&](std::size_t i) { return sensors[i].id; });
-  ranges_.resize(traced_sensors_.size());
+  for (std::size_t i = 0; i < sensors.size(); ++i) traced.sensors.push_back(i);
+  std::ranges::sort(traced.sensors, {}, [&](std::size_t i) { return sensors[i].id; });
+  traced.ranges.resize(traced.sensors.size());
 }
 
 void SimWorld::trace() {
-  // Without error: drawing from the sensors' random streams would make a traced run another one.
-  std::ranges::transform(traced_sensors_, ranges_.begin(), [&](std::size_t sensor) {
-    return simulation_.true_range(traced_, sensor);
-  });
-  sink_->point({static_cast<Time::rep>(steps_) * step_length_, simulation_.pose(traced_),
-                simulation_.twist(traced_), simulation_.odometry(traced_), ranges_});
+  for (auto& [robot, traced] : traced_) {
+    // Without error: drawing from the sensors' random streams would make a traced run another one.
+    std::ranges::transform(
+        traced.sensors, traced.ranges.begin(),
+        [&, robot = robot](std::size_t sensor) { return simulation_.true_range(robot, sensor); });
+    traced.sink->point({static_cast<Time::rep>(steps_) * step_length_, simulation_.pose(robot),
+                        simulation_.twist(robot), simulation_.odometry(robot), traced.ranges});
+  }
 }
 
 const robot::RobotModel& SimWorld::model(robot::RobotIndex robot) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <mutex>
 #include <string>
 #include <utility>
@@ -41,17 +42,20 @@ class SimWorld {
   [[nodiscard]] const std::string& directory() const { return directory_; }
 
  private:
-  void trace();
+  void trace();  ///< mutex_ is held.
 
   const std::string directory_;
   const Time step_length_;
   std::mutex mutex_;
   robot::Simulation simulation_;
   std::uint64_t steps_ = 0;
-  TraceSink* sink_ = nullptr;
-  robot::RobotIndex traced_ = 0;
-  std::vector<std::size_t> traced_sensors_;  ///< In order of id.
-  std::vector<double> ranges_;
+  /// A robot somebody wants to be told of.
+  struct Traced {
+    TraceSink* sink = nullptr;
+    std::vector<std::size_t> sensors;  ///< In order of id.
+    std::vector<double> ranges;
+  };
+  std::map<robot::RobotIndex, Traced> traced_;
 };
 
 }  // namespace eyebridge::hal

@@ -47,7 +47,7 @@ Result<std::string> as_file(const robios::classic::Sample& sample) {
 }
 
 /// What nothing is heard of has ended.
-int is_silent(const char* name) {
+int is_silent(const robios::Call& name) {
   return call(name, 1, [](Session& session) -> Result<int> {
     return sound_of(session).and_then([](hal::Sound* sound) {
       return sound->is_playing().map([](bool playing) { return playing ? 0 : 1; });
@@ -55,7 +55,7 @@ int is_silent(const char* name) {
   });
 }
 
-int play_tone(const char* name, double hertz, double seconds) {
+int play_tone(const robios::Call& name, double hertz, double seconds) {
   return doing(name, 1, [&](Session& session) {
     return sound_of(session).and_then(
         [&](hal::Sound* sound) { return sound->tone(hertz, seconds); });

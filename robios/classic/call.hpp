@@ -13,7 +13,7 @@ Kernel& kernel();
 /// guarded() for the calls of classic RoBIOS: tasks take turns before it, and a task that was ended
 /// ends its thread here, where nothing of ours is on its stack any more.
 template <class Value, class Body>
-Value call(std::string_view name, Value failure, Body&& body) {
+Value call(const Call& name, Value failure, Body&& body) {
   try {
     kernel().enter();
     const Value value = guarded(name, failure, body);
@@ -26,7 +26,7 @@ Value call(std::string_view name, Value failure, Body&& body) {
 
 /// As call(), for what only succeeds or fails: 0 or `failure`.
 template <class Body>
-int doing(std::string_view name, int failure, Body&& body) {
+int doing(const Call& name, int failure, Body&& body) {
   return call(name, failure, [&](Session& session) -> Result<int> {
     const Result<void> done = body(session);
     if (!done) return tl::unexpected(done.error());

@@ -63,7 +63,7 @@ Result<void> copy(const Result<camera::FramePtr>& frame, bool grey, void* out) {
   return {};
 }
 
-int get_frame(const char* name, bool grey, void* out) {
+int get_frame(const robios::Call& name, bool grey, void* out) {
   return doing(name, 1, [&](Session& session) -> Result<void> {
     if (out == nullptr) return robios::null_pointer();
     return copy(next_at_rate(session), grey, out);

@@ -20,7 +20,7 @@ robios::Bytes bytes_of(image* img) { return {&(*img)[0][0], kImage.pixels()}; }
 
 /// Runs `work` unless a pointer is null or the result would overwrite what is still to be read.
 template <class Work, class Source>
-int filtering(const char* name, Source* src, image* dest, Work&& work) {
+int filtering(const robios::Call& name, Source* src, image* dest, Work&& work) {
   return doing(name, 1, [&](Session&) -> Result<void> {
     if (src == nullptr || dest == nullptr) return robios::null_pointer();
     if (static_cast<void*>(src) == static_cast<void*>(dest)) {

@@ -50,7 +50,7 @@ Result<int> next_code(Session& session, bool take) {
   });
 }
 
-int begin(const char* name, int failure, bool legal, const char* what) {
+int begin(const robios::Call& name, int failure, bool legal, const char* what) {
   return doing(name, failure, [&](Session&) -> Result<void> {
     if (!legal) return fail(Errc::OutOfRange, what);
     const std::lock_guard lock(remote_mutex);

@@ -19,7 +19,7 @@ Result<Value> or_end_waiting(Session& session, Result<Value> waited) {
   return waited;
 }
 
-int wait_for(const char* name, int mask) {
+int wait_for(const robios::Call& name, int mask) {
   return call(name, NOKEY,
               [&](Session& session) { return robios::classic::wait_for_key(session, mask); });
 }

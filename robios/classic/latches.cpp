@@ -44,14 +44,14 @@ Result<void> need_port(Session& session) {
   return fail(Errc::Unsupported, "this robot has no parallel port");
 }
 
-BYTE read_port(const char* name, const BYTE& value) {
+BYTE read_port(const robios::Call& name, const BYTE& value) {
   return call(name, BYTE{0}, [&](Session& session) -> Result<BYTE> {
     const std::lock_guard lock(latch_mutex);
     return need_port(session).map([&] { return value; });
   });
 }
 
-void write_port(const char* name, BYTE& to, int value) {
+void write_port(const robios::Call& name, BYTE& to, int value) {
   doing(name, 1, [&](Session& session) -> Result<void> {
     const std::lock_guard lock(latch_mutex);
     return need_port(session).map([&] { to = static_cast<BYTE>(value); });
@@ -66,7 +66,7 @@ Result<int> convert(Session& session, int channel) {
 
 /// Runs `act(lines, line)` on line `latchnum` of the M6.
 template <class Act>
-int on_line(const char* name, int latchnum, int failure, Act&& act) {
+int on_line(const robios::Call& name, int latchnum, int failure, Act&& act) {
   return call(name, failure, [&](Session& session) -> Result<int> {
     if (latchnum < 0 || latchnum >= hal::DigitalLines::kCount) {
       return fail(Errc::OutOfRange, fmt::format("there is no line {}; expected 0 … 15", latchnum));

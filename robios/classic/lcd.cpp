@@ -39,7 +39,7 @@ Result<void> show(Session& session, const std::string& text) {
   return {};
 }
 
-int print(const char* name, const std::string& text) {
+int print(const robios::Call& name, const std::string& text) {
   return doing(name, 1, [&](Session& session) { return show(session, text); });
 }
 

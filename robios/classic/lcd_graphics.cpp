@@ -33,7 +33,7 @@ Result<Pen> pen_of(int colour) {
 
 /// Runs `draw(lcd, pen)`, which returns nothing.
 template <class Draw>
-int drawing(const char* name, int colour, Draw&& draw) {
+int drawing(const robios::Call& name, int colour, Draw&& draw) {
   return doing(name, 1, [&](Session& session) {
     return pen_of(colour).map([&](Pen pen) { draw(robios::classic::lcd(session), pen); });
   });

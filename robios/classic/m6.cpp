@@ -14,11 +14,11 @@ using robios::classic::doing;
 constexpr int kClassicMap = 1;
 
 /// For what is always there and needs nothing.
-int there(const char* name) {
+int there(const robios::Call& name) {
   return doing(name, 1, [](Session&) -> Result<void> { return {}; });
 }
 
-int missing(const char* name, const char* what) {
+int missing(const robios::Call& name, const char* what) {
   return doing(name, 1, [&](Session&) -> Result<void> { return fail(Errc::Unsupported, what); });
 }
 

@@ -44,7 +44,7 @@ Result<Variable> variable(int num) {
   return Variable{index, part == 1 ? 8 : 0, 0xFF};
 }
 
-int of_the_loader(const char* name) {
+int of_the_loader(const robios::Call& name) {
   return doing(name, 1, [](Session&) -> Result<void> {
     return fail(Errc::Unsupported, "a call of the boot loader, which is not here");
   });

@@ -31,7 +31,7 @@ Result<std::uint32_t> ticks_of(const Quad& quad) {
 
 /// Runs `act(quad)`, which gives Result<void>, for each encoder of the mask.
 template <class Act>
-int for_each_quad(const char* name, QuadHandle handle, Act&& act) {
+int for_each_quad(const robios::Call& name, QuadHandle handle, Act&& act) {
   return doing(name, -1, [&](Session&) -> Result<void> {
     DriveTrain& train = drive_train();
     const std::lock_guard lock(train.mutex);

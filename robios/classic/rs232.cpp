@@ -40,7 +40,7 @@ tl::unexpected<Error> no_port(int interface) {
 /// For what returns 0 or one of the manual's numbers: `act(port)` gives Result<void>, whose failure
 /// is `failure`.
 template <class Act>
-int on_port(const char* name, int interface, int failure, int none, Act&& act) {
+int on_port(const robios::Call& name, int interface, int failure, int none, Act&& act) {
   hal::SerialPort* const port = port_of(Session::instance(), interface);
   return call(name, port == nullptr ? none : failure, [&](Session&) -> Result<int> {
     if (port == nullptr) return no_port(interface);
@@ -48,7 +48,7 @@ int on_port(const char* name, int interface, int failure, int none, Act&& act) {
   });
 }
 
-int send_byte(const char* name, std::uint8_t byte, int interface) {
+int send_byte(const robios::Call& name, std::uint8_t byte, int interface) {
   return on_port(name, interface, kSendTimeout, kIllegalInterface, [&](hal::SerialPort& port) {
     return port.send({&byte, 1}).map([] { return 0; });
   });

@@ -61,14 +61,14 @@ void store(int* out, long long value) {
   if (out != nullptr) *out = static_cast<int>(value);
 }
 
-int wait(const char* name, Time duration) {
+int wait(const robios::Call& name, Time duration) {
   return call(name, 1, [&](Session& session) -> Result<int> {
     if (duration > Time(0)) robios::classic::wait_until(session.clock().now() + duration);
     return 0;
   });
 }
 
-int sleep(const char* name, Time duration) {
+int sleep(const robios::Call& name, Time duration) {
   if (!robios::classic::kernel().started()) return wait(name, duration);
   return robios::classic::doing(name, 1, [&](Session& session) {
     return robios::classic::kernel().sleep_until(session.clock().now() +
@@ -163,7 +163,7 @@ TimerHandle OSAttachTimer(int scale, TimerFnc function) {
     if (attached_timers.size() >= kMostTimers) {
       return fail(Errc::OutOfRange, fmt::format("{} timers are attached already", kMostTimers));
     }
-    const int handle = session.timers().attach(scale * kTick, function);
+    const int handle = session.timers().attach(scale * kTick, session.bound(function));
     attached_timers.insert(handle);
     return handle;
   });

@@ -33,7 +33,7 @@ Result<hal::Drive*> open_drive(Session& session, VWHandle handle) {
 
 /// For calls that succeed or not. `body(drive, session)` gives Result<void>.
 template <class Body>
-int with_vw(const char* name, VWHandle handle, Body&& body) {
+int with_vw(const robios::Call& name, VWHandle handle, Body&& body) {
   return doing(name, -1, [&](Session& session) -> Result<void> {
     const std::lock_guard lock(drive_train().mutex);
     return open_drive(session, handle).and_then([&](hal::Drive* drive) -> Result<void> {
@@ -42,7 +42,7 @@ int with_vw(const char* name, VWHandle handle, Body&& body) {
   });
 }
 
-int drive_to(const char* name, VWHandle handle, const DriveGoal& goal) {
+int drive_to(const robios::Call& name, VWHandle handle, const DriveGoal& goal) {
   return with_vw(name, handle, [&](hal::Drive& drive, Session& session) -> Result<void> {
     drive_train().turn.reset();
     if (goal.distance != 0.0 || goal.angle == 0.0 || goal.speed == 0.0) return drive.start(goal);

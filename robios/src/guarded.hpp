@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "eyebridge/base/result.hpp"
+#include "fleet/call_depth.hpp"
 #include "session.hpp"
 
 namespace eyebridge::robios {
@@ -15,19 +16,20 @@ namespace eyebridge::robios {
 /// failure returns `failure` (the call's documented failure value), logs the reason (not again and
 /// again), and keeps it for EYEBRIDGELastError(). After the run's end nothing is done any more.
 template <class Value, class Body>
-Value guarded(std::string_view call, Value failure, Body&& body) {
+Value guarded(const Call& call, Value failure, Body&& body) {
   Session& session = Session::instance();  // ends the process itself on a ConfigError
-  if (!session.may_call(call)) return failure;
+  if (!session.may_call(call.name)) return failure;
+  const InCall in_call;
   try {
     session.charge(call);
     Result<Value> result = body(session);
     if (result) {
-      session.succeeded(call);
+      session.succeeded(call.name);
       return *result;
     }
-    session.failed(call, result.error());
+    session.failed(call.name, result.error());
   } catch (const std::exception& error) {
-    session.failed(call, Error{Errc::Corrupt, error.what()});
+    session.failed(call.name, Error{Errc::Corrupt, error.what()});
   }
   return failure;
 }

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <typeindex>
 
+#include "costs.hpp"
 #include "eyebridge/base/clock.hpp"
 #include "eyebridge/base/log.hpp"
 #include "eyebridge/base/result.hpp"
@@ -17,23 +20,41 @@ class CameraPort;
 class Keys;
 class Lcd;
 class RadioMessages;
+class Runner;
 class Screen;
 class Timers;
+struct SessionStart;
 
-/// What one robot program has: its backend, panel, camera and timers. One per process.
+/// What a session keeps for a family of calls.
+struct OwnPart {
+  OwnPart() = default;
+  OwnPart(const OwnPart&) = delete;
+  OwnPart& operator=(const OwnPart&) = delete;
+  virtual ~OwnPart() = default;
+};
+
+/// What one robot program has: its backend, panel, camera and timers. One per process, or one for
+/// each robot of several (robios/fleet).
 ///
 /// Any thread of the program may call; each part locks for itself.
 class Session {
  public:
-  /// The session of this process. The first call starts it: configuration, backend, panel. A
-  /// ConfigError is printed and ends the process with exit code 2, before the call returns.
-  static Session& instance();
+  /// The session of the calling thread's robot; else that of this process. The latter's first call
+  /// starts it: configuration, backend, panel. A ConfigError is printed and ends the process with
+  /// exit code 2, before the call returns.
+  static Session& instance() { return here_ != nullptr ? *here_ : only(); }
 
   /// True once the first call has started it.
   static bool has_begun();
 
   /// The session when it runs and its clock is not the wall clock; else null. Starts nothing.
   static Session* with_own_time();
+
+  /// Begins the session of one of several robots. It is never destroyed. Throws ConfigError.
+  static Session* begin(SessionStart start);
+  /// The robot whose program the calling thread runs; null when that is the process's only one.
+  [[nodiscard]] static Session* here() { return here_; }
+  static void set_here(Session* session) { here_ = session; }
 
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -53,13 +74,38 @@ class Session {
   [[nodiscard]] LogSink& log();
 
   /// Charges what `call` costs on a real robot, and runs the timers that came due meanwhile.
-  void charge(std::string_view call);
+  void charge(const Call& call);
   /// Waits until `deadline` on the robot's clock; timers run meanwhile.
   void wait_until(Time deadline);
 
   /// False once the run has ended: threads that still call must not start the motors again. Ends a
   /// forked process with a message: a robot has one program.
   [[nodiscard]] bool may_call(std::string_view call) const;
+
+  /// What this robot has of a family's: made at the first use, never destroyed before the session.
+  template <class Value>
+  Value& own() {
+    struct Part : OwnPart {
+      Value value{};
+    };
+    OwnPart& part = own_part(typeid(Value), []() -> std::unique_ptr<OwnPart> {
+      return std::make_unique<Part>();
+    });
+    return static_cast<Part&>(part).value;
+  }
+  /// Where this robot's program has its copy of the variable `name` of ours; null when the
+  /// process's own counts.
+  [[nodiscard]] void* variable(const char* name) const;
+
+  /// Who runs the program of one of several robots; else null.
+  [[nodiscard]] Runner* runner() const;
+  /// `function` as the robot's timers call it: in one of the robot's own threads.
+  [[nodiscard]] std::function<void()> bound(void (*function)());
+
+  /// True until the run ends.
+  [[nodiscard]] bool is_running() const;
+  /// Ends the program with this exit code.
+  [[noreturn]] void leave(int code);
 
   /// Ends the program with exit code 1 and this message: it cannot go on in any sensible way.
   [[noreturn]] void abort_run(const Error& error);
@@ -77,13 +123,17 @@ class Session {
   void await_end();
 
  private:
-  Session();
+  struct Impl;
+  explicit Session(std::unique_ptr<Impl> impl);
   ~Session();
+  static Session& only();
+  OwnPart& own_part(std::type_index type, std::unique_ptr<OwnPart> (*make)());
   void check_limit();
   void look_around();
   void go_on_without_calls();
   static void watch_forks();
-  struct Impl;
+
+  static thread_local Session* here_;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -1,20 +1,25 @@
 #pragma once
 
 #include <mutex>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "eyebridge/base/log.hpp"
 
 namespace eyebridge::robios {
 
-/// Messages of at least `lowest` severity to standard error, each behind "eyebridge: ".
+/// Messages of at least `lowest` severity to standard error, each behind "eyebridge: " and, where
+/// there are several robots, `who`.
 class StderrLog final : public LogSink {
  public:
-  explicit StderrLog(Severity lowest) : lowest_(lowest) {}
+  explicit StderrLog(Severity lowest, std::string who = {})
+      : lowest_(lowest), who_(who.empty() ? "" : std::move(who) + ": ") {}
   void write(Severity severity, std::string_view message) override;
 
  private:
-  Severity lowest_;
+  const Severity lowest_;
+  const std::string who_;
   std::mutex mutex_;
 };
 

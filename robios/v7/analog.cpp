@@ -16,7 +16,7 @@ constexpr double kCentivolts = 100;
 
 /// Runs `body` on the robot's inputs.
 template <class Body>
-int with_inputs(const char* call, int failure, Body&& body) {
+int with_inputs(const robios::Call& call, int failure, Body&& body) {
   return robios::guarded(call, failure, [&](Session& session) -> Result<int> {
     hal::AnalogInputs* inputs = session.backend().analog();
     if (inputs == nullptr) return fail(Errc::Unsupported, "this robot has no analog inputs");

@@ -9,7 +9,7 @@ constexpr double kBeep = 1000;       // hertz
 constexpr double kBeepLength = 0.1;  // seconds
 
 template <class Body>
-int with_sound(const char* call, int failure, Body&& body) {
+int with_sound(const robios::Call& call, int failure, Body&& body) {
   return robios::guarded(call, failure, [&](robios::Session& session) -> Result<int> {
     hal::Sound* sound = session.backend().sound();
     if (sound == nullptr) return fail(Errc::Unsupported, "this robot has no loudspeaker");

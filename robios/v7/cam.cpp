@@ -34,12 +34,12 @@ constexpr std::array<Size, 6> kCameraModes = {{{QQVGA_X, QQVGA_Y},
                                                {CAM5MP_X, CAM5MP_Y}}};
 
 void publish(int mode, Size size) {
-  CAMMODE = mode;
-  CAMWIDTH = size.width;
-  CAMHEIGHT = size.height;
-  CAMPIXELS = size.width * size.height;
-  CAMSIZE = 3 * CAMPIXELS;
-  CAM_INITIAL = 1;
+  EYEBRIDGE_VARIABLE(CAMMODE) = mode;
+  EYEBRIDGE_VARIABLE(CAMWIDTH) = size.width;
+  EYEBRIDGE_VARIABLE(CAMHEIGHT) = size.height;
+  EYEBRIDGE_VARIABLE(CAMPIXELS) = size.width * size.height;
+  EYEBRIDGE_VARIABLE(CAMSIZE) = 3 * size.width * size.height;
+  EYEBRIDGE_VARIABLE(CAM_INITIAL) = 1;
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ using namespace eyebridge;
 
 /// Runs `body` on the robot's lines.
 template <class Body>
-int with_lines(const char* call, int failure, Body&& body) {
+int with_lines(const robios::Call& call, int failure, Body&& body) {
   return robios::guarded(call, failure, [&](robios::Session& session) -> Result<int> {
     hal::DigitalLines* lines = session.backend().digital();
     if (lines == nullptr) return fail(Errc::Unsupported, "this robot has no digital lines");

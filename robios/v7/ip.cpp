@@ -27,10 +27,10 @@ int IP_PIXELS = QVGA_PIXELS;
 int IP_SIZE = QVGA_SIZE;
 
 void eyebridge::robios::set_ip_size(ImageSize size) {
-  IP_WIDTH = size.width;
-  IP_HEIGHT = size.height;
-  IP_PIXELS = size.width * size.height;
-  IP_SIZE = 3 * IP_PIXELS;
+  EYEBRIDGE_VARIABLE(IP_WIDTH) = size.width;
+  EYEBRIDGE_VARIABLE(IP_HEIGHT) = size.height;
+  EYEBRIDGE_VARIABLE(IP_PIXELS) = size.width * size.height;
+  EYEBRIDGE_VARIABLE(IP_SIZE) = 3 * size.width * size.height;
 }
 
 namespace {
@@ -54,16 +54,18 @@ struct Image {
 
 /// Runs `work` on the current size when none of the images is null. Returns 0, or `failure`.
 template <class Work, class... Pointers>
-int processing(std::string_view call, int failure, Work&& work, const Pointers*... images) {
+int processing(const robios::Call& call, int failure, Work&& work, const Pointers*... images) {
   return guarded(call, failure, [&](Session&) -> Result<int> {
     if ((... || (images == nullptr))) {
       return eyebridge::robios::null_pointer();
     }
-    const Image image{{IP_WIDTH, IP_HEIGHT}};
+    const int width = EYEBRIDGE_VARIABLE(IP_WIDTH);
+    const int height = EYEBRIDGE_VARIABLE(IP_HEIGHT);
+    const Image image{{width, height}};
     if (image.size.width < 1 || image.size.height < 1) {
       return fail(Errc::OutOfRange, "IP_WIDTH or IP_HEIGHT was overwritten with " +
-                                        std::to_string(IP_WIDTH) + " x " +
-                                        std::to_string(IP_HEIGHT));
+                                        std::to_string(width) + " x " +
+                                        std::to_string(height));
     }
     return work(image);
   });
@@ -71,7 +73,7 @@ int processing(std::string_view call, int failure, Work&& work, const Pointers*.
 
 /// The same for calls that cannot fail otherwise.
 template <class Work, class... Pointers>
-void filtering(std::string_view call, Work&& work, const Pointers*... images) {
+void filtering(const robios::Call& call, Work&& work, const Pointers*... images) {
   processing(
       call, 1,
       [&](const Image& image) -> Result<int> {

@@ -31,11 +31,11 @@ int IM_WIDTH = QVGA_X;
 int IM_LENGTH = QVGA_Y;
 
 void eyebridge::robios::publish_image_window(const ImageWindow& window, int mode) {
-  IM_TYPE = mode;
-  IM_LEFT = window.x;
-  IM_TOP = window.y;
-  IM_WIDTH = window.width;
-  IM_LENGTH = window.height;
+  EYEBRIDGE_VARIABLE(IM_TYPE) = mode;
+  EYEBRIDGE_VARIABLE(IM_LEFT) = window.x;
+  EYEBRIDGE_VARIABLE(IM_TOP) = window.y;
+  EYEBRIDGE_VARIABLE(IM_WIDTH) = window.width;
+  EYEBRIDGE_VARIABLE(IM_LENGTH) = window.height;
 }
 
 std::unique_ptr<eyebridge::robios::Screen> eyebridge::robios::make_screen(
@@ -54,7 +54,7 @@ constexpr int kLongestText = 65535;
 
 /// Most calls just draw: they cannot fail.
 template <class Draw>
-int drawing(std::string_view call, Draw&& draw) {
+int drawing(const robios::Call& call, Draw&& draw) {
   return guarded(call, kLcdFailed, [&](Session& session) -> Result<int> {
     draw(session.lcd());
     return 0;
@@ -63,7 +63,7 @@ int drawing(std::string_view call, Draw&& draw) {
 
 /// For calls whose arguments may be wrong.
 template <class Change>
-int changing(std::string_view call, Change&& change) {
+int changing(const robios::Call& call, Change&& change) {
   return guarded(call, kLcdFailed, [&](Session& session) -> Result<int> {
     return change(session.lcd()).map([] { return 0; });
   });
@@ -100,7 +100,7 @@ const char* or_empty(const char* text) { return text == nullptr ? "" : text; }
 
 /// For LCDImage() and its sisters.
 template <class Show>
-int showing(std::string_view call, const BYTE* data, Show&& show) {
+int showing(const robios::Call& call, const BYTE* data, Show&& show) {
   return guarded(call, kLcdFailed, [&](Session& session) -> Result<int> {
     if (data == nullptr) {
       return null_pointer();
@@ -238,7 +238,7 @@ int LCDImageSize(int t) {
 int LCDImageStart(int x, int y, int xs, int ys) {
   return changing("LCDImageStart", [&](Lcd& lcd) {
     return lcd.set_image_window({x, y, xs, ys}).map([&] {
-      eyebridge::robios::publish_image_window({x, y, xs, ys}, IM_TYPE);
+      eyebridge::robios::publish_image_window({x, y, xs, ys}, EYEBRIDGE_VARIABLE(IM_TYPE));
     });
   });
 }

@@ -13,8 +13,10 @@ namespace {
 
 using namespace eyebridge;
 
-// A scan and the shape it is of belong together: one thread at a time.
-std::mutex scan_mutex;
+/// A scan and the shape it is of belong together: one thread of a robot at a time.
+struct ScanTurn {
+  std::mutex mutex;
+};
 
 Result<hal::Lidar*> find(robios::Session& session) {
   hal::Lidar* lidar = session.backend().lidar();
@@ -41,15 +43,15 @@ Result<void> scan(hal::Lidar& lidar, std::vector<int>& out) {
 }  // namespace
 
 void eyebridge::robios::publish_globals(Session& session) {
-  if (const hal::Lidar* lidar = session.backend().lidar()) LIDAR_RESOLUTION = lidar->points();
+  if (const hal::Lidar* lidar = session.backend().lidar()) EYEBRIDGE_VARIABLE(LIDAR_RESOLUTION) = lidar->points();
 }
 
 int LIDARSet(int range, int tilt, int points) {
   return robios::guarded("LIDARSet", 1, [&](robios::Session& session) -> Result<int> {
-    const std::lock_guard lock(scan_mutex);
+    const std::lock_guard lock(session.own<ScanTurn>().mutex);
     return find(session).and_then([&](hal::Lidar* lidar) -> Result<int> {
       return configure(*lidar, {deg_to_rad(range), deg_to_rad(tilt), points}).map([&] {
-        LIDAR_RESOLUTION = points;
+        EYEBRIDGE_VARIABLE(LIDAR_RESOLUTION) = points;
         return 0;
       });
     });
@@ -59,7 +61,7 @@ int LIDARSet(int range, int tilt, int points) {
 int LIDARGet(int distance[]) {
   return robios::guarded("LIDARGet", 1, [&](robios::Session& session) -> Result<int> {
     if (distance == nullptr) return robios::null_pointer();
-    const std::lock_guard lock(scan_mutex);
+    const std::lock_guard lock(session.own<ScanTurn>().mutex);
     return find(session).and_then([&](hal::Lidar* lidar) -> Result<int> {
       std::vector<int> ranges;
       return scan(*lidar, ranges).map([&] {
@@ -73,7 +75,7 @@ int LIDARGet(int distance[]) {
 int SIMLaserScan(int scan_out[]) {
   return robios::guarded("SIMLaserScan", 1, [&](robios::Session& session) -> Result<int> {
     if (scan_out == nullptr) return robios::null_pointer();
-    const std::lock_guard lock(scan_mutex);
+    const std::lock_guard lock(session.own<ScanTurn>().mutex);
     return find(session).and_then([&](hal::Lidar* lidar) -> Result<int> {
       std::vector<int> ranges;
       const hal::LidarShape before = lidar->shape();

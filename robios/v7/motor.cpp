@@ -11,7 +11,7 @@ using namespace eyebridge;
 
 /// Runs `command` on motor `id`; 0 when it worked, 1 when not.
 template <class Command>
-int on_motor(const char* call, int id, Command&& command) {
+int on_motor(const robios::Call& call, int id, Command&& command) {
   return robios::guarded(call, 1, [&](robios::Session& session) -> Result<int> {
     hal::Motor* motor = session.backend().motor(id);
     if (motor == nullptr) {

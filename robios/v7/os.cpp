@@ -2,6 +2,7 @@
 #include <atomic>
 #include <cstring>
 #include <ctime>
+#include <mutex>
 #include <string>
 
 #include <fmt/format.h>
@@ -16,24 +17,28 @@ using namespace eyebridge;
 using robios::Session;
 using std::chrono::milliseconds;
 
-// What OSSetTime() has added to the time of day, milliseconds.
-std::atomic<long long> set_ahead = 0;
+/// The robot's time of day.
+struct TimeOfDay {
+  std::atomic<long long> set_ahead = 0;  ///< What OSSetTime() has added, milliseconds.
+  std::once_flag asked;
+  long long first_start = 0;  ///< When a clock that is real time was 0, milliseconds of the day.
+};
 
 /// Milliseconds since midnight. A virtual clock starts at midnight, so that runs repeat.
 long long milliseconds_of_day(Session& session) {
   const long long since_start = session.clock().now() / milliseconds(1);
-  long long start = 0;
+  auto& day = session.own<TimeOfDay>();
   if (!session.clock().is_virtual()) {
-    static const long long first_start = [&] {
+    std::call_once(day.asked, [&] {
       const std::time_t now = std::time(nullptr);
       std::tm local{};
       localtime_r(&now, &local);
-      return ((local.tm_hour * 60LL + local.tm_min) * 60 + local.tm_sec) * 1000 - since_start;
-    }();
-    start = first_start;
+      day.first_start =
+          ((local.tm_hour * 60LL + local.tm_min) * 60 + local.tm_sec) * 1000 - since_start;
+    });
   }
   constexpr long long kDay = 24LL * 60 * 60 * 1000;
-  return ((start + since_start + set_ahead) % kDay + kDay) % kDay;
+  return ((day.first_start + since_start + day.set_ahead) % kDay + kDay) % kDay;
 }
 
 }  // namespace
@@ -51,7 +56,7 @@ TIMER OSAttachTimer(int scale, void (*fct)(void)) {
       return fail(Errc::OutOfRange,
                   fmt::format("a timer needs a function and at least 1 ms, found {} ms", scale));
     }
-    return session.timers().attach(milliseconds(scale), fct);
+    return session.timers().attach(milliseconds(scale), session.bound(fct));
   });
 }
 
@@ -81,7 +86,8 @@ int OSSetTime(int hrs, int mins, int secs) {
     if (hrs < 0 || hrs > 23 || mins < 0 || mins > 59 || secs < 0 || secs > 59) {
       return fail(Errc::OutOfRange, fmt::format("{}:{}:{} is no time of day", hrs, mins, secs));
     }
-    set_ahead += ((hrs * 60LL + mins) * 60 + secs) * 1000 - milliseconds_of_day(session);
+    session.own<TimeOfDay>().set_ahead +=
+        ((hrs * 60LL + mins) * 60 + secs) * 1000 - milliseconds_of_day(session);
     return 0;
   });
 }

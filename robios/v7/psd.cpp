@@ -1,3 +1,5 @@
+#include <atomic>
+
 #include <fmt/format.h>
 
 #include "convert.hpp"
@@ -8,10 +10,23 @@ namespace {
 
 using namespace eyebridge;
 
+/// Which numbers the robot's program uses: asked once, texts are slow.
+struct PsdNumbers {
+  enum class Kind : char { Unknown, Robot, Of2015 };
+  std::atomic<Kind> kind = Kind::Unknown;
+
+  bool are_old(robios::Session& session) {
+    if (kind == Kind::Unknown) {
+      const bool old = session.config().text("psd_numbers") == "2015";
+      kind = old ? Kind::Of2015 : Kind::Robot;
+    }
+    return kind == Kind::Of2015;
+  }
+};
+
 /// The robot's number of a program's `psd`: programs before 2018 took 1 for left and 2 for front.
 int in_robot(robios::Session& session, int psd) {
-  static const bool old = session.config().text("psd_numbers") == "2015";
-  return old && (psd == 1 || psd == 2) ? 3 - psd : psd;
+  return session.own<PsdNumbers>().are_old(session) && (psd == 1 || psd == 2) ? 3 - psd : psd;
 }
 
 Result<hal::RangeSensor*> find(robios::Session& session, int psd) {

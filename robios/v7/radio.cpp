@@ -16,7 +16,7 @@ using namespace eyebridge;
 using robios::Session;
 
 template <class Body>
-int with_radio(const char* call, int failure, Body&& body) {
+int with_radio(const robios::Call& call, int failure, Body&& body) {
   return robios::guarded(call, failure, [&](Session& session) -> Result<int> {
     return robios::radio_of(session).and_then(
         [&](hal::Radio* radio) -> Result<int> { return body(*radio, session); });

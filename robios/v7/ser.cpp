@@ -17,7 +17,7 @@ constexpr Time kSerialSlice = std::chrono::milliseconds(20);
 constexpr int kMostAtOnce = 65536;
 
 template <class Value, class Body>
-Value with_port(const char* call, int id, Value failure, Body&& body) {
+Value with_port(const robios::Call& call, int id, Value failure, Body&& body) {
   return robios::guarded(call, failure, [&](Session& session) -> Result<Value> {
     hal::SerialPort* port = session.backend().serial_port(id);
     if (port == nullptr) {
@@ -30,14 +30,14 @@ Value with_port(const char* call, int id, Value failure, Body&& body) {
   });
 }
 
-int send(const char* call, int id, const char* text, std::size_t length) {
+int send(const robios::Call& call, int id, const char* text, std::size_t length) {
   return with_port(call, id, 1, [&](hal::SerialPort& port, Session&) -> Result<int> {
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(text);
     return port.send({bytes, length}).map([] { return 0; });
   });
 }
 
-int refuse(const char* call, const Error& error) {
+int refuse(const robios::Call& call, const Error& error) {
   return robios::guarded(call, 1, [&](Session&) -> Result<int> { return tl::unexpected(error); });
 }
 

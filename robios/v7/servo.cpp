@@ -9,7 +9,7 @@ namespace {
 
 using namespace eyebridge;
 
-int set(const char* call, int id, int angle) {
+int set(const robios::Call& call, int id, int angle) {
   return robios::guarded(call, 1, [&](robios::Session& session) -> Result<int> {
     if (angle < 0 || angle > 255) {
       return fail(Errc::OutOfRange, fmt::format("servo position {} is outside 0..255", angle));

@@ -8,7 +8,7 @@ using namespace eyebridge;
 using robios::Session;
 
 template <class Value, class Body>
-Value with_world(const char* call, Value failure, Body&& body) {
+Value with_world(const robios::Call& call, Value failure, Body&& body) {
   return robios::guarded(call, failure, [&](Session& session) -> Result<Value> {
     hal::WorldControl* world = session.backend().world();
     if (world == nullptr) return fail(Errc::Unsupported, "SIM functions need a simulated world");

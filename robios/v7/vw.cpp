@@ -16,7 +16,7 @@ using robios::Session;
 constexpr Time kPoll = std::chrono::milliseconds(10);
 
 template <class Body>
-int with_drive(const char* call, int failure, Body&& body) {
+int with_drive(const robios::Call& call, int failure, Body&& body) {
   return robios::guarded(call, failure, [&](Session& session) -> Result<int> {
     hal::Drive* drive = session.backend().drive();
     if (drive == nullptr) return fail(Errc::Unsupported, "this robot has no drive");
@@ -24,7 +24,7 @@ int with_drive(const char* call, int failure, Body&& body) {
   });
 }
 
-int start(const char* call, const DriveGoal& goal) {
+int start(const robios::Call& call, const DriveGoal& goal) {
   return with_drive(call, 1, [&](hal::Drive& drive, Session&) -> Result<int> {
     return drive.start(goal).map([] { return 0; });
   });

@@ -58,11 +58,15 @@ std::vector<Vec2> candidates(const world::WorldModel& world, double radius) {
 }  // namespace
 
 Placer::Placer(Scenario& scenario)
-    : scenario_(scenario), world_(std::make_shared<const world::WorldModel>(scenario.world)) {}
+    : scenario_(scenario), world_(std::make_shared<const world::WorldModel>(scenario.world)) {
+  for (const RobotPlacement& robot : scenario.robots) {
+    add(robot.pose.position(), scenario.models.at(robot.model));
+  }
+}
 
-bool Placer::add(Vec2 centre, const robot::RobotModel& robot) {
+bool Placer::add(Vec2 centre, const robot::RobotModel& robot, double gap) {
   const double radius = robot.radius();
-  if (!world_.is_free(centre, radius - kSlack)) return false;
+  if (!world_.is_free(centre, radius + gap - kSlack)) return false;
   try {
     world_.add_robot({centre.x, centre.y, 0}, radius, robot.height, {});
     return true;
@@ -132,6 +136,24 @@ void Placer::place_anywhere(std::size_t model, const SourceLocation& where) {
   throw ConfigError(where, "no free place for " + robot.name + " (" +
                                write_millimetres(robot.diameter) +
                                " mm across): expected room for a robot");
+}
+
+std::size_t Placer::place_many(std::size_t model, std::size_t count) {
+  const robot::RobotModel& robot = scenario_.models[model];
+  std::size_t placed = 0;
+  const auto try_at = [&](const Pose& pose, double gap) {
+    if (placed == count || !add(pose.position(), robot, gap)) return;
+    record(model, pose, {});
+    ++placed;
+  };
+  for (const world::StartPose& start : scenario_.world.starts) try_at(start.pose, 0);
+  if (placed == count) return placed;
+  const std::vector<Vec2> places = candidates(scenario_.world, robot.radius());
+  // Close to each other only where there is no room else: who starts to drive shall not bump.
+  for (const double gap : {robot.radius(), robot.radius() / 4, 0.0}) {
+    for (const Vec2 place : places) try_at({place.x, place.y, 0}, gap);
+  }
+  return placed;
 }
 
 void Placer::place_at_start(const robot::RobotModel& robot, const SourceLocation& where) {

@@ -12,7 +12,8 @@ namespace eyebridge::files {
 /// A place is free where world::World takes the robot: rims may touch.
 class Placer {
  public:
-  /// `scenario` is lent for the object's life; its world does not change meanwhile.
+  /// `scenario` is lent for the object's life; its world does not change meanwhile. The robots that
+  /// it has stand where they are.
   explicit Placer(Scenario& scenario);
 
   /// Adds a robot. Throws ConfigError at `where` when something stands there already.
@@ -20,13 +21,16 @@ class Placer {
   /// Adds a robot at the free place on the floor nearest to its centre (in a maze: a cell's
   /// centre). Throws ConfigError at `where` when there is none.
   void place_anywhere(std::size_t model, const SourceLocation& where);
+  /// Adds up to `count` robots at the world's free starts, then at the free places nearest to its
+  /// centre. Returns how many found one.
+  std::size_t place_many(std::size_t model, std::size_t count);
   /// Adds `robot` to the models and places one at the world's first start, else anywhere. Throws
   /// ConfigError at the start's line, else at `where`.
   void place_at_start(const robot::RobotModel& robot, const SourceLocation& where);
 
  private:
-  /// Puts `robot` into world_; false where it would not stand.
-  bool add(Vec2 centre, const robot::RobotModel& robot);
+  /// Puts `robot` into world_; false where it would not stand, or has no `gap` metres around it.
+  bool add(Vec2 centre, const robot::RobotModel& robot, double gap = 0);
   void record(std::size_t model, const Pose& pose, const SourceLocation& where);
   /// The robot placed already that a disc would overlap; null when there is none.
   [[nodiscard]] const RobotPlacement* robot_at(Vec2 centre, double radius) const;

@@ -13,10 +13,13 @@
 
 namespace eyebridge::hal {
 
+struct Seat;
+
 /// What a backend is opened with; lent for the call, but for `log`, which outlives the backend.
 struct BackendContext {
   const Config& config;
   LogSink& log;
+  const Seat* seat = nullptr;  ///< In a world that is open already; null: in one of its own.
 };
 
 /// One row of the table of backends.

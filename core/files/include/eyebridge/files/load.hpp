@@ -37,6 +37,14 @@ const robot::RobotModel* builtin_robot(std::string_view name);
 /// are.
 const robot::RobotModel& named_robot(std::string_view name, const SourceLocation& where);
 
+/// Leaves the first `count` (> 0) robots of `scenario`, or adds more like the last one, its program
+/// too: at starts where nobody stands yet, then at the free places nearest to the centre. Throws
+/// ConfigError at `where`, which asked for that many, when there is no room for them.
+void set_robot_count(Scenario& scenario, std::size_t count, const SourceLocation& where);
+
+/// As many robots as the scenario has places for by itself: those it places, or one at each start.
+std::size_t robots_meant(const Scenario& scenario);
+
 /// An empty room, 2 m x 2 m with walls, and one S4 in its middle: what a program gets that names
 /// no world (as in EyeSim).
 Scenario default_scenario();

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "eyebridge/base/clock.hpp"
+#include "eyebridge/base/hash.hpp"
+#include "eyebridge/hal/config.hpp"
+
+namespace eyebridge {
+class LogSink;
+}
+
+namespace eyebridge::hal {
+
+/// Who decides which of several robots runs, in virtual time. One thread at a time.
+///
+/// Time of the world passes in rounds of one step. Within a round each robot runs by itself, in a
+/// fixed order, until it wants to go beyond the round's end; when all do, the world makes its step.
+class Turns {
+ public:
+  virtual ~Turns() = default;
+
+  /// Where the clock of `robot` (an index) may not get by itself: the end of the round, or the
+  /// time of another of its threads. It changes; the reference stays.
+  [[nodiscard]] virtual const Time& limit_of(std::size_t robot) const = 0;
+  /// Called by a robot that goes on at `time` >= its limit: returns when it may.
+  virtual void wait(std::size_t robot, Time time) = 0;
+};
+
+/// What the scenario says of one robot.
+struct SharedRobot {
+  std::string model;                   ///< Name of its type: "S4".
+  std::string program;                 ///< As the scenario names it; "" when it names none.
+  std::vector<std::string> arguments;  ///< Of the program.
+};
+
+/// A world whose robots run programs of their own: `sim` for several. Any thread.
+class SharedWorld {
+ public:
+  virtual ~SharedWorld() = default;
+
+  /// In the order of their numbers. Never changes.
+  [[nodiscard]] virtual const std::vector<SharedRobot>& robots() const = 0;
+  /// Of the simulation.
+  [[nodiscard]] virtual Time step_length() const = 0;
+  /// Real time, which stood still, begins. Once or more.
+  virtual void begin_time() = 0;
+  /// Makes one step. In virtual time only, where whoever implements Turns calls it between rounds.
+  virtual void step() = 0;
+  /// The state of everything that moves: the same for the same run.
+  [[nodiscard]] virtual StateHash hash() = 0;
+  /// How often real time slipped because the computer was too slow; 0 in virtual time.
+  [[nodiscard]] virtual std::uint64_t overruns() const = 0;
+};
+
+/// Opens the world that `config` names, with as many robots as it says (`robots`). In virtual time
+/// (`fast`) they take turns by `turns`, which outlives the world; else a thread steps it from now
+/// on. Throws ConfigError as open_backend(), and for settings that only one robot can have
+/// (`record`, `mix`, `drive`, another `hal` than sim).
+std::shared_ptr<SharedWorld> open_shared_world(const Config& config, LogSink& log, Turns* turns);
+
+/// How many robots run programs by `config`; 1 unless it asks for more. Throws ConfigError as
+/// open_shared_world(). Cheap where no more than one is asked for.
+std::size_t programs_wanted(const Config& config);
+
+/// A robot's place in a world that it shares: open_backend() gives that robot.
+struct Seat {
+  std::shared_ptr<SharedWorld> world;
+  std::size_t robot = 0;  ///< Index in robots().
+};
+
+}  // namespace eyebridge::hal

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "clock/real_time_clock.hpp"
+#include "eyebridge/hal/shared_world.hpp"
+#include "radio/radio_medium.hpp"
+#include "sim/sim_world.hpp"
+
+namespace eyebridge::hal {
+
+/// A simulated world with robots that run programs of their own, and what they share besides: the
+/// air for their radios, and real time.
+class SharedSim final : public SharedWorld {
+ public:
+  /// Virtual time by `turns`, lent; real time, `factor` times as fast, when that is null. Throws as
+  /// SimWorld.
+  SharedSim(files::Scenario scenario, const robot::SimulationSettings& settings, double factor,
+            Turns* turns, LogSink& log);
+
+  [[nodiscard]] const std::vector<SharedRobot>& robots() const override { return robots_; }
+  [[nodiscard]] Time step_length() const override { return step_; }
+  void begin_time() override {
+    if (wall_) wall_->resume();
+  }
+  void step() override { world_->step(); }
+  [[nodiscard]] StateHash hash() override;
+  [[nodiscard]] std::uint64_t overruns() const override;
+
+  [[nodiscard]] std::shared_ptr<SimWorld> world() { return world_; }
+  [[nodiscard]] std::shared_ptr<RadioMedium> air() { return air_; }
+  /// The time that robot `index` lives in.
+  std::shared_ptr<Clock> clock_of(std::size_t index);
+
+ private:
+  const Time step_;
+  Turns* const turns_;
+  std::vector<SharedRobot> robots_;
+  std::shared_ptr<SimWorld> world_;
+  std::shared_ptr<RadioMedium> air_ = std::make_shared<RadioMedium>();
+  std::shared_ptr<RealTimeClock> wall_;  ///< After the world that it steps; null in virtual time.
+};
+
+}  // namespace eyebridge::hal

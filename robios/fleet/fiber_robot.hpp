@@ -1,0 +1,27 @@
+#pragma once
+
+#include <utility>
+
+#include "lockstep.hpp"
+#include "robot.hpp"
+
+namespace eyebridge::robios {
+
+/// A robot in virtual time: its flows are strands of a Lockstep.
+class FiberRobot final : public Robot {
+ public:
+  FiberRobot(std::size_t index, RobotProgram program, Lockstep& lockstep)
+      : Robot(index, std::move(program)), lockstep_(lockstep) {}
+
+  [[noreturn]] void leave(int code) override {
+    end(code);
+    lockstep_.drop_robot();
+  }
+  [[noreturn]] void hold_thread() override { lockstep_.drop_strand(); }
+  void arrive() override {}  // virtual time begins for all at once
+
+ private:
+  Lockstep& lockstep_;
+};
+
+}  // namespace eyebridge::robios

@@ -1,0 +1,164 @@
+#include "fleet.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <ctime>
+#include <utility>
+
+#include <fmt/format.h>
+#include <pthread.h>
+
+#include "crash_handler.hpp"
+#include "fiber_robot.hpp"
+#include "robot_programs.hpp"
+#include "session_parts.hpp"
+#include "signals.hpp"
+#include "thread_robot.hpp"
+#include "watchdog.hpp"
+
+namespace eyebridge::robios {
+
+/// Who lets robots run: one after the other in virtual time, or each by itself.
+struct Fleet::Scheduler {
+  virtual ~Scheduler() = default;
+  /// For the world; null in real time.
+  virtual hal::Turns* turns() = 0;
+  virtual std::unique_ptr<Robot> make(std::size_t index, RobotProgram program,
+                                      hal::SharedWorld& world) = 0;
+  virtual void run(Fleet& fleet) = 0;
+  /// Called ten times a second from a thread of ours.
+  virtual void look() = 0;
+};
+
+namespace {
+
+Fleet* the_fleet = nullptr;  // For signals, which know no objects.
+
+double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+}  // namespace
+
+struct Fleet::InLockstep final : Scheduler {
+  explicit InLockstep(double hang_limit)
+      : watchdog([this] { return lockstep.switches(); }, [this] { tell(); },
+                 [this] { interrupt_robot(thread); }, hang_limit) {}
+
+  hal::Turns* turns() override { return &lockstep; }
+  std::unique_ptr<Robot> make(std::size_t index, RobotProgram program,
+                              hal::SharedWorld& /*world*/) override {
+    auto robot = std::make_unique<FiberRobot>(index, std::move(program), lockstep);
+    return robot;
+  }
+  void run(Fleet& fleet) override {
+    const CrashStack stack;
+    thread = pthread_self();
+    lockstep.run(fleet.world_->step_length(), [&fleet] { fleet.world_->step(); });
+  }
+  void look() override { watchdog.look(processor_time()); }
+  static void tell() {
+    fmt::print(stderr,
+               "eyebridge: warning: a program has computed for {} s without a call with which its "
+               "time passes; all robots wait for it\n",
+               Watchdog::kPatience_s);
+  }
+
+  Lockstep lockstep;
+  Watchdog watchdog;
+  pthread_t thread{};
+};
+
+struct Fleet::InRealTime final : Scheduler {
+  hal::Turns* turns() override { return nullptr; }
+  std::unique_ptr<Robot> make(std::size_t index, RobotProgram program,
+                              hal::SharedWorld& world) override {
+    return std::make_unique<ThreadRobot>(index, std::move(program), *barrier, world);
+  }
+  void run(Fleet& fleet) override {
+    for (const auto& robot : fleet.robots_) static_cast<ThreadRobot&>(*robot).start();
+    constexpr double kPatience_s = 5.0;
+    for (bool has_told = false; !barrier->await_all(kPatience_s); has_told = true) {
+      const std::size_t awaited = barrier->awaited();
+      if (awaited == 0 || has_told) continue;
+      fleet.log_.write(Severity::Warning,
+                       fmt::format("{} of {} robots have made no call yet: all wait for them",
+                                   awaited, fleet.robots_.size()));
+    }
+  }
+  void look() override {}
+
+  std::unique_ptr<Barrier> barrier;
+};
+
+Fleet::Fleet(hal::Config config, std::vector<std::string> words)
+    : config_(std::move(config)), log_(lowest_severity(config_)) {
+  if (config_.boolean("fast")) {
+    scheduler_ = std::make_unique<InLockstep>(config_.number("hang_limit"));
+  } else {
+    scheduler_ = std::make_unique<InRealTime>();
+  }
+  world_ = hal::open_shared_world(config_, log_, scheduler_->turns());
+  add_robots(words);
+}
+
+Fleet::~Fleet() = default;
+
+void Fleet::add_robots(const std::vector<std::string>& words) {
+  const auto scenario =
+      config_.is_set("world") ? config_.path("world") : std::filesystem::path("the empty room");
+  std::vector<RobotProgram> programs = programs_of(world_->robots(), words, scenario);
+  const auto runs = [](const RobotProgram& program) { return !program.file.empty(); };
+  if (auto* real = dynamic_cast<InRealTime*>(scheduler_.get())) {
+    const auto count = std::ranges::count_if(programs, runs);
+    real->barrier = std::make_unique<Barrier>(static_cast<std::size_t>(count));
+  }
+  auto* const lockstep = dynamic_cast<InLockstep*>(scheduler_.get());
+  const auto out = config_.is_set("out") ? config_.path("out") : std::filesystem::path();
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    // In the order of all robots, so that an index is a robot's.
+    Robot* robot = nullptr;
+    if (runs(programs[i])) {
+      robot = robots_.emplace_back(scheduler_->make(i, std::move(programs[i]), *world_)).get();
+    }
+    if (lockstep != nullptr) {
+      lockstep->lockstep.add([robot, lockstep] {
+        if (robot == nullptr) lockstep->lockstep.drop_robot();
+        robot->run();
+      });
+    }
+    if (robot != nullptr) robot->begin(config_, {world_, i}, out);
+  }
+}
+
+int Fleet::run() {
+  handle_crashes();
+  the_fleet = this;
+  watch_signals([](int) { the_fleet->end(); }, [] { the_fleet->scheduler_->look(); });
+  const auto start = std::chrono::steady_clock::now();
+  scheduler_->run(*this);
+  end();
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  Time simulated{0};
+  for (const auto& robot : robots_) simulated = std::max(simulated, robot->session().clock().now());
+  fmt::print(stderr, "eyebridge: {} robots, {:.2f} s on their clock in {:.2f} s ({:.0f}x), state {:016x}{}{}\n",
+             robots_.size(), to_seconds(simulated), wall.count(),
+             to_seconds(simulated) / wall.count(), world_->hash().value(),
+             config_.is_set("out") ? "; results in " + config_.path("out").string() : "",
+             world_->overruns() == 0
+                 ? ""
+                 : fmt::format("; the computer was too slow {} times", world_->overruns()));
+  return exit_code();
+}
+
+void Fleet::end() {
+  for (const auto& robot : robots_) robot->session().end();
+}
+
+int Fleet::exit_code() const {
+  for (const auto& robot : robots_) {
+    if (robot->exit_code() != 0) return robot->exit_code();
+  }
+  return 0;
+}
+
+}  // namespace eyebridge::robios

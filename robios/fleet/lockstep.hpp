@@ -1,0 +1,80 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "eyebridge/hal/shared_world.hpp"
+#include "fiber.hpp"
+#include "robot.hpp"
+
+namespace eyebridge::robios {
+
+/// Runs the programs of several robots in one virtual time, in one thread: each is a fiber, and in
+/// each round of the world they run one after the other, in the order of their numbers.
+///
+/// A robot may have several flows: its main program and the threads that it makes. Of them the one
+/// with the earliest time goes on, and gives way to the next when it gets to that one's time.
+class Lockstep final : public hal::Turns {
+ public:
+  static constexpr Time kNever = Time::max();
+
+  /// One flow of a robot.
+  struct Strand {
+    std::size_t robot;
+    std::unique_ptr<Fiber> fiber;
+    Time wake{0};  ///< When it goes on; kNever: when somebody wakes it.
+  };
+
+  Lockstep() = default;
+  Lockstep(const Lockstep&) = delete;
+  Lockstep& operator=(const Lockstep&) = delete;
+
+  /// A robot whose main flow is `body`, which must not return.
+  void add(std::function<void()> body);
+  /// Another flow of the calling strand's robot, from now on; ends when `body` returns.
+  Strand& add_strand(std::function<void()> body);
+
+  /// Runs everything until no robot is left. `step` makes a step of the world of this length.
+  void run(Time step_length, const std::function<void()>& step);
+
+  void wait(std::size_t robot, Time time) override;
+  [[nodiscard]] const Time& limit_of(std::size_t robot) const override {
+    return places_[robot]->limit;
+  }
+
+  /// The calling flow's; null in none.
+  [[nodiscard]] Strand* current() const { return running_; }
+  /// Lays the calling strand down until `deadline` or wake(); the robot's others go on.
+  void park(Time deadline = kNever);
+  /// `strand`, of the calling robot, goes on at the robot's present time.
+  void wake(Strand& strand, Time now);
+  /// The calling robot has ended: none of its strands goes on. Does not return.
+  [[noreturn]] void drop_robot();
+  /// The calling strand ends, the robot's others go on. Does not return.
+  [[noreturn]] void drop_strand();
+
+  /// Changes whenever another strand runs. Any thread.
+  [[nodiscard]] std::uint64_t switches() const { return switches_.load(std::memory_order_relaxed); }
+
+ private:
+  struct Place {
+    std::vector<std::unique_ptr<Strand>> strands;  ///< In the order they were made.
+    Time limit{0};  ///< How far the one that runs may go by itself.
+    bool has_dropped = false;
+  };
+
+  void run_next(std::size_t robot);
+  void tidy(std::size_t robot);
+
+  Time round_end_{0};  ///< The first moment after this round.
+  std::vector<std::unique_ptr<Place>> places_;
+  std::vector<Time> next_;  ///< Of each robot: its earliest strand's time.
+  Strand* running_ = nullptr;
+  std::size_t alive_ = 0;
+  std::atomic<std::uint64_t> switches_ = 0;
+};
+
+}  // namespace eyebridge::robios

@@ -1,0 +1,70 @@
+#include "robot.hpp"
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <utility>
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace eyebridge::robios {
+namespace {
+
+constexpr int kCannotRun = 126;  // as shells say it
+
+}  // namespace
+
+void Robot::begin(const hal::Config& config, const hal::Seat& seat,
+                  const std::filesystem::path& out) {
+  session_ = Session::begin(
+      {config, seat, this, fmt::format("robot {}", index_ + 1),
+       out.empty() ? out : out / fmt::format("robot-{}", index_ + 1)});
+}
+
+void Robot::run() {
+  Session::set_here(session_);
+  stack_mark_ = __builtin_frame_address(0);
+  try {
+    image_ = ProgramImage::load(program_.file);  // runs constructors: the robot's first code
+  } catch (const ConfigError& error) {
+    fail(error.what(), kCannotRun);
+  }
+  std::vector<std::string> words{program_.file.string()};
+  words.insert(words.end(), program_.arguments.begin(), program_.arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  leave(image_->main()(static_cast<int>(words.size()), argv.data(), environ));
+  __builtin_unreachable();  // g++ forgets what a virtual function promises
+}
+
+void* Robot::variable(const char* name) {
+  return image_ != nullptr ? image_->variable(name) : nullptr;
+}
+
+void Robot::fail(const std::string& how, int code) {
+  std::fflush(stdout);  // what it printed before comes before
+  session_->log().write(Severity::Error, how);
+  leave(code);
+  __builtin_unreachable();
+}
+
+std::string Robot::name() const {
+  return fmt::format("robot {} ({})", index_ + 1, program_.file.filename().string());
+}
+
+Robot* Robot::current() {
+  Session* const session = Session::here();
+  return session == nullptr ? nullptr : static_cast<Robot*>(session->runner());
+}
+
+bool Robot::end(int code) {
+  if (ended_.exchange(true)) return false;
+  exit_code_ = code;
+  session_->end();
+  return true;
+}
+
+}  // namespace eyebridge::robios

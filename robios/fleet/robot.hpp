@@ -1,0 +1,66 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "program_image.hpp"
+#include "session.hpp"
+#include "session_start.hpp"
+
+namespace eyebridge::robios {
+
+/// What a robot runs.
+struct RobotProgram {
+  std::filesystem::path file;
+  std::vector<std::string> arguments;  ///< Without the program's name.
+};
+
+/// One of several robots: its program, its copy of it, its session.
+///
+/// Who schedules robots derives from it: a fiber's robot or a thread's.
+class Robot : public Runner {
+ public:
+  Robot(std::size_t index, RobotProgram program) : index_(index), program_(std::move(program)) {}
+  Robot(const Robot&) = delete;
+  Robot& operator=(const Robot&) = delete;
+
+  /// Begins the session; before run(). Throws ConfigError.
+  void begin(const hal::Config& config, const hal::Seat& seat, const std::filesystem::path& out);
+  /// Loads the program and runs it to its end, in the calling flow, which is the robot's from now
+  /// on. Returns never: it leave()s.
+  [[noreturn]] void run();
+
+  void* variable(const char* name) override;
+  /// The robot's program crashed or hangs in the calling flow: tells so and leaves.
+  [[noreturn]] void fail(const std::string& how, int code);
+
+  [[nodiscard]] std::size_t index() const { return index_; }
+  /// "robot 2 (explorer)".
+  [[nodiscard]] std::string name() const;
+  [[nodiscard]] Session& session() const { return *session_; }
+  [[nodiscard]] bool has_ended() const { return ended_; }
+  [[nodiscard]] int exit_code() const { return exit_code_; }
+  /// Where its main flow's stack may be used again once the program is given up.
+  [[nodiscard]] void* stack_mark() const { return stack_mark_; }
+
+  /// The robot of the calling flow; null when it is none's.
+  static Robot* current();
+
+ protected:
+  /// Ends the session; false when another flow of the robot has done so before.
+  bool end(int code);
+
+ private:
+  const std::size_t index_;
+  const RobotProgram program_;
+  std::unique_ptr<ProgramImage> image_;
+  Session* session_ = nullptr;
+  void* stack_mark_ = nullptr;
+  std::atomic<bool> ended_ = false;
+  int exit_code_ = 0;
+};
+
+}  // namespace eyebridge::robios

@@ -1,0 +1,65 @@
+#include "robot_programs.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include <unistd.h>
+
+#include "eyebridge/base/text.hpp"
+
+namespace eyebridge::robios {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path found(const std::string& name, const fs::path& scenario) {
+  const fs::path written(name);
+  for (const fs::path& path : {written, fs::path(written).replace_extension()}) {
+    for (const fs::path& folder : {scenario.parent_path(), fs::path()}) {
+      std::error_code ignored;  // a folder that may not be searched holds nothing for us
+      if (fs::is_regular_file(folder / path, ignored)) return folder / path;
+    }
+  }
+  return written;
+}
+
+}  // namespace
+
+std::string trouble_with(const fs::path& program) {
+  if (program.extension() == ".py") {
+    return "found a Python program, which cannot be that of one of several robots; expected one "
+           "built with eyebridge-cc or eyebridge-c++";
+  }
+  std::error_code error;
+  if (!fs::exists(program, error)) return "no such program";
+  if (fs::is_directory(program, error)) return "found a folder, expected a robot program";
+  if (access(program.c_str(), X_OK) == 0) return "";
+  return std::string("not executable (") + std::strerror(errno) + ")";
+}
+
+std::vector<RobotProgram> programs_of(const std::vector<hal::SharedRobot>& robots,
+                                      const std::vector<std::string>& words,
+                                      const fs::path& scenario) {
+  if (!words.empty()) {
+    if (const std::string why = trouble_with(words.front()); !why.empty()) {
+      throw ConfigError({words.front()}, why);
+    }
+    return std::vector<RobotProgram>(robots.size(),
+                                     {words.front(), {words.begin() + 1, words.end()}});
+  }
+  std::vector<RobotProgram> programs;
+  for (const hal::SharedRobot& robot : robots) {
+    programs.push_back(robot.program.empty()
+                           ? RobotProgram{}
+                           : RobotProgram{found(robot.program, scenario), robot.arguments});
+  }
+  const auto has_none = [](const RobotProgram& program) { return program.file.empty(); };
+  if (!std::ranges::all_of(programs, has_none)) return programs;
+  throw ConfigError({scenario.string()},
+                    "found no robot with a program, expected 'S4 x y phi PROGRAM' in a .sim file, "
+                    "or a program on the command line");
+}
+
+}  // namespace eyebridge::robios

@@ -1,0 +1,48 @@
+// What the launcher (launcher.c) runs.
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "eyebridge/camera/prepare_process.hpp"
+#include "fleet.hpp"
+#include "launcher.h"
+
+namespace {
+
+using eyebridge::robios::Fleet;
+using eyebridge::robios::Robot;
+
+void leave(int code) {
+  if (Robot* const robot = Robot::current()) robot->leave(code);
+}
+
+void abort_robot() {
+  Robot* const robot = Robot::current();
+  if (robot != nullptr) robot->fail("the program called abort(); it ends, the others go on", 134);
+}
+
+}  // namespace
+
+__attribute__((visibility("default"))) int EYEBRIDGERobotsMain(int argc, char** argv,
+                                                               eyebridge_robot_calls* calls) {
+  try {
+    eyebridge::camera::prepare_process();
+    std::vector<std::string> words(argv, argv + argc);
+    // Never destroyed: threads of programs may still run when the process ends.
+    auto* const fleet =
+        new Fleet(eyebridge::hal::Config::from_process(words.empty() ? "" : words.front()), words);
+    *calls = {leave, abort_robot};
+    return fleet->run();
+  } catch (const eyebridge::ConfigError& error) {
+    fmt::print(stderr, "eyebridge: {}\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "eyebridge: the robots cannot be started: {}\n", error.what());
+    return 1;
+  }
+}

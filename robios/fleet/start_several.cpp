@@ -1,0 +1,68 @@
+// `./prog` with --robots (EYEBRIDGE_ROBOTS, eyebridge.toml): before its main() the program becomes the
+// launcher, which runs it once for each robot.
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <link.h>
+#include <unistd.h>
+
+#include "eyebridge/hal/shared_world.hpp"
+#include "host.hpp"
+
+namespace eyebridge::robios {
+namespace {
+
+/// True when the process's program was linked with this library, so that main() is still to come;
+/// false in an interpreter or the launcher, which load it later.
+bool belongs_to_program(const char* library) {
+  const std::string name = std::filesystem::path(library).filename().string();
+  link_map* map = nullptr;
+  void* const program = dlopen(nullptr, RTLD_NOW);
+  if (program == nullptr || dlinfo(program, RTLD_DI_LINKMAP, &map) != 0) return false;
+  const char* names = nullptr;
+  for (const ElfW(Dyn)* entry = map->l_ld; entry->d_tag != DT_NULL; ++entry) {
+    if (entry->d_tag == DT_STRTAB) names = reinterpret_cast<const char*>(entry->d_un.d_ptr);
+  }
+  for (const ElfW(Dyn)* entry = map->l_ld; names != nullptr && entry->d_tag != DT_NULL; ++entry) {
+    // "libeyebridge.so.0" of the file libeyebridge.so.0.1.0
+    if (entry->d_tag == DT_NEEDED && name.starts_with(names + entry->d_un.d_val)) return true;
+  }
+  return false;
+}
+
+bool wants_several() {
+  try {
+    return hal::programs_wanted(hal::Config::from_process(program_file())) > 1;
+  } catch (const ConfigError&) {
+    return false;  // the first RoBIOS call reports it
+  }
+}
+
+__attribute__((constructor)) void start_several(int argc, char** argv, char** environment) {
+  Dl_info library{};
+  if (dladdr(reinterpret_cast<void*>(&start_several), &library) == 0) return;
+  if (argc < 1 || !belongs_to_program(library.dli_fname) || !wants_several()) return;
+  const std::filesystem::path file = std::filesystem::weakly_canonical(library.dli_fname);
+  std::string launcher = (file.parent_path() / "eyebridge-robots").string();
+  std::string library_name = file.string();
+  std::string program = program_file().string();
+  std::vector<char*> words{launcher.data(), library_name.data(), program.data()};
+  words.insert(words.end(), argv + 1, argv + argc);
+  words.push_back(nullptr);
+  execve(launcher.c_str(), words.data(), environment);
+  fmt::print(stderr, "eyebridge: {}: cannot be started for several robots: {}\n", launcher,
+             std::strerror(errno));
+  _exit(1);
+}
+
+}  // namespace
+}  // namespace eyebridge::robios

@@ -1,0 +1,57 @@
+#include "thread_robot.hpp"
+
+#include <chrono>
+#include <system_error>
+
+#include <pthread.h>
+#include <unistd.h>
+
+#include "crash_handler.hpp"
+#include "fiber.hpp"
+
+namespace eyebridge::robios {
+
+bool Barrier::await_all(double seconds) {
+  std::unique_lock lock(mutex_);
+  return changed_.wait_for(lock, std::chrono::duration<double>(seconds),
+                           [this] { return left_ == 0; });
+}
+
+std::size_t Barrier::awaited() {
+  const std::lock_guard lock(mutex_);
+  return awaited_;
+}
+
+void ThreadRobot::start() {
+  pthread_attr_t attributes;
+  pthread_attr_init(&attributes);
+  pthread_attr_setstacksize(&attributes, Fiber::kStackSize);
+  pthread_t thread{};
+  const int error = pthread_create(
+      &thread, &attributes,
+      [](void* robot) -> void* {
+        const CrashStack stack;
+        static_cast<ThreadRobot*>(robot)->run();
+      },
+      this);
+  pthread_attr_destroy(&attributes);
+  if (error != 0) throw std::system_error(error, std::generic_category(), "a robot's thread");
+  pthread_detach(thread);
+}
+
+void ThreadRobot::arrive() {
+  if (has_arrived_.exchange(true)) return;
+  barrier_.arrive([this] { world_.begin_time(); });
+}
+
+void ThreadRobot::leave(int code) {
+  if (end(code)) barrier_.leave(has_arrived_.exchange(true), [this] { world_.begin_time(); });
+  hold_thread();
+}
+
+// Not pthread_exit(): it unwinds the program's stack, through functions that may not throw.
+void ThreadRobot::hold_thread() {
+  for (;;) pause();
+}
+
+}  // namespace eyebridge::robios

@@ -1,0 +1,86 @@
+// The session of a process that runs one robot's program: it begins with the program's first call,
+// and ends with the process.
+
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+
+#include <fmt/format.h>
+#include <pthread.h>
+#include <unistd.h>
+
+#include "eyebridge/camera/prepare_process.hpp"
+#include "host.hpp"
+#include "session_impl.hpp"
+#include "signals.hpp"
+
+namespace eyebridge::robios {
+namespace {
+
+// For the handlers of fork(), which may come at any time.
+std::atomic<Session*> the_session = nullptr;
+
+hal::Config read_config() {
+  camera::prepare_process();  // before the session's threads
+  return hal::Config::from_process(program_file());
+}
+
+}  // namespace
+
+thread_local Session* Session::here_ = nullptr;
+
+bool Session::has_begun() { return here_ != nullptr || the_session != nullptr; }
+
+Session* Session::with_own_time() {
+  Session* session = here_ != nullptr ? here_ : the_session.load();
+  if (session == nullptr || session->impl_->stage != Impl::Stage::Running) return nullptr;
+  const bool wall = !session->impl_->is_virtual && session->config().number("factor") == 1.0;
+  return wall ? nullptr : session;
+}
+
+Session& Session::only() {
+  // Never destroyed: threads and exit handlers of the program may still call. It ends by end().
+  static Session* const session = [] {
+    try {
+      auto* made = new Session(std::make_unique<Impl>(read_config()));
+      the_session = made;
+      publish_globals(*made);
+      // Not atexit(): a run whose results are missing must not end as one that succeeded.
+      on_exit(
+          [](int status, void*) {
+            only().end();
+            if (status != 0 || !only().impl_->results_lost) return;
+            std::fflush(nullptr);
+            _exit(1);
+          },
+          nullptr);
+      watch_forks();
+      watch_signals([](int) { only().end(); }, [] { only().look_around(); });
+      if (made->impl_->panel) made->impl_->panel->start();
+      return made;
+    } catch (const ConfigError& error) {
+      fmt::print(stderr, "eyebridge: {}\n", error.what());
+      std::exit(2);
+    } catch (const std::exception& error) {
+      fmt::print(stderr, "eyebridge: the robot cannot be started: {}\n", error.what());
+      std::exit(1);
+    }
+  }();
+  return *session;
+}
+
+void Session::watch_forks() {
+  static constexpr auto visit = [](auto&& act) {
+    auto& output = the_session.load()->impl_->output;
+    if (output) act(*output);
+  };
+  pthread_atfork([] { visit([](RunOutput& output) { output.before_fork(); }); },
+                 [] { visit([](RunOutput& output) { output.after_fork(); }); },
+                 [] {
+                   visit([](RunOutput& output) { output.after_fork(); });
+                   the_session.load()->impl_->stage = Impl::Stage::Forked;
+                   leave_signals_alone();
+                 });
+}
+
+}  // namespace eyebridge::robios

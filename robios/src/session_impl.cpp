@@ -1,0 +1,83 @@
+#include "session_impl.hpp"
+
+#include <cstdio>
+
+#include <fmt/format.h>
+
+#include "eyebridge/camera/frame_sink.hpp"
+#include "eyebridge/camera/view.hpp"
+#include "eyebridge/hal/registry.hpp"
+#include "open_panel.hpp"
+#include "session_parts.hpp"
+
+namespace eyebridge::robios {
+namespace {
+
+hal::BackendContext context_of(const hal::Config& config, LogSink& log, const SessionStart* start) {
+  return {config, log, start != nullptr ? &start->seat : nullptr};
+}
+
+/// Where results go; empty when none are wanted.
+std::filesystem::path results_folder(const hal::Config& config, const SessionStart* start) {
+  if (start != nullptr) return start->out;
+  return config.is_set("out") ? config.path("out") : std::filesystem::path();
+}
+
+}  // namespace
+
+Session::Impl::Impl(hal::Config configuration) : Impl(nullptr, std::move(configuration)) {}
+Session::Impl::Impl(SessionStart start) : Impl(&start, start.config) {}
+
+Session::Impl::Impl(SessionStart* start, hal::Config configuration)
+    : config(std::move(configuration)),
+      runner(start != nullptr ? start->runner : nullptr),
+      log(lowest_severity(config), start != nullptr ? start->name : ""),
+      backend(hal::open_backend(context_of(config, log, start))),
+      clock(backend->clock()),
+      is_virtual(clock.is_virtual()),
+      screen(make_screen(config)),
+      // One terminal shows one robot.
+      panel(start != nullptr ? nullptr : open_panel(config, *screen)),
+      keys(make_keys(config, clock, *screen, start != nullptr ? nullptr : person_at(panel.get()))),
+      camera(config.text("camera"), {&clock, backend->camera_view(), &log},
+             backend->camera_source()),
+      timers(clock),
+      recorder(clock, timers),
+      cost_scale(config.number("cost_scale")),
+      out(results_folder(config, start)),
+      stage(runner != nullptr && !is_virtual ? Stage::Beginning : Stage::Running) {
+  check_camera(config, {&clock, backend->camera_view(), &log});
+  if (config.is_set("time_limit")) limit = from_seconds(config.number("time_limit"));
+  if (!out.empty()) {
+    from_setting(config, "out", [&](const std::string&) {
+      output.emplace(out, config.integer("save_frames"));
+    });
+    backend->trace_to(&*output);
+  }
+  camera.on_frame([this, sink = backend->frame_sink()](const camera::Frame& frame) {
+    if (output) output->frame(frame);
+    if (sink != nullptr) sink->take(frame);
+  });
+}
+
+bool Session::Impl::claim_end() {
+  std::thread::id nobody{};
+  const std::thread::id me = std::this_thread::get_id();
+  return ending_thread.compare_exchange_strong(nobody, me) || nobody == me;
+}
+
+void Session::Impl::finish() {
+  const Time simulated = clock.now();
+  if (!output) return;
+  camera::View* view = backend->camera_view();
+  std::optional<world::Scene> scene;
+  if (view != nullptr) scene = view->scene();
+  output->finish(scene ? &*scene : nullptr, screen->snapshot(), text_of(*screen));
+  if (runner != nullptr) return;  // who runs them tells of all together
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_start;
+  fmt::print(stderr, "eyebridge: {:.2f} s on the robot's clock in {:.2f} s ({:.0f}x); results in {}\n",
+             to_seconds(simulated), wall.count(), to_seconds(simulated) / wall.count(),
+             out.string());
+}
+
+}  // namespace eyebridge::robios

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <ctime>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <typeindex>
+#include <utility>
+#include <vector>
+
+#include "analog_recorder.hpp"
+#include "camera_port.hpp"
+#include "failures.hpp"
+#include "keys.hpp"
+#include "radio_messages.hpp"
+#include "run_output.hpp"
+#include "screen.hpp"
+#include "session.hpp"
+#include "session_start.hpp"
+#include "stderr_log.hpp"
+#include "terminal/terminal_panel.hpp"
+#include "timers.hpp"
+
+namespace eyebridge::robios {
+
+/// What a session has. The order is that in which the parts need each other.
+struct Session::Impl {
+  enum class Stage { Beginning, Running, Ended, Forked };
+
+  /// The session of a process's only robot.
+  explicit Impl(hal::Config configuration);
+  /// That of one of several.
+  explicit Impl(SessionStart start);
+
+  /// exit() must be called by one thread only. True when that is the caller, now or before.
+  bool claim_end();
+  /// Throws std::runtime_error when something could not be written.
+  void finish();
+
+  hal::Config config;
+  Runner* runner = nullptr;  ///< Of one of several robots; else null.
+  StderrLog log;
+  std::unique_ptr<hal::Backend> backend;
+  Clock& clock;
+  const bool is_virtual;
+  std::unique_ptr<Screen> screen;
+  std::unique_ptr<TerminalPanel> panel;  ///< Null for none.
+  std::unique_ptr<Keys> keys;
+  CameraPort camera;
+  Timers timers;
+  AnalogRecorder recorder;
+  RadioMessages messages;
+  double cost_scale;
+  std::optional<Time> limit;
+  std::filesystem::path out;
+  std::optional<RunOutput> output;
+  const std::chrono::steady_clock::time_point wall_start = std::chrono::steady_clock::now();
+  std::once_flag ended;
+  bool results_lost = false;
+
+  Failures failures;
+  std::atomic<Stage> stage;
+  std::atomic<std::thread::id> ending_thread{};
+  std::atomic<std::uint64_t> calls = 0;  ///< Of the program, but for its timers'.
+  std::uint64_t calls_seen = 0;
+  std::clock_t processor_seen = 0;
+
+  std::mutex own_mutex;
+  std::vector<std::pair<std::type_index, std::unique_ptr<OwnPart>>> own;
+
+ private:
+  Impl(SessionStart* start, hal::Config configuration);
+};
+
+}  // namespace eyebridge::robios

@@ -1,0 +1,55 @@
+#include "session_parts.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "eyebridge/camera/view.hpp"
+#include "stderr_log.hpp"
+#include "terminal/terminal_panel.hpp"
+
+namespace eyebridge::robios {
+
+Severity lowest_severity(const hal::Config& config) {
+  Severity severity = Severity::Warning;
+  if (!parse_severity(config.text("log"), severity)) {
+    throw ConfigError(config.value("log").where,
+                      fmt::format("'{}' is no log level; expected debug, info, warning or error",
+                                  config.text("log")));
+  }
+  return severity;
+}
+
+std::string text_of(const Screen& screen) {
+  std::string text;
+  for (const std::string& row : screen.text_rows()) text += row + '\n';
+  for (std::string label : screen.menu_labels()) {
+    std::ranges::replace(label, '\n', '/');
+    text += '[' + label + ']';
+  }
+  return text + '\n';
+}
+
+std::unique_ptr<Keys> make_keys(const hal::Config& config, Clock& clock, Screen& screen,
+                                std::unique_ptr<KeyInput> input) {
+  auto script = from_setting(config, "keys", parse_key_script);
+  auto keys = std::make_unique<Keys>(clock, std::move(script), std::move(input));
+  keys->set_touch_map([&screen](int x, int y) { return screen.key_at(x, y); });
+  return keys;
+}
+
+std::unique_ptr<KeyInput> person_at(const TerminalPanel* panel) {
+  if (panel == nullptr) return terminal_keys();
+  return std::make_unique<TerminalKeys>(
+      panel->descriptor(), [panel](int column, int row) { return panel->pixel_at(column, row); });
+}
+
+void check_camera(const hal::Config& config, const camera::SourceContext& context) {
+  const hal::ConfigValue& value = config.value("camera");
+  if (value.text == "none" || (value.is_default() && context.view == nullptr)) return;
+  from_setting(config, "camera",
+               [&](const std::string& url) { camera::check_source(url, context); });
+}
+
+}  // namespace eyebridge::robios

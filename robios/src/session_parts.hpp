@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "eyebridge/base/log.hpp"
+#include "eyebridge/camera/source.hpp"
+#include "eyebridge/hal/config.hpp"
+#include "keys.hpp"
+#include "screen.hpp"
+
+namespace eyebridge::robios {
+
+class TerminalPanel;
+
+// What a session is made of, by the settings; a mistake in one is a ConfigError where it was made.
+
+/// What `use` makes of the setting `name`.
+template <class Use>
+auto from_setting(const hal::Config& config, const char* name, Use&& use) {
+  const hal::ConfigValue& value = config.value(name);
+  try {
+    return use(value.text);
+  } catch (const ConfigError& error) {
+    throw hal::error_in(value, error);
+  }
+}
+
+Severity lowest_severity(const hal::Config& config);
+
+/// The rows of the screen, and a last one with the labels of the soft keys in brackets, their line
+/// ends as '/'.
+std::string text_of(const Screen& screen);
+
+/// Keys by the script of the settings; `input`, unless null, is a person's.
+std::unique_ptr<Keys> make_keys(const hal::Config& config, Clock& clock, Screen& screen,
+                                std::unique_ptr<KeyInput> input);
+
+/// A person's keys: at the panel, or at the terminal where there is none.
+std::unique_ptr<KeyInput> person_at(const TerminalPanel* panel);
+
+/// A camera that the user asked for must be possible; one that nobody mentioned may be missing
+/// until the program wants it.
+void check_camera(const hal::Config& config, const camera::SourceContext& context);
+
+}  // namespace eyebridge::robios
