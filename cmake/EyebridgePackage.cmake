@@ -42,7 +42,7 @@ eyebridge_package_files("${CMAKE_BINARY_DIR}" "${CMAKE_SOURCE_DIR}/robios/includ
 eyebridge_package_files("${for_installation}" "@PREFIX@/include/eyebridge")
 
 install(TARGETS eyebridge_robios eyebridge_classic EXPORT EyeBridgeTargets LIBRARY DESTINATION lib)
-install(TARGETS eyebridge_robots RUNTIME DESTINATION lib)
+install(TARGETS eyebridge_robots eyebridge_robots_classic RUNTIME DESTINATION lib)
 install(TARGETS eyebridge_command RUNTIME DESTINATION bin)
 install(DIRECTORY "${for_installation}/bin/" DESTINATION bin USE_SOURCE_PERMISSIONS)
 install(FILES "${for_installation}/lib/eyebridge-program.map" DESTINATION lib)

@@ -15,4 +15,17 @@ class InCall {
   InCall& operator=(const InCall&) = delete;
 };
 
+/// In a call, where the robot's program goes on: in its timers' functions, or where its threads wait
+/// for each other.
+class OutOfCall {
+ public:
+  OutOfCall() : depth_(call_depth) { call_depth = 0; }
+  ~OutOfCall() { call_depth = depth_; }
+  OutOfCall(const OutOfCall&) = delete;
+  OutOfCall& operator=(const OutOfCall&) = delete;
+
+ private:
+  const int depth_;
+};
+
 }  // namespace eyebridge::robios

@@ -4,17 +4,19 @@
 
 #include "lockstep.hpp"
 #include "robot.hpp"
+#include "strands.hpp"
 
 namespace eyebridge::robios {
 
 /// A robot in virtual time: its flows are strands of a Lockstep.
 class FiberRobot final : public Robot {
  public:
-  FiberRobot(std::size_t index, RobotProgram program, Lockstep& lockstep)
-      : Robot(index, std::move(program)), lockstep_(lockstep) {}
+  FiberRobot(std::size_t index, RobotProgram program, Lockstep& lockstep, Strands& strands)
+      : Robot(index, std::move(program)), lockstep_(lockstep), strands_(strands) {}
 
   [[noreturn]] void leave(int code) override {
     end(code);
+    strands_.forget(index());
     lockstep_.drop_robot();
   }
   [[noreturn]] void hold_thread() override { lockstep_.drop_strand(); }
@@ -22,6 +24,7 @@ class FiberRobot final : public Robot {
 
  private:
   Lockstep& lockstep_;
+  Strands& strands_;
 };
 
 }  // namespace eyebridge::robios

@@ -47,8 +47,7 @@ struct Fleet::InLockstep final : Scheduler {
   hal::Turns* turns() override { return &lockstep; }
   std::unique_ptr<Robot> make(std::size_t index, RobotProgram program,
                               hal::SharedWorld& /*world*/) override {
-    auto robot = std::make_unique<FiberRobot>(index, std::move(program), lockstep);
-    return robot;
+    return std::make_unique<FiberRobot>(index, std::move(program), lockstep, strands);
   }
   void run(Fleet& fleet) override {
     const CrashStack stack;
@@ -64,6 +63,7 @@ struct Fleet::InLockstep final : Scheduler {
   }
 
   Lockstep lockstep;
+  Strands strands{lockstep};
   Watchdog watchdog;
   pthread_t thread{};
 };
@@ -128,6 +128,11 @@ void Fleet::add_robots(const std::vector<std::string>& words) {
     }
     if (robot != nullptr) robot->begin(config_, {world_, i}, out);
   }
+}
+
+Strands* Fleet::strands() {
+  auto* const scheduler = dynamic_cast<InLockstep*>(scheduler_.get());
+  return scheduler != nullptr ? &scheduler->strands : nullptr;
 }
 
 int Fleet::run() {

@@ -6,10 +6,12 @@
 
 #include "eyebridge/hal/config.hpp"
 #include "eyebridge/hal/shared_world.hpp"
-#include "fleet/robot.hpp"
+#include "robot.hpp"
 #include "stderr_log.hpp"
 
 namespace eyebridge::robios {
+
+class Strands;
 
 /// Several robots in one world, each with its program, from their start to the last one's end.
 class Fleet {
@@ -23,6 +25,8 @@ class Fleet {
   /// Runs all programs to their end. Returns the first exit code that is not 0, by the robots'
   /// numbers.
   int run();
+  /// What the programs' threads wait for each other with; null in real time.
+  [[nodiscard]] Strands* strands();
   /// Ends every robot's session: motors stop, results are written. Any thread.
   void end();
 
@@ -32,7 +36,6 @@ class Fleet {
   struct InRealTime;
 
   void add_robots(const std::vector<std::string>& words);
-  void report() const;
   [[nodiscard]] int exit_code() const;
 
   const hal::Config config_;

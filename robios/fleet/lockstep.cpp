@@ -82,9 +82,15 @@ void Lockstep::park(Time deadline) {
 
 void Lockstep::wake(Strand& strand, Time now) {
   strand.wake = std::min(strand.wake, now);
+  next_[strand.robot] = std::min(next_[strand.robot], strand.wake);
   // The one that runs gives way when it gets there.
   Time& limit = places_[strand.robot]->limit;
   limit = std::min(limit, strand.wake);
+}
+
+bool Lockstep::is_last_strand() const {
+  const auto is_there = [](const auto& strand) { return strand->fiber != nullptr; };
+  return std::ranges::count_if(places_[running_->robot]->strands, is_there) == 1;
 }
 
 void Lockstep::drop_robot() {

@@ -56,6 +56,9 @@ class Lockstep final : public hal::Turns {
   /// The calling strand ends, the robot's others go on. Does not return.
   [[noreturn]] void drop_strand();
 
+  /// True when the calling strand is its robot's only one.
+  [[nodiscard]] bool is_last_strand() const;
+
   /// Changes whenever another strand runs. Any thread.
   [[nodiscard]] std::uint64_t switches() const { return switches_.load(std::memory_order_relaxed); }
 

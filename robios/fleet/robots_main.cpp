@@ -11,32 +11,18 @@
 #include "eyebridge/camera/prepare_process.hpp"
 #include "fleet.hpp"
 #include "launcher.h"
-
-namespace {
-
-using eyebridge::robios::Fleet;
-using eyebridge::robios::Robot;
-
-void leave(int code) {
-  if (Robot* const robot = Robot::current()) robot->leave(code);
-}
-
-void abort_robot() {
-  Robot* const robot = Robot::current();
-  if (robot != nullptr) robot->fail("the program called abort(); it ends, the others go on", 134);
-}
-
-}  // namespace
+#include "robot_calls.hpp"
 
 __attribute__((visibility("default"))) int EYEBRIDGERobotsMain(int argc, char** argv,
                                                                eyebridge_robot_calls* calls) {
+  using eyebridge::robios::Fleet;
   try {
     eyebridge::camera::prepare_process();
     std::vector<std::string> words(argv, argv + argc);
     // Never destroyed: threads of programs may still run when the process ends.
     auto* const fleet =
         new Fleet(eyebridge::hal::Config::from_process(words.empty() ? "" : words.front()), words);
-    *calls = {leave, abort_robot};
+    *calls = eyebridge::robios::robot_calls(fleet->strands());
     return fleet->run();
   } catch (const eyebridge::ConfigError& error) {
     fmt::print(stderr, "eyebridge: {}\n", error.what());

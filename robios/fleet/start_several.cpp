@@ -21,13 +21,14 @@
 namespace eyebridge::robios {
 namespace {
 
-/// True when the process's program was linked with this library, so that main() is still to come;
-/// false in an interpreter or the launcher, which load it later.
+/// True when the process's program is a robot's, linked with this library, so that its main() is
+/// still to come; false in an interpreter, which loads the library later, and in the launcher.
 bool belongs_to_program(const char* library) {
   const std::string name = std::filesystem::path(library).filename().string();
   link_map* map = nullptr;
   void* const program = dlopen(nullptr, RTLD_NOW);
-  if (program == nullptr || dlinfo(program, RTLD_DI_LINKMAP, &map) != 0) return false;
+  if (program == nullptr || dlsym(program, "eyebridge_calls") != nullptr) return false;
+  if (dlinfo(program, RTLD_DI_LINKMAP, &map) != 0) return false;
   const char* names = nullptr;
   for (const ElfW(Dyn)* entry = map->l_ld; entry->d_tag != DT_NULL; ++entry) {
     if (entry->d_tag == DT_STRTAB) names = reinterpret_cast<const char*>(entry->d_un.d_ptr);
@@ -52,10 +53,11 @@ __attribute__((constructor)) void start_several(int argc, char** argv, char** en
   if (dladdr(reinterpret_cast<void*>(&start_several), &library) == 0) return;
   if (argc < 1 || !belongs_to_program(library.dli_fname) || !wants_several()) return;
   const std::filesystem::path file = std::filesystem::weakly_canonical(library.dli_fname);
-  std::string launcher = (file.parent_path() / "eyebridge-robots").string();
-  std::string library_name = file.string();
+  const bool is_classic = file.filename().string().starts_with("libeyebridge_classic");
+  std::string launcher =
+      (file.parent_path() / (is_classic ? "eyebridge-robots-classic" : "eyebridge-robots")).string();
   std::string program = program_file().string();
-  std::vector<char*> words{launcher.data(), library_name.data(), program.data()};
+  std::vector<char*> words{launcher.data(), program.data()};
   words.insert(words.end(), argv + 1, argv + argc);
   words.push_back(nullptr);
   execve(launcher.c_str(), words.data(), environment);

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "call_depth.hpp"
 #include "costs.hpp"
 #include "host.hpp"
 #include "library_threads.hpp"
@@ -130,6 +131,7 @@ std::function<void()> Session::bound(void (*function)()) {
   if (impl_->runner == nullptr) return function;
   return [this, function] {
     set_here(this);
+    const OutOfCall program;
     function();
   };
 }

@@ -54,8 +54,8 @@ class End(ProgramTest):
             from eye import *
             VWSetSpeed(100, 0)
             OSWait(100)
-            print("ready", flush=True)
             try:
+                print("ready", flush=True)  # the signal may come before this line is left
                 while True:
                     pass
             except KeyboardInterrupt:

@@ -1,0 +1,164 @@
+/* What threads of robots' programs wait for each other with, in virtual time: mutexes, conditions, semaphores. Mutexes and
+   semaphores keep their state where the C library has it, but for a mutex that knows its owner: the C library would take all
+   flows of a thread for one. */
+#include <errno.h>
+#include <pthread.h>
+#include <semaphore.h>
+#include <time.h>
+
+#include "launcher_next.h"
+
+#define CALLS eyebridge_calls
+
+static int knows_owner(const pthread_mutex_t* mutex) {
+  return (mutex->__data.__kind & 3) == PTHREAD_MUTEX_RECURSIVE ||
+         (mutex->__data.__kind & 3) == PTHREAD_MUTEX_ERRORCHECK;
+}
+
+static int is_recursive(const pthread_mutex_t* mutex) {
+  return (mutex->__data.__kind & 3) == PTHREAD_MUTEX_RECURSIVE;
+}
+
+/* `until` on `clock`, on the robot's clock. */
+static long long deadline_of(clockid_t clock, const struct timespec* until) {
+  struct timespec now;
+  clock_gettime(clock, &now);
+  const long long ahead =
+      (long long)(until->tv_sec - now.tv_sec) * 1000000000LL + (until->tv_nsec - now.tv_nsec);
+  const long long here = CALLS.now();
+  return ahead > 0 ? here + ahead : here;
+}
+
+/* 0, EBUSY or EDEADLK. */
+static int try_lock(pthread_mutex_t* mutex) {
+  NEXT(int, pthread_mutex_trylock, (pthread_mutex_t*));
+  if (!knows_owner(mutex)) return next_pthread_mutex_trylock(mutex);
+  if (!is_recursive(mutex) && CALLS.owns(mutex)) return EDEADLK;
+  return CALLS.own(mutex) ? 0 : EBUSY;
+}
+
+static int lock_until(pthread_mutex_t* mutex, long long deadline) {
+  for (;;) {
+    const int error = try_lock(mutex);
+    if (error != EBUSY) return error;
+    if (CALLS.park(mutex, deadline)) return ETIMEDOUT;
+  }
+}
+
+/* A library's lock: who has it may be a strand or a thread of the process, which wakes nobody. */
+static int lock_in_library(pthread_mutex_t* mutex) {
+  NEXT(int, pthread_mutex_trylock, (pthread_mutex_t*));
+  for (;;) {
+    const int error = next_pthread_mutex_trylock(mutex);
+    if (error != EBUSY) return error;
+    CALLS.park(mutex, CALLS.now() + 100000);
+  }
+}
+
+EXPORTED int pthread_mutex_lock(pthread_mutex_t* mutex) {
+  NEXT(int, pthread_mutex_lock, (pthread_mutex_t*));
+  switch (TURNS()) {
+    case EYEBRIDGE_IN_PROGRAM:
+      return lock_until(mutex, -1);
+    case EYEBRIDGE_IN_LIBRARY:
+      return lock_in_library(mutex);
+    default:
+      return next_pthread_mutex_lock(mutex);
+  }
+}
+
+EXPORTED int pthread_mutex_trylock(pthread_mutex_t* mutex) {
+  NEXT(int, pthread_mutex_trylock, (pthread_mutex_t*));
+  if (!TAKES_TURNS()) return next_pthread_mutex_trylock(mutex);
+  const int error = try_lock(mutex);
+  return error == EDEADLK ? EBUSY : error;
+}
+
+EXPORTED int pthread_mutex_timedlock(pthread_mutex_t* mutex, const struct timespec* until) {
+  NEXT(int, pthread_mutex_timedlock, (pthread_mutex_t*, const struct timespec*));
+  if (!TAKES_TURNS()) return next_pthread_mutex_timedlock(mutex, until);
+  return lock_until(mutex, deadline_of(CLOCK_REALTIME, until));
+}
+
+EXPORTED int pthread_mutex_unlock(pthread_mutex_t* mutex) {
+  NEXT(int, pthread_mutex_unlock, (pthread_mutex_t*));
+  const int turns = TURNS();
+  if (turns == EYEBRIDGE_NO_TURNS) return next_pthread_mutex_unlock(mutex);
+  int left = 0;
+  if (turns == EYEBRIDGE_IN_PROGRAM && knows_owner(mutex)) {
+    left = CALLS.disown(mutex);
+    if (left < 0) return EPERM;
+  } else {
+    next_pthread_mutex_unlock(mutex);
+  }
+  if (left == 0) CALLS.wake(mutex, 0);
+  return 0;
+}
+
+static int wait_for(pthread_cond_t* condition, pthread_mutex_t* mutex, long long deadline) {
+  pthread_mutex_unlock(mutex);
+  const int is_late = CALLS.park(condition, deadline);
+  const int error = pthread_mutex_lock(mutex);
+  return error != 0 ? error : is_late ? ETIMEDOUT : 0;
+}
+
+EXPORTED int pthread_cond_wait(pthread_cond_t* condition, pthread_mutex_t* mutex) {
+  NEXT(int, pthread_cond_wait, (pthread_cond_t*, pthread_mutex_t*));
+  return TAKES_TURNS() ? wait_for(condition, mutex, -1) : next_pthread_cond_wait(condition, mutex);
+}
+
+EXPORTED int pthread_cond_timedwait(pthread_cond_t* condition, pthread_mutex_t* mutex,
+                                    const struct timespec* until) {
+  NEXT(int, pthread_cond_timedwait, (pthread_cond_t*, pthread_mutex_t*, const struct timespec*));
+  if (!TAKES_TURNS()) return next_pthread_cond_timedwait(condition, mutex, until);
+  return wait_for(condition, mutex, deadline_of(CLOCK_REALTIME, until));
+}
+
+EXPORTED int pthread_cond_clockwait(pthread_cond_t* condition, pthread_mutex_t* mutex, clockid_t clock,
+                                    const struct timespec* until) {
+  NEXT(int, pthread_cond_clockwait,
+       (pthread_cond_t*, pthread_mutex_t*, clockid_t, const struct timespec*));
+  if (!TAKES_TURNS()) return next_pthread_cond_clockwait(condition, mutex, clock, until);
+  return wait_for(condition, mutex, deadline_of(clock, until));
+}
+
+EXPORTED int pthread_cond_signal(pthread_cond_t* condition) {
+  NEXT(int, pthread_cond_signal, (pthread_cond_t*));
+  if (TAKES_TURNS()) CALLS.wake(condition, 0);
+  return next_pthread_cond_signal(condition);
+}
+
+EXPORTED int pthread_cond_broadcast(pthread_cond_t* condition) {
+  NEXT(int, pthread_cond_broadcast, (pthread_cond_t*));
+  if (TAKES_TURNS()) CALLS.wake(condition, 1);
+  return next_pthread_cond_broadcast(condition);
+}
+
+static int take_until(sem_t* semaphore, long long deadline) {
+  while (sem_trywait(semaphore) != 0) {
+    if (errno != EAGAIN) return -1;
+    if (CALLS.park(semaphore, deadline)) {
+      errno = ETIMEDOUT;
+      return -1;
+    }
+  }
+  return 0;
+}
+
+EXPORTED int sem_wait(sem_t* semaphore) {
+  NEXT(int, sem_wait, (sem_t*));
+  return TAKES_TURNS() ? take_until(semaphore, -1) : next_sem_wait(semaphore);
+}
+
+EXPORTED int sem_timedwait(sem_t* semaphore, const struct timespec* until) {
+  NEXT(int, sem_timedwait, (sem_t*, const struct timespec*));
+  if (!TAKES_TURNS()) return next_sem_timedwait(semaphore, until);
+  return take_until(semaphore, deadline_of(CLOCK_REALTIME, until));
+}
+
+EXPORTED int sem_post(sem_t* semaphore) {
+  NEXT(int, sem_post, (sem_t*));
+  const int result = next_sem_post(semaphore);
+  if (result == 0 && TAKES_TURNS()) CALLS.wake(semaphore, 0);
+  return result;
+}

@@ -1,0 +1,34 @@
+/* The C library's own functions, behind ours of the same name. */
+#ifndef EYEBRIDGE_FLEET_LAUNCHER_NEXT_H
+#define EYEBRIDGE_FLEET_LAUNCHER_NEXT_H
+
+#include <dlfcn.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#include "launcher.h"
+
+#define EXPORTED __attribute__((visibility("default")))
+
+static inline void* eyebridge_next(const char* name, void** known) {
+  void* found = __atomic_load_n(known, __ATOMIC_RELAXED);
+  if (found != NULL) return found;
+  found = dlsym(RTLD_NEXT, name);
+  if (found == NULL) {
+    fprintf(stderr, "eyebridge-robots: the C library has no %s()\n", name);
+    _exit(1);
+  }
+  __atomic_store_n(known, found, __ATOMIC_RELAXED);
+  return found;
+}
+
+/* NEXT(int, pthread_join, (pthread_t, void**)) names a pointer `next_pthread_join` of that type. */
+#define NEXT(RESULT, NAME, ARGUMENTS)                   \
+  static void* known_##NAME;                            \
+  RESULT(*next_##NAME) ARGUMENTS;                       \
+  *(void**)&next_##NAME = eyebridge_next(#NAME, &known_##NAME)
+
+#define TURNS() (eyebridge_calls.turns != NULL ? eyebridge_calls.turns() : EYEBRIDGE_NO_TURNS)
+#define TAKES_TURNS() (TURNS() == EYEBRIDGE_IN_PROGRAM)
+
+#endif

@@ -1,0 +1,79 @@
+/* Threads of robots' programs. In virtual time they take turns in one thread of the process (robios/fleet/strands): what
+   would block it lays down the caller instead. In real time a new thread only learns whose robot it is. */
+#include <errno.h>
+#include <pthread.h>
+#include <sched.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "launcher_next.h"
+
+#define CALLS eyebridge_calls
+
+struct beginning {
+  void* (*start)(void*);
+  void* argument;
+  void* robot;
+};
+
+static void* begin(void* given) {
+  const struct beginning beginning = *(struct beginning*)given;
+  free(given);
+  CALLS.begin_thread(beginning.robot);
+  return beginning.start(beginning.argument);
+}
+
+EXPORTED int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*start)(void*),
+                            void* argument) {
+  NEXT(int, pthread_create, (pthread_t*, const pthread_attr_t*, void* (*)(void*), void*));
+  if (TAKES_TURNS()) {
+    int detached = PTHREAD_CREATE_JOINABLE;
+    if (attributes != NULL) pthread_attr_getdetachstate(attributes, &detached);
+    *thread = (pthread_t)CALLS.create(start, argument);
+    if (detached == PTHREAD_CREATE_DETACHED) CALLS.detach(*thread);
+    return 0;
+  }
+  void* robot = CALLS.robot != NULL ? CALLS.robot() : NULL;
+  if (robot == NULL) return next_pthread_create(thread, attributes, start, argument);
+  struct beginning* beginning = malloc(sizeof *beginning);
+  if (beginning == NULL) return EAGAIN;
+  *beginning = (struct beginning){start, argument, robot};
+  const int error = next_pthread_create(thread, attributes, begin, beginning);
+  if (error != 0) free(beginning);
+  return error;
+}
+
+EXPORTED pthread_t pthread_self(void) {
+  NEXT(pthread_t, pthread_self, (void));
+  const unsigned long mine = TAKES_TURNS() ? CALLS.self() : 0;
+  return mine != 0 ? (pthread_t)mine : next_pthread_self();
+}
+
+EXPORTED int pthread_join(pthread_t thread, void** result) {
+  NEXT(int, pthread_join, (pthread_t, void**));
+  return TAKES_TURNS() ? CALLS.join(thread, result) : next_pthread_join(thread, result);
+}
+
+EXPORTED int pthread_detach(pthread_t thread) {
+  NEXT(int, pthread_detach, (pthread_t));
+  return TAKES_TURNS() ? CALLS.detach(thread) : next_pthread_detach(thread);
+}
+
+EXPORTED void pthread_exit(void* result) {
+  NEXT(void, pthread_exit, (void*));
+  if (TAKES_TURNS()) CALLS.finish(result);
+  next_pthread_exit(result);
+  for (;;) pause();
+}
+
+EXPORTED int pthread_setname_np(pthread_t thread, const char* name) {
+  NEXT(int, pthread_setname_np, (pthread_t, const char*));
+  return TAKES_TURNS() ? 0 : next_pthread_setname_np(thread, name);
+}
+
+EXPORTED int sched_yield(void) {
+  NEXT(int, sched_yield, (void));
+  if (!TAKES_TURNS()) return next_sched_yield();
+  CALLS.park(NULL, CALLS.now() + 1000); /* somebody else's turn, a microsecond long */
+  return 0;
+}

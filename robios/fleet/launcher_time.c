@@ -1,0 +1,49 @@
+/* The C library's clocks for robots' programs in virtual time: their robot's. The time of day begins at midnight of the
+   first of January 2000, UTC, so that runs repeat. */
+#include <errno.h>
+#include <sys/time.h>
+#include <time.h>
+
+#include "launcher_next.h"
+
+#define FIRST_SECOND 946684800LL /* of the year 2000, after 1970 */
+#define NANOSECONDS 1000000000LL
+
+/* -1 when the caller's time is the computer's. */
+static long long robot_now(void) {
+  return TAKES_TURNS() ? eyebridge_calls.now() : -1;
+}
+
+EXPORTED int clock_gettime(clockid_t clock, struct timespec* out) {
+  NEXT(int, clock_gettime, (clockid_t, struct timespec*));
+  const long long now = robot_now();
+  if (now < 0) return next_clock_gettime(clock, out);
+  const int is_day = clock == CLOCK_REALTIME || clock == CLOCK_REALTIME_COARSE || clock == CLOCK_TAI;
+  out->tv_sec = (time_t)(now / NANOSECONDS + (is_day ? FIRST_SECOND : 0));
+  out->tv_nsec = (long)(now % NANOSECONDS);
+  return 0;
+}
+
+EXPORTED time_t time(time_t* out) {
+  NEXT(time_t, time, (time_t*));
+  const long long now = robot_now();
+  if (now < 0) return next_time(out);
+  const time_t seconds = (time_t)(now / NANOSECONDS + FIRST_SECOND);
+  if (out != NULL) *out = seconds;
+  return seconds;
+}
+
+EXPORTED int gettimeofday(struct timeval* out, void* zone) {
+  NEXT(int, gettimeofday, (struct timeval*, void*));
+  const long long now = robot_now();
+  if (now < 0) return next_gettimeofday(out, zone);
+  out->tv_sec = (time_t)(now / NANOSECONDS + FIRST_SECOND);
+  out->tv_usec = (suseconds_t)(now % NANOSECONDS / 1000);
+  return 0;
+}
+
+EXPORTED clock_t clock(void) {
+  NEXT(clock_t, clock, (void));
+  const long long now = robot_now();
+  return now < 0 ? next_clock() : (clock_t)(now / (NANOSECONDS / CLOCKS_PER_SEC));
+}

@@ -1,0 +1,122 @@
+#include "strands.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <iterator>
+
+#include "robot.hpp"
+
+namespace eyebridge::robios {
+
+Time Strands::now() const { return Session::here()->clock().now(); }
+
+unsigned long Strands::create(Start start, void* argument) {
+  const unsigned long number = next_number_++;
+  Session* const session = Session::here();
+  Strand& strand = lockstep_.add_strand([this, session, start, argument] {
+    Session::set_here(session);
+    finish(start(argument));
+  });
+  threads_[number] = {&strand, strand.robot};
+  lockstep_.wake(strand, now());
+  return number;
+}
+
+unsigned long Strands::self() const {
+  const Strand* const mine = lockstep_.current();
+  for (const auto& [number, thread] : threads_) {
+    if (thread.strand == mine) return number;
+  }
+  return 0;
+}
+
+void Strands::finish(void* result) {
+  if (lockstep_.is_last_strand()) Session::here()->leave(0);
+  const auto me = threads_.find(self());
+  if (me != threads_.end()) {
+    me->second.strand = nullptr;
+    me->second.result = result;
+    wake(&me->second, true);
+    if (me->second.is_detached) threads_.erase(me);
+  }
+  lockstep_.drop_strand();
+}
+
+int Strands::join(unsigned long number, void** result) {
+  const auto found = threads_.find(number);
+  if (found == threads_.end() || found->second.robot != lockstep_.current()->robot) return ESRCH;
+  Thread& thread = found->second;
+  if (thread.is_detached) return EINVAL;
+  if (thread.strand == lockstep_.current()) return EDEADLK;
+  while (thread.strand != nullptr) park(&thread, Lockstep::kNever);
+  if (result != nullptr) *result = thread.result;
+  threads_.erase(number);
+  return 0;
+}
+
+int Strands::detach(unsigned long number) {
+  const auto found = threads_.find(number);
+  if (found == threads_.end()) return ESRCH;
+  found->second.is_detached = true;
+  if (found->second.strand == nullptr) threads_.erase(found);
+  return 0;
+}
+
+bool Strands::park(const void* what, Time deadline) {
+  Strand* const me = lockstep_.current();
+  waiting_[what].push_back(me);
+  if (deadline <= now()) deadline = now() + Time(1);
+  lockstep_.park(deadline);
+  const auto queue = waiting_.find(what);
+  if (queue == waiting_.end()) return false;
+  const auto mine = std::ranges::find(queue->second, me);
+  if (mine == queue->second.end()) return false;  // woken
+  queue->second.erase(mine);
+  if (queue->second.empty()) waiting_.erase(queue);
+  // Nobody else has moved the clock to where the wait ended.
+  Session::here()->clock().wait_until(deadline);
+  return true;
+}
+
+void Strands::wake(const void* what, bool all) {
+  const auto queue = waiting_.find(what);
+  if (queue == waiting_.end()) return;
+  do {
+    lockstep_.wake(*queue->second.front(), now());
+    queue->second.pop_front();
+  } while (all && !queue->second.empty());
+  if (queue->second.empty()) waiting_.erase(queue);
+}
+
+bool Strands::own(const void* lock) {
+  Owner& owner = owners_[lock];
+  Strand* const me = lockstep_.current();
+  if (owner.strand != nullptr && owner.strand != me) return false;
+  owner.strand = me;
+  ++owner.count;
+  return true;
+}
+
+int Strands::disown(const void* lock) {
+  const auto owner = owners_.find(lock);
+  if (owner == owners_.end() || owner->second.strand != lockstep_.current()) return -1;
+  const int left = --owner->second.count;
+  if (left == 0) owners_.erase(owner);
+  return left;
+}
+
+bool Strands::owns(const void* lock) const {
+  const auto owner = owners_.find(lock);
+  return owner != owners_.end() && owner->second.strand == lockstep_.current();
+}
+
+void Strands::forget(std::size_t robot) {
+  std::erase_if(threads_, [&](const auto& row) { return row.second.robot == robot; });
+  std::erase_if(owners_, [&](const auto& row) { return row.second.strand->robot == robot; });
+  for (auto row = waiting_.begin(); row != waiting_.end();) {
+    std::erase_if(row->second, [&](const Strand* strand) { return strand->robot == robot; });
+    row = row->second.empty() ? waiting_.erase(row) : std::next(row);
+  }
+}
+
+}  // namespace eyebridge::robios

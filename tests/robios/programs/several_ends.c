@@ -1,0 +1,26 @@
+// Robots that end in every way there is, while the last one goes on.
+#include <eyebot.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int fill(int depth) {
+  volatile char room[4096];
+  memset((char*)room, depth, sizeof room);
+  return depth < 0 ? 0 : fill(depth + 1) + room[7];
+}
+
+int main(void) {
+  const int id = OSMachineID();
+  OSWait(100 * id);
+  if (id == 1) return 3;
+  if (id == 2) exit(4);
+  if (id == 3) *(volatile int*)8 = 1;
+  if (id == 4) return fill(0);
+  if (id == 5) abort();
+  if (id == 6) raise(SIGFPE);
+  OSWait(1000);
+  printf("robot %d is left\n", id);
+  return 0;
+}

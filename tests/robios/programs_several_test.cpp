@@ -1,0 +1,107 @@
+// Several robots that run programs in one process.
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "named_program.hpp"
+
+namespace eyebridge {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::run_named;
+
+using Settings = std::map<std::string, std::string>;
+
+Settings several(const std::string& count, Settings more = {}) {
+  more.emplace("EYEBRIDGE_ROBOTS", count);
+  more.emplace("EYEBRIDGE_WORLD", std::string(EYEBRIDGE_TEST_WORLDS) + "/rooms.wld");
+  return more;
+}
+
+std::vector<std::string> sorted_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  std::ranges::sort(lines);
+  return lines;
+}
+
+/// "state 0123456789abcdef" of the run's last message.
+std::string state_of(const std::string& messages) {
+  const std::size_t at = messages.find("state ");
+  return at == std::string::npos ? "" : messages.substr(at, 22);
+}
+
+TEST(SeveralRobots, EachHasItsOwnVariablesTimeAndNumber) {
+  for (const auto& clock : testing::kClocks) {
+    const auto r = run_named("several", several("3", clock));
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    EXPECT_THAT(sorted_lines(r.out),
+                ElementsAre("1: counted 6 calls 6 mine 3 camera 160 x 10 at 600 alone",
+                            "2: counted 7 calls 7 mine 7 camera 320 x 20 at 700 alone",
+                            "3: counted 8 calls 8 mine 10 camera 320 x 40 at 800 alone"))
+        << r.err;
+    EXPECT_THAT(r.err, HasSubstr("eyebridge: 3 robots, 0."));
+  }
+}
+
+TEST(SeveralRobots, AnEndOfAnyKindIsThatRobotsOwn) {
+  for (const auto& clock : testing::kClocks) {
+    const auto r = run_named("several_ends", several("7", clock));
+    EXPECT_EQ(r.exit_code, 3) << r.err;  // the first robot's
+    EXPECT_EQ(r.out, "robot 7 is left\n");
+    EXPECT_THAT(r.err, AllOf(HasSubstr("robot 3: error: the program crashed: Segmentation fault at address 0x8;"),
+                             HasSubstr("robot 4: error: the program crashed: Segmentation fault"),
+                             HasSubstr("robot 5: error: the program called abort()"),
+                             HasSubstr("robot 6: error: the program crashed: Floating point"),
+                             Not(HasSubstr("robot 1: error")), Not(HasSubstr("robot 2: error"))));
+  }
+}
+
+TEST(SeveralRobots, ARobotWhoseProgramEndedKeepsItsLastCommand) {
+  const auto r = run_named("several_follow", several("2"));
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.out, "1 said gone at 1500; went on 200 mm\n") << r.err;
+}
+
+TEST(SeveralRobots, ARunRepeatsToTheBit) {
+  const std::string first = state_of(run_named("several", several("5")).err);
+  ASSERT_NE(first, "");
+  for (int i = 0; i < 5; ++i) {
+    EXPECT_EQ(state_of(run_named("several", several("5")).err), first);
+  }
+}
+
+TEST(SeveralRobots, ResultsGoToAFolderEach) {
+  const testing::ScratchFolder folder;
+  const auto r = run_named("several", several("2", {{"EYEBRIDGE_OUT", folder.path() + "/out"}}));
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  for (const char* number : {"1", "2"}) {
+    const std::string out = folder.path() + "/out/robot-" + number;
+    EXPECT_EQ(testing::file_text(out + "/lcd.txt").substr(0, 7), std::string("robot ") + number);
+    EXPECT_GT(testing::file_text(out + "/trace.csv").size(), 1000U);
+  }
+}
+
+TEST(SeveralRobots, WhatOnlyOneCanHaveIsRefused) {
+  const auto recorded = run_named("several", several("2", {{"EYEBRIDGE_RECORD", "/tmp/x.ebrec"}}));
+  EXPECT_EQ(recorded.exit_code, 2);
+  EXPECT_THAT(recorded.err, HasSubstr("EYEBRIDGE_RECORD: found --record for 2 robots"));
+  const auto none = run_named("several", several("0"));
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.err, HasSubstr("EYEBRIDGE_ROBOTS: found '0', expected 1 … 100000 robots, or all"));
+  const auto many = run_named("several", several("9999"));
+  EXPECT_EQ(many.exit_code, 2);
+  EXPECT_THAT(many.err, HasSubstr("this world has room for"));
+}
+
+}  // namespace
+}  // namespace eyebridge
