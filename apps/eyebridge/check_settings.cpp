@@ -15,6 +15,7 @@
 #include "eyebridge/files/load.hpp"
 #include "eyebridge/hal/hand.hpp"
 #include "eyebridge/hal/registry.hpp"
+#include "eyebridge/hal/shared_world.hpp"
 #include "key_script.hpp"
 
 namespace eyebridge::apps {
@@ -64,6 +65,7 @@ void check_settings(const hal::Config& config) {
   NullLog log;
   files::named_robot(config.text("robot"), config.value("robot").where);
   check_keys(config.value("keys"));
+  static_cast<void>(hal::programs_wanted(config));
   std::unique_ptr<hal::Backend> backend;
   // The program opens it again, which is free for a world but not for a board.
   // Without the person: that camera would be opened, too.

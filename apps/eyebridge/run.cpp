@@ -8,16 +8,34 @@
 
 #include "check_settings.hpp"
 #include "command.hpp"
+#include "own_files.hpp"
 #include "program.hpp"
 
 namespace eyebridge::apps {
+namespace {
+
+/// Becomes the programs that the robots of a .sim file name; returns when there is no such file.
+void run_scenario(SettingFlags flags) {
+  const hal::Config config = hand_on(flags, {});
+  if (config.path("world").extension() != ".sim") return;
+  if (config.value("robots").is_default()) flags["robots"] = "all";
+  check_settings(hand_on(flags, {}));
+  // Of whichever generation they are: the launcher sees to that.
+  become(own_files().library.parent_path() / "eyebridge-robots", {});
+}
+
+}  // namespace
 
 void run_words(const std::string& command, const SettingFlags& flags,
                const std::vector<std::string>& words) {
+  if (words.empty() && command == "run") run_scenario(flags);
   if (words.empty()) {
     throw ConfigError({command}, "found no program, expected: eyebridge " + command +
                                      (command == "run" ? "" : " FILE.ebrec") +
-                                     " [OPTIONS] PROGRAM [ARGUMENTS]");
+                                     " [OPTIONS] PROGRAM [ARGUMENTS]" +
+                                     (command == "run" ? ", or --world FILE.sim whose robots name "
+                                                         "their programs"
+                                                       : ""));
   }
   const std::string& name = words.front();
   if (name.size() > 1 && name.front() == '-') {
@@ -34,7 +52,8 @@ void add_run(CLI::App& root, int& /*code*/) {
       "run", "Runs a robot program: eyebridge run [OPTIONS] PROGRAM [ARGUMENTS]");
   command->footer(
       "PROGRAM is an executable (see eyebridge-cc) or a Python file. Every option can also be\n"
-      "an environment variable (EYEBRIDGE_WORLD) or a line of eyebridge.toml (world = \"...\").");
+      "an environment variable (EYEBRIDGE_WORLD) or a line of eyebridge.toml (world = \"...\").\n"
+      "Without PROGRAM the robots of a .sim file run the programs that it names.");
   // The program's name ends our options: what follows belongs to it, whatever it looks like.
   command->prefix_command();
   auto flags = std::make_shared<SettingFlags>();

@@ -5,12 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "flow.hpp"
 #include "task.hpp"
 
 namespace eyebridge::robios::classic {
 namespace {
-
-thread_local int calls_in_progress = 0;
 
 tl::unexpected<Error> no_task() { return fail(Errc::OutOfRange, "there is no such task"); }
 
@@ -56,7 +55,7 @@ Result<Kernel::Task*> Kernel::find(tcb* task) {
 
 Result<Kernel::Task*> Kernel::caller() {
   if (!started_) return fail(Errc::Unsupported, "there are no tasks: call OSMTInit first");
-  if (self() == nullptr || calls_in_progress > 1) {
+  if (self() == nullptr || flow.kernel_calls > 1) {
     return fail(Errc::Unsupported, "not possible in the function of a timer, which is no task");
   }
   return self();
@@ -65,8 +64,8 @@ Result<Kernel::Task*> Kernel::caller() {
 bool Kernel::is_main() const { return self() == nullptr || self()->is_main; }
 
 void Kernel::enter() {
-  ++calls_in_progress;
-  if (!started_ || self() == nullptr || calls_in_progress > 1) return;
+  ++flow.kernel_calls;
+  if (!started_ || self() == nullptr || flow.kernel_calls > 1) return;
   Task& me = *self();
   Lock lock(mutex_);
   await_turn(me, lock);
@@ -75,7 +74,7 @@ void Kernel::enter() {
   give_way(me, lock);
 }
 
-void Kernel::leave() { --calls_in_progress; }
+void Kernel::leave() { --flow.kernel_calls; }
 
 Kernel::Task* Kernel::best_ready() const {
   Task* best = nullptr;
@@ -153,7 +152,7 @@ void Kernel::give_way(Task& me, Lock& lock) {
 
 void Kernel::wait_until(Time deadline) {
   Task* const me = self();
-  if (me != nullptr && calls_in_progress <= 1) {
+  if (me != nullptr && flow.kernel_calls <= 1) {
     Lock lock(mutex_);
     if (preempts()) {
       me->wake = deadline;

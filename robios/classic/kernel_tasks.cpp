@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <pthread.h>
 
+#include "flow.hpp"
 #include "kernel.hpp"
 #include "task.hpp"
 
@@ -17,11 +18,9 @@ namespace {
 constexpr std::size_t kStackSize = std::size_t{8} << 20;
 constexpr int kMostTasks = 1000;
 
-thread_local void* current_task = nullptr;
-
 }  // namespace
 
-Kernel::Task* Kernel::self() { return static_cast<Task*>(current_task); }
+Kernel::Task* Kernel::self() { return static_cast<Task*>(flow.kernel_task); }
 
 bool Kernel::start(bool preemptive) {
   const Lock lock(mutex_);
@@ -35,7 +34,7 @@ bool Kernel::start(bool preemptive) {
   show(*task, State::Running);
   running_ = task.get();
   turn_began_ = clock_.now();
-  current_task = task.get();
+  flow.kernel_task = task.get();
   tasks_.emplace(&task->shown, std::move(task));
   preemptive_ = preemptive;
   started_ = true;
@@ -74,7 +73,7 @@ Result<tcb*> Kernel::spawn(const std::string& name, void (*code)(), int stack_si
 
 void* Kernel::thread_of(void* given) {
   Task& me = *static_cast<Task*>(given);
-  current_task = given;
+  flow.kernel_task = given;
   Kernel& kernel = *me.kernel;
   try {
     {

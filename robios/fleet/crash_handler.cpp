@@ -9,7 +9,7 @@
 #include <sys/ucontext.h>
 #include <unistd.h>
 
-#include "call_depth.hpp"
+#include "flow.hpp"
 #include "robot.hpp"
 
 namespace eyebridge::robios {
@@ -25,7 +25,7 @@ thread_local const void* last_address = nullptr;
 /// Where a robot's flow goes on after the handler, at the top of its stack.
 [[noreturn]] void give_up() {
   Robot& robot = *Robot::current();
-  call_depth = 0;
+  flow.calls = 0;
   if (last_signal == kHang) {
     robot.fail("the program has made no call for too long and is ended; the others go on", 124);
   }
@@ -63,7 +63,7 @@ void say(const char* text) {
 
 void on_crash(int signal, siginfo_t* info, void* context) {
   Robot* const robot = Robot::current();
-  const bool is_safe = robot != nullptr && call_depth == 0 && !robot->has_ended();
+  const bool is_safe = robot != nullptr && flow.calls == 0 && !robot->has_ended();
   if (is_safe && redirect(*static_cast<ucontext_t*>(context), robot->stack_mark())) {
     last_signal = signal;
     last_address = info->si_addr;

@@ -10,7 +10,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "call_depth.hpp"
+#include "flow.hpp"
 #include "sanitized_switch.hpp"
 #include "session.hpp"
 
@@ -35,13 +35,13 @@ struct Kept {
   int error = errno;
   __cxxabiv1::__cxa_eh_globals exceptions = *__cxxabiv1::__cxa_get_globals();
   Session* session = Session::here();
-  int depth = call_depth;
+  Flow state = flow;
 
   void restore() const {
     errno = error;
     *__cxxabiv1::__cxa_get_globals() = exceptions;
     Session::set_here(session);
-    call_depth = depth;
+    flow = state;
   }
 };
 
@@ -91,7 +91,7 @@ struct Fiber::Impl {
     me.switching.arrived();
     me.resumer = from.fctx;
     Session::set_here(nullptr);
-    call_depth = 0;
+    flow = {};
     *__cxxabiv1::__cxa_get_globals() = {};
     me.body();
     me.done = true;

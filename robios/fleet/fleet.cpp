@@ -1,16 +1,20 @@
 #include "fleet.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
+#include <cstring>
 #include <ctime>
 #include <utility>
 
 #include <fmt/format.h>
 #include <pthread.h>
+#include <unistd.h>
 
 #include "crash_handler.hpp"
 #include "fiber_robot.hpp"
+#include "generation.hpp"
 #include "robot_programs.hpp"
 #include "session_parts.hpp"
 #include "signals.hpp"
@@ -34,6 +38,16 @@ struct Fleet::Scheduler {
 namespace {
 
 Fleet* the_fleet = nullptr;  // For signals, which know no objects.
+
+/// Becomes the launcher of the other generation's programs.
+void become_other(std::vector<std::string> words) {
+  std::string launcher = launcher_of(true).string();
+  std::vector<char*> argv{launcher.data()};
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  execv(launcher.c_str(), argv.data());
+  throw ConfigError({launcher}, std::string("cannot be started: ") + std::strerror(errno));
+}
 
 double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -108,6 +122,7 @@ void Fleet::add_robots(const std::vector<std::string>& words) {
       config_.is_set("world") ? config_.path("world") : std::filesystem::path("the empty room");
   std::vector<RobotProgram> programs = programs_of(world_->robots(), words, scenario);
   const auto runs = [](const RobotProgram& program) { return !program.file.empty(); };
+  if (is_of_other_generation(std::ranges::find_if(programs, runs)->file)) become_other(words);
   if (auto* real = dynamic_cast<InRealTime*>(scheduler_.get())) {
     const auto count = std::ranges::count_if(programs, runs);
     real->barrier = std::make_unique<Barrier>(static_cast<std::size_t>(count));

@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 #include "eyebridge/base/unique_fd.hpp"
+#include "generation.hpp"
 
 namespace eyebridge::robios {
 namespace {
@@ -81,6 +82,11 @@ const Bytes& contents(const std::filesystem::path& program) {
   const std::lock_guard lock(mutex);
   const auto found = known->find(program);
   if (found != known->end()) return found->second;
+  if (is_of_other_generation(program)) {
+    refuse(program,
+           "found a program for another generation of RoBIOS than the first robot's; expected all "
+           "programs of a world to be of one");
+  }
   std::ifstream stream(program, std::ios::binary);
   Bytes file{std::istreambuf_iterator<char>(stream), {}};
   if (!stream) refuse(program, std::string("cannot be read: ") + std::strerror(errno));

@@ -1,6 +1,6 @@
 #include "robot_calls.hpp"
 
-#include "call_depth.hpp"
+#include "flow.hpp"
 #include "robot.hpp"
 #include "session.hpp"
 
@@ -15,7 +15,7 @@ Time deadline_of(long long nanoseconds) {
 
 int turns() {
   if (Session::here() == nullptr) return EYEBRIDGE_NO_TURNS;
-  if (call_depth == 0) return EYEBRIDGE_IN_PROGRAM;
+  if (flow.calls == 0) return EYEBRIDGE_IN_PROGRAM;
   return strands->any() ? EYEBRIDGE_IN_LIBRARY : EYEBRIDGE_NO_TURNS;
 }
 

@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "eyebridge/hal/shared_world.hpp"
+#include "generation.hpp"
 #include "host.hpp"
 
 namespace eyebridge::robios {
@@ -52,10 +53,7 @@ __attribute__((constructor)) void start_several(int argc, char** argv, char** en
   Dl_info library{};
   if (dladdr(reinterpret_cast<void*>(&start_several), &library) == 0) return;
   if (argc < 1 || !belongs_to_program(library.dli_fname) || !wants_several()) return;
-  const std::filesystem::path file = std::filesystem::weakly_canonical(library.dli_fname);
-  const bool is_classic = file.filename().string().starts_with("libeyebridge_classic");
-  std::string launcher =
-      (file.parent_path() / (is_classic ? "eyebridge-robots-classic" : "eyebridge-robots")).string();
+  std::string launcher = launcher_of(false).string();
   std::string program = program_file().string();
   std::vector<char*> words{launcher.data(), program.data()};
   words.insert(words.end(), argv + 1, argv + argc);

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "eyebridge/base/result.hpp"
-#include "fleet/call_depth.hpp"
+#include "flow.hpp"
 #include "session.hpp"
 
 namespace eyebridge::robios {

@@ -11,8 +11,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "call_depth.hpp"
 #include "costs.hpp"
+#include "flow.hpp"
 #include "host.hpp"
 #include "library_threads.hpp"
 #include "session_impl.hpp"

@@ -6,11 +6,10 @@
 
 #include <pthread.h>
 
+#include "flow.hpp"
+
 namespace eyebridge::robios {
 namespace {
-
-// A callback that calls the API must not start callbacks itself.
-thread_local bool in_callback = false;
 
 // How often the timer thread looks again: a timer attached meanwhile is late by this at most.
 constexpr Time kLookAgain = std::chrono::milliseconds(1);
@@ -52,7 +51,8 @@ void Timers::stop() {
   changed_.notify_all();
 }
 
-bool Timers::is_calling() { return in_callback; }
+// A callback that calls the API must not start callbacks itself.
+bool Timers::is_calling() { return flow.in_timer; }
 
 void Timers::hold(bool on) {
   const std::lock_guard lock(mutex_);
@@ -62,7 +62,7 @@ void Timers::hold(bool on) {
 
 void Timers::finish() {
   stop();
-  if (in_callback) return;
+  if (flow.in_timer) return;
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return !calling_; });
 }
@@ -77,13 +77,13 @@ std::optional<Time> Timers::earliest() const {
 }
 
 std::optional<Time> Timers::next_due() const {
-  if (!clock_.is_virtual() || in_callback) return std::nullopt;
+  if (!clock_.is_virtual() || flow.in_timer) return std::nullopt;
   const std::lock_guard lock(mutex_);
   return stopping_ || calling_ ? std::nullopt : earliest();
 }
 
 void Timers::run_due() {
-  if (!any_ || !clock_.is_virtual() || in_callback) return;
+  if (!any_ || !clock_.is_virtual() || flow.in_timer) return;
   std::unique_lock lock(mutex_);
   if (stopping_ || held_ || calling_ || entries_.empty()) return;
   call_due(clock_.now(), lock);
@@ -100,9 +100,9 @@ void Timers::call_due(Time now, std::unique_lock<std::mutex>& lock) {
   if (due.empty()) return;
   calling_ = true;
   lock.unlock();
-  in_callback = true;
+  flow.in_timer = true;
   for (const Callback& callback : due) callback();
-  in_callback = false;
+  flow.in_timer = false;
   lock.lock();
   calling_ = false;
   changed_.notify_all();

@@ -30,17 +30,25 @@ Result<std::string> output_of(const char* command) {
   return output;
 }
 
+/// What the robot's program was given last.
+struct KeptOutput {
+  std::string text;
+};
+
 }  // namespace
 
 char* OSExecute(const char* command) {
-  return robios::guarded("OSExecute", static_cast<char*>(nullptr),
-                         [&](robios::Session&) -> Result<char*> {
-                           thread_local std::string kept;
-                           return output_of(command).map([](std::string output) {
-                             kept = std::move(output);
-                             return kept.data();
-                           });
-                         });
+  return robios::guarded(
+      "OSExecute", static_cast<char*>(nullptr), [&](robios::Session& session) -> Result<char*> {
+        return output_of(command).map([&](std::string output) {
+          // Several robots may share a thread: each has its own.
+          thread_local std::string of_thread;
+          std::string& kept =
+              session.runner() != nullptr ? session.own<KeptOutput>().text : of_thread;
+          kept = std::move(output);
+          return kept.data();
+        });
+      });
 }
 
 int EYEBRIDGEExecute(const char* command, char* output) {

@@ -80,6 +80,34 @@ TEST(SeveralRobots, ARunRepeatsToTheBit) {
   }
 }
 
+TEST(SeveralRobots, ThreadsOfProgramsTakeTurns) {
+  const auto r = run_named("several_crew", several("3"));
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  // One second of the year 2000 is about 10^9 seconds after 1970: zero billions.
+  EXPECT_EQ(r.out,
+            "1: took 5, late after 760 ms, 0\n"
+            "2: took 5, late after 760 ms, 0\n"
+            "3: took 5, late after 760 ms, 0\n")
+      << r.err;
+  EXPECT_EQ(state_of(run_named("several_crew", several("3")).err), state_of(r.err));
+}
+
+TEST(SeveralRobots, ThreadsOfProgramsWorkInRealTime) {
+  const auto r = run_named("several_crew", several("3", {{"EYEBRIDGE_FAST", "false"}}));
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  for (const char* number : {"1", "2", "3"}) {
+    EXPECT_THAT(r.out, HasSubstr(number + std::string(": took 5, late after ")));
+  }
+}
+
+TEST(SeveralRobots, OneThatHangsIsToldOfAndEnded) {
+  const auto r = run_named("several_hang", several("3", {{"EYEBRIDGE_HANG_LIMIT", "6s"}}));
+  EXPECT_EQ(r.exit_code, 124) << r.err;
+  EXPECT_EQ(r.out, "1 at 10100\n3 at 10100\n");
+  EXPECT_THAT(r.err, AllOf(HasSubstr("warning: a program has computed for 5 s without a call"),
+                           HasSubstr("robot 2: error: the program has made no call for too long")));
+}
+
 TEST(SeveralRobots, ResultsGoToAFolderEach) {
   const testing::ScratchFolder folder;
   const auto r = run_named("several", several("2", {{"EYEBRIDGE_OUT", folder.path() + "/out"}}));

@@ -1,0 +1,43 @@
+#include "generation.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <string>
+
+#include <dlfcn.h>
+
+namespace eyebridge::robios {
+namespace {
+
+/// The file of the library that this code is in.
+std::filesystem::path this_library() {
+  Dl_info library{};
+  static const char here = 0;
+  if (dladdr(&here, &library) == 0) return {};
+  return std::filesystem::weakly_canonical(library.dli_fname);
+}
+
+bool this_is_classic() {
+  return this_library().filename().string().starts_with("libeyebridge_classic");
+}
+
+}  // namespace
+
+bool is_of_other_generation(const std::filesystem::path& program) {
+  std::ifstream stream(program, std::ios::binary);
+  const std::string file{std::istreambuf_iterator<char>(stream), {}};
+  // As the names of needed libraries stand in it.
+  const std::string other = this_is_classic() ? std::string("\0libeyebridge.so", 16)
+                                              : std::string("\0libeyebridge_classic.so", 24);
+  return std::search(file.begin(), file.end(),
+                     std::boyer_moore_horspool_searcher(other.begin(), other.end())) != file.end();
+}
+
+std::filesystem::path launcher_of(bool other_generation) {
+  return this_library().parent_path() /
+         (this_is_classic() != other_generation ? "eyebridge-robots-classic" : "eyebridge-robots");
+}
+
+}  // namespace eyebridge::robios

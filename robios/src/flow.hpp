@@ -1,0 +1,39 @@
+#pragma once
+
+namespace eyebridge::robios {
+
+/// What belongs to a flow of a program: to a thread, or to one of several that take turns in it
+/// (fleet/fiber.hpp), which has its own.
+struct Flow {
+  /// Calls of the API that it is in: a crash there may have left something locked.
+  int calls = 0;
+  bool in_timer = false;         ///< It runs the function of a timer.
+  int kernel_calls = 0;          ///< Of classic RoBIOS's multitasking.
+  void* kernel_task = nullptr;  ///< Likewise: which task it is.
+};
+
+inline thread_local Flow flow;
+
+/// Counts one call.
+class InCall {
+ public:
+  InCall() { ++flow.calls; }
+  ~InCall() { --flow.calls; }
+  InCall(const InCall&) = delete;
+  InCall& operator=(const InCall&) = delete;
+};
+
+/// In a call, where the robot's program goes on: in its timers' functions, or where its threads wait
+/// for each other.
+class OutOfCall {
+ public:
+  OutOfCall() : depth_(flow.calls) { flow.calls = 0; }
+  ~OutOfCall() { flow.calls = depth_; }
+  OutOfCall(const OutOfCall&) = delete;
+  OutOfCall& operator=(const OutOfCall&) = delete;
+
+ private:
+  const int depth_;
+};
+
+}  // namespace eyebridge::robios
