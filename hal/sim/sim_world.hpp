@@ -32,6 +32,11 @@ class SimWorld {
     return std::forward<Body>(body)(simulation_);
   }
 
+  /// True while one of the others runs. For signal handlers, too.
+  [[nodiscard]] bool is_locked() {
+    const std::unique_lock lock(mutex_, std::try_to_lock);
+    return !lock.owns_lock();
+  }
   /// One step, and its trace point.
   void step();
   /// Tells `sink` of `robot` after every step from now on; null ends it.
