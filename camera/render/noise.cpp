@@ -56,11 +56,13 @@ void add_salt_and_pepper(double fraction, Random& random, Frame& frame) {
 void NoiseMaker::apply(const ImageNoise& noise, Frame& frame) {
   // By time: the sequence begins again with every source that is opened.
   Random random(noise.seed, static_cast<std::uint64_t>(frame.time.count()));
-  if (noise.sigma > 0.0) {
+  if (noise.error.sigma > 0.0) {
     if (normal_.empty()) normal_ = normal_table();
-    add_gaussian(normal_, static_cast<float>(noise.sigma), random, frame);
+    add_gaussian(normal_, static_cast<float>(noise.error.sigma), random, frame);
   }
-  if (noise.salt_and_pepper > 0.0) add_salt_and_pepper(noise.salt_and_pepper, random, frame);
+  if (noise.error.salt_and_pepper > 0.0) {
+    add_salt_and_pepper(noise.error.salt_and_pepper, random, frame);
+  }
 }
 
 }  // namespace eyebridge::camera

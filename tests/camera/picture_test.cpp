@@ -139,7 +139,7 @@ TEST(Convert, FitEnlargesByRepeating) {
 TEST(Noise, GaussianNoiseHasTheSigmaAskedFor) {
   Frame frame = make_frame(320, 240, PixelFormat::Rgb24);
   std::fill(frame.bytes.begin(), frame.bytes.end(), std::uint8_t{128});
-  NoiseMaker().apply({0.0, 8.0, 3}, frame);
+  NoiseMaker().apply({{0.0, 8.0}, 3}, frame);
   double sum = 0.0;
   double squares = 0.0;
   for (const std::uint8_t byte : frame.bytes) {
@@ -154,7 +154,7 @@ TEST(Noise, GaussianNoiseHasTheSigmaAskedFor) {
 TEST(Noise, SaltAndPepperTurnsTheFractionAskedFor) {
   Frame frame = make_frame(320, 240, PixelFormat::Rgb24);
   std::fill(frame.bytes.begin(), frame.bytes.end(), std::uint8_t{128});
-  NoiseMaker().apply({0.1, 0.0, 3}, frame);
+  NoiseMaker().apply({{0.1}, 3}, frame);
   int black = 0;
   int white = 0;
   for (std::size_t i = 0; i < frame.bytes.size(); i += 3) {

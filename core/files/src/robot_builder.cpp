@@ -104,7 +104,8 @@ void RobotBuilder::read_error(const Statement& s) {
   };
   if (kind == "psd" || kind == "lidar") {
     expect(2, kind + " sigma_mm percent");
-    robot::GaussianError& error = kind == "psd" ? psd_error_ : lidar_error_;
+    robot::GaussianError& error =
+        kind == "psd" ? static_cast<robot::GaussianError&>(psd_error_) : lidar_error_;
     error.sigma = s.millimetres(2, "sigma", 0, 1e5);
     error.sigma_relative = fraction(3, "the percentage");
   } else if (kind == "drive") {
@@ -207,12 +208,12 @@ robot::RobotModel RobotBuilder::finish() {
       psd.max_range = psd_range_->second;
     }
   }
-  for (robot::ProximityModel& ir : model_.proximity_sensors) ir.flip_probability = ir_flip_;
-  for (robot::BumperModel& bumper : model_.bumpers) bumper.miss_probability = bump_miss_;
+  for (robot::ProximityModel& ir : model_.proximity_sensors) ir.error.flip = ir_flip_;
+  for (robot::BumperModel& bumper : model_.bumpers) bumper.error.miss = bump_miss_;
   if (model_.lidar) model_.lidar->error = lidar_error_;
   if (model_.camera) {
-    model_.camera->salt_and_pepper = camera_salt_;
-    model_.camera->sigma = camera_sigma_;
+    model_.camera->error.salt_and_pepper = camera_salt_;
+    model_.camera->error.sigma = camera_sigma_;
   }
   return std::move(model_);
 }

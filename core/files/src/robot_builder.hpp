@@ -51,8 +51,8 @@ class RobotBuilder {
   std::vector<Id> ir_ids_;
   std::vector<Id> bump_ids_;
   std::optional<std::pair<double, double>> psd_range_;
-  robot::GaussianError psd_error_;
-  robot::GaussianError lidar_error_;
+  robot::RangeError psd_error_;
+  robot::LidarError lidar_error_;
   double ir_flip_ = 0;
   double bump_miss_ = 0;
   double camera_salt_ = 0;
