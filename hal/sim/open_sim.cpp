@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "eyebridge/files/load.hpp"
+#include "sim/error_settings.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -17,7 +18,19 @@ files::Scenario empty_room(const Config& config) {
   return scenario;
 }
 
+files::Scenario named_world(const Config& config) {
+  if (!config.is_set("world")) return empty_room(config);
+  const auto& robot = config.value("robot");
+  return files::load_scenario(config.path("world"), robot.text, {}, robot.where);
+}
+
 }  // namespace
+
+files::Scenario configured_scenario(const Config& config) {
+  files::Scenario scenario = named_world(config);
+  apply_error_settings(config, scenario);
+  return scenario;
+}
 
 std::unique_ptr<Backend> open_sim(const BackendUrl& url, const BackendContext& context) {
   const Config& config = context.config;
@@ -26,13 +39,9 @@ std::unique_ptr<Backend> open_sim(const BackendUrl& url, const BackendContext& c
         config.value("hal").where,
         fmt::format("found '{}', expected sim alone: --world names the world", config.text("hal")));
   }
-  if (!config.is_set("world")) {
-    return open_scenario(empty_room(config), {"the empty room"}, context);
-  }
-  const auto path = config.path("world");
-  const auto& robot = config.value("robot");
-  return open_scenario(files::load_scenario(path, robot.text, {}, robot.where), {path.string()},
-                       context);
+  const SourceLocation where{config.is_set("world") ? config.path("world").string()
+                                                    : "the empty room"};
+  return open_scenario(configured_scenario(config), where, context);
 }
 
 }  // namespace eyebridge::hal

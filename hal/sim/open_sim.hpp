@@ -11,6 +11,9 @@ namespace eyebridge::hal {
 /// an empty room. Throws ConfigError.
 std::unique_ptr<Backend> open_sim(const BackendUrl& url, const BackendContext& context);
 
+/// The scenario that the configuration names, or an empty room; with the errors that it sets.
+files::Scenario configured_scenario(const Config& config);
+
 /// The same for a scenario at hand, named `where` in messages.
 std::unique_ptr<Backend> open_scenario(files::Scenario scenario, const SourceLocation& where,
                                        const BackendContext& context);

@@ -148,7 +148,7 @@ TEST(Robi, EveryMistakeIsNamedWithItsPlace) {
        "r.robi:1:7: unknown drive 'HOVERCRAFT': expected DIFFERENTIAL_DRIVE, "
        "ACKERMANN_DRIVE or OMNI_DRIVE"},
       {"error psi 1 2", "r.robi:1:7: unknown error model 'psi': expected 'psd'?"},
-      {"error encoder rounded", "r.robi:1:15: 'rounded' found: expected 'quantised'"},
+      {"error encoder rounded", "r.robi:1:15: 'rounded' found: expected quantised or miss"},
       {"diameter -5", "r.robi:1:10: the diameter is -5: expected 1 to 10000"},
       {"diameter nan", "r.robi:1:10: 'nan' found: expected the diameter, a number"},
       {"name R\n fisheye 100", "r.robi:2:2: fisheye without camera: expected a 'camera' line"},
