@@ -1,6 +1,7 @@
-#include "render/noise.hpp"
+#include "src/frame_errors.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "eyebridge/base/random.hpp"
@@ -11,6 +12,9 @@ namespace {
 constexpr std::size_t kTableSize = 1U << 14U;
 constexpr unsigned kTableBits = 14;
 constexpr int kIndicesPerDraw = 64 / kTableBits;
+constexpr double kBlurWidth = 320;  // pixels of a picture that `blur` is given for
+constexpr std::uint64_t kExposureStream = 0x6578'706F'7375'7265;
+constexpr std::uint64_t kColourStream = 0x636F'6C6F'7572'6564;
 
 std::vector<float> normal_table() {
   Random random(0x6E6F726D616C);
@@ -51,17 +55,47 @@ void add_salt_and_pepper(double fraction, Random& random, Frame& frame) {
   }
 }
 
+/// EyeSim's "100s & 1000s": each pixel with probability `fraction` of a colour that is evenly
+/// spread.
+void add_coloured(double fraction, Random& random, Frame& frame) {
+  for (std::size_t at = 0; at + 2 < frame.bytes.size(); at += 3) {
+    if (!random.chance(fraction)) continue;
+    std::uint64_t bits = random.bits();
+    for (std::size_t channel = 0; channel < 3; ++channel, bits >>= 8U) {
+      frame.bytes[at + channel] = static_cast<std::uint8_t>(bits & 0xFFU);
+    }
+  }
+}
+
+void expose(double gain, Frame& frame) {
+  std::array<std::uint8_t, 256> exposed{};
+  for (std::size_t i = 0; i < exposed.size(); ++i) {
+    exposed[i] = static_cast<std::uint8_t>(
+        std::clamp(std::floor(static_cast<double>(i) * gain + 0.5), 0.0, 255.0));
+  }
+  for (std::uint8_t& byte : frame.bytes) byte = exposed[byte];
+}
+
 }  // namespace
 
-void NoiseMaker::apply(const ImageNoise& noise, Frame& frame) {
-  // By time: the sequence begins again with every source that is opened.
-  Random random(noise.seed, static_cast<std::uint64_t>(frame.time.count()));
-  if (noise.error.sigma > 0.0) {
-    if (normal_.empty()) normal_ = normal_table();
-    add_gaussian(normal_, static_cast<float>(noise.error.sigma), random, frame);
+void FrameErrors::apply(const ImageNoise& noise, std::uint64_t moment, Frame& frame) {
+  const robot::CameraError& error = noise.error;
+  if (error.perfect()) return;
+  if (error.blur > 0.0) blur_.apply(error.blur * frame.width / kBlurWidth, frame);
+  if (error.exposure != 0.0 || error.exposure_sigma > 0.0) {
+    Random random(noise.seed ^ kExposureStream, moment);
+    const double flicker = error.exposure_sigma > 0.0 ? random.gaussian() : 0.0;
+    expose(std::exp2(error.exposure + error.exposure_sigma * flicker), frame);
   }
-  if (noise.error.salt_and_pepper > 0.0) {
-    add_salt_and_pepper(noise.error.salt_and_pepper, random, frame);
+  Random random(noise.seed, moment);
+  if (error.sigma > 0.0) {
+    if (normal_.empty()) normal_ = normal_table();
+    add_gaussian(normal_, static_cast<float>(error.sigma), random, frame);
+  }
+  if (error.salt_and_pepper > 0.0) add_salt_and_pepper(error.salt_and_pepper, random, frame);
+  if (error.coloured > 0.0) {
+    Random colours(noise.seed ^ kColourStream, moment);
+    add_coloured(error.coloured, colours, frame);
   }
 }
 
