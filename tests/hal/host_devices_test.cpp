@@ -62,11 +62,11 @@ class HostDevicesTest : public ::testing::Test {
   Rig robot() {
     Rig rig = lockstep_rig(facing(1.0));
     Clock& clock = rig.backend->clock();
-    const auto medium = std::make_shared<RadioMedium>(RadioErrors{});
-    other_ = make_medium_radio(medium, 2, clock);
+    const auto medium = std::make_shared<RadioMedium>();
+    other_ = make_medium_radio(medium, 2, {}, clock);
     EXPECT_TRUE(other_->start());
     HostDevices devices;
-    devices.radio = make_medium_radio(medium, 1, clock);
+    devices.radio = make_medium_radio(medium, 1, {}, clock);
     devices.sound = make_silent_sound(clock);
     devices.serial_ports.emplace(0, std::make_unique<Echoing>());
     rig.backend = with_host(std::move(rig.backend), std::move(devices));

@@ -19,9 +19,9 @@ using ::testing::IsEmpty;
 /// Robots 1, 2 and 3 on one clock.
 class RadioMediumTest : public ::testing::Test {
  protected:
-  explicit RadioMediumTest(const RadioErrors& errors = {})
-      : medium_(std::make_shared<RadioMedium>(errors)) {
-    for (const int id : {1, 2, 3}) radios_.push_back(make_medium_radio(medium_, id, clock_));
+  explicit RadioMediumTest(const RadioErrors& errors = {}) : errors_(errors) {
+    for (const int id : {1, 2, 3})
+      radios_.push_back(make_medium_radio(medium_, id, errors_, clock_));
   }
   Radio& robot(int id) { return *radios_[static_cast<std::size_t>(id) - 1]; }
   void all_on() {
@@ -37,7 +37,8 @@ class RadioMediumTest : public ::testing::Test {
   }
 
   LockstepClock clock_{10ms, [] {}};
-  std::shared_ptr<RadioMedium> medium_;
+  const RadioErrors errors_;
+  std::shared_ptr<RadioMedium> medium_ = std::make_shared<RadioMedium>();
   std::vector<std::unique_ptr<Radio>> radios_;
 };
 
@@ -109,10 +110,11 @@ TEST_F(SlowRadio, AMessageTakesItsTime) {
 /// Which of 200 messages from 1 to 2 arrive.
 std::vector<std::string> arrivals(std::uint64_t seed, bool with_another_sender) {
   LockstepClock clock(10ms, [] {});
-  const auto medium = std::make_shared<RadioMedium>(RadioErrors{0.3, Time{0}, seed});
-  const auto one = make_medium_radio(medium, 1, clock);
-  const auto two = make_medium_radio(medium, 2, clock);
-  const auto three = make_medium_radio(medium, 3, clock);
+  const RadioErrors errors{0.3, Time{0}, seed};
+  const auto medium = std::make_shared<RadioMedium>();
+  const auto one = make_medium_radio(medium, 1, errors, clock);
+  const auto two = make_medium_radio(medium, 2, errors, clock);
+  const auto three = make_medium_radio(medium, 3, errors, clock);
   for (const auto* radio : {&one, &two, &three}) EXPECT_TRUE((*radio)->start());
   for (int i = 0; i < 200; ++i) {
     EXPECT_TRUE(one->send(2, std::to_string(i)));
@@ -169,6 +171,10 @@ TEST(RadioSettings, SayWhoIsReached) {
   EXPECT_EQ(udp.id, 2);
   EXPECT_EQ(udp.loss, 0.125);
   EXPECT_EQ(udp.delay, Time(20ms));
+  const RadioSetting bad = parse_radio("world?jitter=5ms&corrupt=1%&range=4.5m", {});
+  EXPECT_EQ(bad.jitter, Time(5ms));
+  EXPECT_EQ(bad.corrupt, 0.01);
+  EXPECT_EQ(bad.range, 4.5);
 }
 
 TEST(RadioSettings, MistakesAreNamed) {
@@ -186,7 +192,11 @@ TEST(RadioSettings, MistakesAreNamed) {
       {"world?loss=101%", "a share of the messages"},
       {"world?loss=1%%", "a share of the messages"},
       {"world?loss=%", "a share of the messages"},
-      {"world?delay=2h", "at most an hour"},
+      {"world?delay=2h", "at most an hour for 'delay'"},
+      {"world?jitter=2h", "at most an hour for 'jitter'"},
+      {"world?corrupt=2", "a share of the messages"},
+      {"world?range=-1m", "metres, 0 (no limit) to 1e6"},
+      {"udp:239.192.7.1:7007?range=1m", "of world: range"},
       {"world?interface=127.0.0.1", "one of the options"},
       {"udp:239.192.7.1:7007?interface=lo", "an IPv4 address"},
       {"world?speed=9", "one of the options"}};
