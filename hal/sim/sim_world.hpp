@@ -42,7 +42,7 @@ class SimWorld {
   /// Tells `sink` of `robot` after every step from now on; null ends it.
   void trace_to(TraceSink* sink, robot::RobotIndex robot);
 
-  /// Never changes; needs no lock.
+  /// Never changes, but for its errors; needs no lock.
   [[nodiscard]] const robot::RobotModel& model(robot::RobotIndex robot) const;
   [[nodiscard]] const std::string& directory() const { return directory_; }
 
