@@ -63,7 +63,8 @@ BumpHandle BUMPInit(DeviceSemantics semantics) {
       hal::SwitchSensor* const sensor = session.backend().bumper(id);
       if (sensor == nullptr) return no_switch(semantics);
       const std::lock_guard lock(switch_mutex);
-      if (!bumpers_watched) session.timers().attach(robios::classic::kTick, session.bound(look_at_bumpers));
+      if (!bumpers_watched)
+        session.timers().attach(robios::classic::kTick, session.bound(look_at_bumpers));
       bumpers_watched = true;
       // What it touches now it has not hit.
       return bumpers.open(id, {sensor, sensor->read().value_or(false), false, Time(0)});

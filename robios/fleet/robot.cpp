@@ -23,9 +23,8 @@ constexpr int kCannotRun = 126;  // as shells say it
 void Robot::begin(const hal::Config& config, const hal::Seat& seat,
                   const std::filesystem::path& out) {
   world_ = seat.world;
-  session_ = Session::begin(
-      {config, seat, this, fmt::format("robot {}", index_ + 1),
-       out.empty() ? out : out / fmt::format("robot-{}", index_ + 1)});
+  session_ = Session::begin({config, seat, this, fmt::format("robot {}", index_ + 1),
+                             out.empty() ? out : out / fmt::format("robot-{}", index_ + 1)});
 }
 
 void Robot::run() {

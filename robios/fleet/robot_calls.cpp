@@ -19,9 +19,7 @@ int turns() {
   return strands->any() ? EYEBRIDGE_IN_LIBRARY : EYEBRIDGE_NO_TURNS;
 }
 
-long long now() {
-  return Session::here()->clock().now() / std::chrono::nanoseconds(1);
-}
+long long now() { return Session::here()->clock().now() / std::chrono::nanoseconds(1); }
 
 }  // namespace
 

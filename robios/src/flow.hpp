@@ -7,8 +7,8 @@ namespace eyebridge::robios {
 struct Flow {
   /// Calls of the API that it is in: a crash there may have left something locked.
   int calls = 0;
-  bool in_timer = false;         ///< It runs the function of a timer.
-  int kernel_calls = 0;          ///< Of classic RoBIOS's multitasking.
+  bool in_timer = false;        ///< It runs the function of a timer.
+  int kernel_calls = 0;         ///< Of classic RoBIOS's multitasking.
   void* kernel_task = nullptr;  ///< Likewise: which task it is.
 };
 
@@ -23,8 +23,8 @@ class InCall {
   InCall& operator=(const InCall&) = delete;
 };
 
-/// In a call, where the robot's program goes on: in its timers' functions, or where its threads wait
-/// for each other.
+/// In a call, where the robot's program goes on: in its timers' functions, or where its threads
+/// wait for each other.
 class OutOfCall {
  public:
   OutOfCall() : depth_(flow.calls) { flow.calls = 0; }

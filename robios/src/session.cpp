@@ -114,8 +114,7 @@ bool Session::may_call(std::string_view call) const {
   if (stage == Impl::Stage::Beginning) {
     impl_->runner->arrive();
     auto beginning = Impl::Stage::Beginning;
-    return impl_->stage.compare_exchange_strong(beginning, Impl::Stage::Running) ||
-           may_call(call);
+    return impl_->stage.compare_exchange_strong(beginning, Impl::Stage::Running) || may_call(call);
   }
   if (impl_->runner != nullptr && !impl_->claim_end()) impl_->runner->hold_thread();
   return false;

@@ -88,9 +88,8 @@ class Session {
     struct Part : OwnPart {
       Value value{};
     };
-    OwnPart& part = own_part(typeid(Value), []() -> std::unique_ptr<OwnPart> {
-      return std::make_unique<Part>();
-    });
+    OwnPart& part = own_part(typeid(Value),
+                             []() -> std::unique_ptr<OwnPart> { return std::make_unique<Part>(); });
     return static_cast<Part&>(part).value;
   }
   /// Where this robot's program has its copy of the variable `name` of ours; null when the
