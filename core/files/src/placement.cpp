@@ -84,7 +84,7 @@ std::string Placer::obstacle_at(Vec2 centre, double radius) const {
     return "the " + scenario_.models[robot->model].name + " at " + at(robot->pose.position());
   }
   for (const world::ObjectSpec& object : scenario_.world.objects) {
-    if (norm(centre - object.pose.position()) < radius + object.radius - kSlack) {
+    if (world::rim_distance(object, centre) < radius - kSlack) {
       return "the " + object.name + " at " + at(object.pose.position());
     }
   }

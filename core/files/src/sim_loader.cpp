@@ -7,6 +7,7 @@
 #include "builtin.hpp"
 #include "eyebridge/files/readers.hpp"
 #include "ground.hpp"
+#include "object_lines.hpp"
 #include "placement.hpp"
 #include "search.hpp"
 #include "text.hpp"
@@ -98,6 +99,7 @@ class SimLoader {
     }
     world::ObjectSpec object = found->second;
     object.pose = *line.pose;
+    apply(line.traits, object);
     scenario_.world.objects.push_back(object);
     return true;
   }
@@ -135,6 +137,11 @@ class SimLoader {
   }
 
   void place_robot(const SimRobot& line) {
+    if (line.traits.any) {
+      throw ConfigError(line.traits.where,
+                        "a robot stands before this: expected the line of an "
+                        "object, whose mass, friction, ... it says");
+    }
     const std::size_t model = model_of(line);
     if (line.start) {
       placer_->place(model, start_pose(line), line.where);

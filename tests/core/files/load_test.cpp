@@ -162,6 +162,37 @@ TEST(Load, CustomObjectsArePlacedLikeRobots) {
   EXPECT_EQ(scenario.robots.size(), 1u);
 }
 
+TEST(Load, AnObjectOfOneBoxIsABoxAndBehavesAsItsFileAndItsLinesSay) {
+  const Folder folder;
+  folder.write("bin.esObj",
+               "obj bin.obj\nmass 2 0 0 0\nfriction 0.3\nfixed\n"
+               "collider box 0 100 0 300 200 500\n");
+  folder.write("a.wld", kRoom);
+  const auto scenario = load_scenario(folder.write(
+      "a.sim", "world a.wld\nobject bin.esObj\nS4 500 500 0\nBin 1500 1500 90\nfriction 0.7\n"));
+  ASSERT_EQ(scenario.world.objects.size(), 1u);
+  const world::ObjectSpec& bin = scenario.world.objects[0];
+  EXPECT_EQ(bin.kind, world::ObjectKind::Box);
+  EXPECT_DOUBLE_EQ(bin.size.x, 0.5) << "z is ahead";
+  EXPECT_DOUBLE_EQ(bin.size.y, 0.3);
+  EXPECT_EQ(bin.matter, (world::Matter{2.0, 0.7, std::nullopt, true}));
+}
+
+TEST(Load, WhatIsSaidOfObjectsIsNotSaidOfRobots) {
+  const Folder folder;
+  EXPECT_THAT(
+      load_error(folder.write("a.sim", "world empty-room.wld\nS4 500 500 0\nfriction 0.3\n")),
+      HasSubstr("a.sim:3:1: a robot stands before this: expected the line of an object"));
+}
+
+TEST(Load, ARobotBesideABoxStandsFreeAndOneInItDoesNot) {
+  const Folder folder;
+  const std::string room = "world empty-room.wld\nbox 1000 1000 0 400 100\n";
+  EXPECT_EQ(load_scenario(folder.write("a.sim", room + "S4 1000 850 0\n")).robots.size(), 1u);
+  EXPECT_THAT(load_error(folder.write("b.sim", room + "S4 1000 900 0\n")),
+              HasSubstr("stands in the box at (1000, 1000) mm"));
+}
+
 TEST(Load, FilesAreSearchedBesideInTheHomeAndAmongOurWorlds) {
   const Folder folder;
   folder.write("sim/worlds/room.wld", kRoom);

@@ -40,12 +40,14 @@ struct MoveResult {
 
 /// Walls and bodies: who is where, who touches whom, how far a ray goes.
 ///
-/// Bodies are discs; state is struct-of-arrays. A driven body stops at the contact without sliding,
-/// as in EyeSim; balls and cans give way. Same calls, same bits: nothing here depends on addresses,
-/// threads or libm. Not thread-safe.
+/// Robots, balls and cans are discs, boxes rectangles that do not turn; state is struct-of-arrays.
+/// A driven body stops at the contact without sliding, as in EyeSim; objects give way unless they
+/// are fixed. Same calls, same bits: nothing here depends on addresses, threads or libm. Not
+/// thread-safe.
 class World {
  public:
-  /// Adds the model's objects as the first bodies, in order.
+  /// Adds the model's objects as the first bodies, in order. Throws std::invalid_argument for one
+  /// that cannot be: without size or mass, with a negative friction or a restitution above 1.
   explicit World(std::shared_ptr<const WorldModel> model);
   ~World();
   World(World&&) noexcept;
@@ -61,7 +63,12 @@ class World {
   [[nodiscard]] Pose pose(BodyId id) const;
   [[nodiscard]] Vec2 position(BodyId id) const;
   [[nodiscard]] Heading heading(BodyId id) const;
+  /// Metres; of a box, that of the disc that covers it.
   [[nodiscard]] double radius(BodyId id) const;
+  /// Metres per second, of what rolls or slides by itself; null for all others.
+  [[nodiscard]] Vec2 velocity(BodyId id) const;
+  /// Kicks what rolls or slides by itself; does nothing to others. `velocity` is finite.
+  void set_velocity(BodyId id, Vec2 velocity);
   /// Puts a body somewhere, at rest. No check: a person may put it into a wall.
   void set_pose(BodyId id, const Pose& pose);
 
@@ -69,12 +76,13 @@ class World {
   ///
   /// A motion away from what the body touches, or parallel to it, is free; so is a turn on the
   /// spot. The heading turns by the fraction of `arc.turn` that was driven. Within a wall (a person
-  /// put it there) only motions that lead out are possible. Balls and cans on the way are pushed
-  /// along the line of centres, and slip aside when they are squeezed against a wall or a robot not
-  /// too steeply; `dt` is the duration of the step in seconds, from which balls get
-  /// their speed. `arc` is finite.
+  /// put it there) only motions that lead out are possible. Objects on the way are pushed along the
+  /// normal of the contact (of discs: the line of centres), and slip aside when they are squeezed
+  /// against a wall or a robot not too steeply; `dt` is the duration of the step in seconds, from
+  /// which what rolls or slides gets its speed. `arc` is finite.
   MoveResult move(BodyId id, const Arc& arc, double dt);
-  /// Rolls balls and settles cans for `dt` seconds; called once a step, after the robots moved.
+  /// Rolls balls, and lets slide what slides, for `dt` seconds; called once a step, after the
+  /// robots moved.
   void step_objects(double dt);
 
   /// Range from `origin` along the unit vector `direction` to the nearest wall or body other than
