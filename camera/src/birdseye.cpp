@@ -64,8 +64,8 @@ void draw_box(Canvas& canvas, const world::BodyView& body) {
     return body.pose.position() + heading.rotate({x * body.size.x / 2, y * body.size.y / 2});
   };
   const Vec2 corners[] = {corner(1, 1), corner(-1, 1), corner(-1, -1), corner(1, -1)};
-  canvas.triangle(corners[0], corners[1], corners[2], body.colour);
-  canvas.triangle(corners[0], corners[2], corners[3], body.colour);
+  const double width = std::max(canvas.to_pixels(body.size.y), Canvas::kThinLine);
+  canvas.line(corner(-1, 0), corner(1, 0), width, body.colour);
   for (std::size_t i = 0; i < 4; ++i) canvas.line(corners[i], corners[(i + 1) % 4], 1.0, kInk);
 }
 

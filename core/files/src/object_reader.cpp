@@ -92,7 +92,7 @@ world::ObjectSpec read_object(std::string_view text, const std::string& file,
       } else {
         warnings.add(s.line(), s.token(1).column, "mass 0 is ignored: expected more");
       }
-    } else if (is_object_trait(keyword)) {
+    } else if (is_object_trait(keyword) && keyword != "path") {  // which is of a place
       ObjectTraits traits;
       read_object_trait(s, traits);
       apply(traits, out);

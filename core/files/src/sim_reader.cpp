@@ -12,9 +12,9 @@ namespace eyebridge::files {
 namespace {
 
 constexpr std::size_t kMaxThings = 100000;
-constexpr std::array<std::string_view, 13> kSimKeywords = {
-    "world",  "maze", "robi", "robot", "obj",      "object",     "settings",
-    "marker", "box",  "mass", "fixed", "friction", "restitution"};
+constexpr std::array<std::string_view, 14> kSimKeywords = {
+    "world",  "maze", "robi", "robot", "obj",      "object",      "settings",
+    "marker", "box",  "mass", "fixed", "friction", "restitution", "path"};
 constexpr std::string_view kRobotForm = "NAME x y phi [program]' or 'NAME S [phi] [program]";
 
 bool is_start_letter(std::string_view word) {
@@ -85,6 +85,7 @@ class SimReader {
 
   void add(const world::ObjectSpec& object) {
     out_.objects.push_back(object);
+    out_.path_places.emplace_back();
     last_ = Last::Object;
   }
   void add(const SimRobot& robot) {
@@ -101,6 +102,7 @@ class SimReader {
     ObjectTraits traits;
     read_object_trait(s, traits);
     apply(traits, out_.objects.back());
+    if (traits.path) out_.path_places.back() = traits.path_where;
   }
 
   static std::string path(const Statement& s, std::size_t i) {

@@ -24,6 +24,8 @@ void check(const ObjectSpec& object) {
   check(object.kind != ObjectKind::Box || (object.size.x > 0.0 && object.size.y > 0.0),
         "object: length and width of a box must be positive");
   check(matter.mass > 0.0, "object: the mass must be positive");
+  check(!object.path || (object.path->speed > 0.0 && !object.path->points.empty()),
+        "object: a path needs a speed and points");
   check(!matter.friction || *matter.friction >= 0.0, "object: friction must not be negative");
   check(!matter.restitution || (*matter.restitution >= 0.0 && *matter.restitution <= 1.0),
         "object: restitution must be 0 to 1");
@@ -33,8 +35,8 @@ Response response_of(const ObjectSpec& object) {
   const Matter& matter = object.matter;
   const bool ball = object.kind == ObjectKind::Ball;
   Response out;
-  out.gives_way = !matter.fixed;
-  out.slides = !matter.fixed && (ball || matter.friction);
+  out.gives_way = !matter.fixed && !object.path;
+  out.slides = out.gives_way && (ball || matter.friction);
   out.mass = matter.mass;
   out.deceleration = matter.friction ? *matter.friction * kGravity : kRollingDeceleration;
   out.bounce = matter.restitution.value_or(ball ? kBounceRestitution : 0.0);
@@ -55,6 +57,7 @@ void World::Impl::add_object(const ObjectSpec& object) {
                                Heading::from_angle(object.pose.theta), object.outer_radius(),
                                object.height, object.colour);
   bodies.response_[id] = response_of(object);
+  if (object.path) add_mover(id, object);
   if (object.kind != ObjectKind::Box) return;
   bodies.half_[id] = 0.5 * object.size;
   bodies.any_box_ = true;

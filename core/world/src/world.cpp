@@ -99,6 +99,10 @@ void World::add_to(StateHash& hash) const {
     const Heading h = heading(id);
     for (const double value : {p.x, p.y, h.cos, h.sin, v.x, v.y}) hash.add(value);
   }
+  for (const Mover& mover : impl_->movers) {
+    hash.add(std::uint64_t{mover.target});
+    hash.add(std::uint64_t{mover.forward});
+  }
 }
 
 }  // namespace eyebridge::world

@@ -5,6 +5,7 @@
 
 #include "bodies.hpp"
 #include "eyebridge/world/world.hpp"
+#include "paths.hpp"
 #include "wall_index.hpp"
 
 namespace eyebridge::world {
@@ -51,6 +52,11 @@ struct World::Impl {
   /// Gives what slides the speed that a hit by something driven at `velocity` along `normal` gives.
   void kick(BodyId id, Vec2 velocity, Vec2 normal);
 
+  // paths.cpp
+  void add_mover(BodyId id, const ObjectSpec& object);
+  /// Moves it for `dt` seconds, or up to what stops it.
+  void follow(Mover& mover, double dt);
+
   // balls.cpp
   void roll(BodyId id, double dt);
   void bounce_off(BodyId id, const Obstacle& end);
@@ -68,6 +74,7 @@ struct World::Impl {
   WallIndex walls;
   RayCaster rays;
   Bodies bodies;
+  std::vector<Mover> movers;
 };
 
 /// Unit vector from `from` to `to`; null where they are one.

@@ -178,6 +178,23 @@ TEST(Load, AnObjectOfOneBoxIsABoxAndBehavesAsItsFileAndItsLinesSay) {
   EXPECT_EQ(bin.matter, (world::Matter{2.0, 0.7, std::nullopt, true}));
 }
 
+TEST(Load, APathMustBeFreeOfWalls) {
+  const Folder folder;
+  const std::string room = "world empty-room.wld\nS4 1800 1800 0\n";
+  const auto error = [&](const std::string& lines) {
+    return load_error(folder.write("a.sim", room + lines));
+  };
+  EXPECT_THAT(error("Can 500 500 0\npath 100 loop 500 1000 -500 1000\n"),
+              HasSubstr("a.sim:4:1: the path leads the can into the wall from (0, "));
+  EXPECT_THAT(error("box 500 500 45 200 100\npath 100 back 95 500\n"),
+              HasSubstr("the path leads the box into the wall"));
+  EXPECT_THAT(error("Can 500 500 0\npath 100 loop 500 500\n"),
+              HasSubstr("a.sim:4:1: the only way-point is where the can stands"));
+  const auto good = load_scenario(folder.write(
+      "b.sim", room + "box 500 500 0 200 100\npath 100 back 105 500\nCan 900 900 0\n"));
+  EXPECT_TRUE(good.world.objects[0].path);
+}
+
 TEST(Load, WhatIsSaidOfObjectsIsNotSaidOfRobots) {
   const Folder folder;
   EXPECT_THAT(

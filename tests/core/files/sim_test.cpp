@@ -93,6 +93,32 @@ TEST(Sim, LinesAfterAnObjectSayHowItBehaves) {
   EXPECT_EQ(sim.robots[0].traits.friction, 0.4);
 }
 
+TEST(Sim, ReadsPathsOfObjects) {
+  const auto sim = sim_of(
+      "Can 100 200 0\npath 150 loop 300 400\nbox 1 2 0 3 4\npath 0.5 BACK 1 2 3 4 1 2\nGolf 5 6 "
+      "7\n");
+  ASSERT_EQ(sim.objects.size(), 3u);
+  EXPECT_EQ(sim.objects[0].path, (world::Path{0.15, true, {{0.3, 0.4}}}));
+  EXPECT_EQ(sim.objects[1].path->loop, false);
+  EXPECT_EQ(sim.objects[1].path->points.size(), 3u);
+  EXPECT_EQ(sim.objects[2].path, std::nullopt);
+  ASSERT_EQ(sim.path_places.size(), 3u);
+  EXPECT_EQ(sim.path_places[1], (SourceLocation{"s.sim", 4, 1}));
+}
+
+TEST(Sim, MistakesAboutPathsAreNamed) {
+  const auto error = [](const std::string& line) {
+    return error_of([&] { sim_of("Can 1 2 0\n" + line); });
+  };
+  const std::string form = "expected 'path MM_PER_SECOND loop|back x1 y1 [x2 y2 ...]'";
+  EXPECT_EQ(error("path"), "s.sim:2:5: 'path' with 0 arguments: " + form);
+  EXPECT_EQ(error("path 100 loop 1 2 3"), "s.sim:2:20: 'path' with 5 arguments: " + form);
+  EXPECT_EQ(error("path 0 loop 1 2"), "s.sim:2:6: the speed is 0: expected 0.1 to 100000");
+  EXPECT_EQ(error("path 100 round 1 2"), "s.sim:2:10: 'round' found: expected 'loop' or 'back'");
+  EXPECT_EQ(error("path 100 loop 1 2 1 2"),
+            "s.sim:2:19: a way-point where the one before it is: expected another place");
+}
+
 TEST(Sim, MistakesAboutObjectsAreNamed) {
   const auto error = [](const std::string& text) { return error_of([&] { sim_of(text); }); };
   EXPECT_EQ(error("fixed\n"),
@@ -108,8 +134,7 @@ TEST(Sim, MistakesAboutObjectsAreNamed) {
   EXPECT_EQ(error("box 1 2 0 3"),
             "s.sim:1:12: 'box' with 4 arguments: expected 'box x y phi length width [height [red "
             "green blue]]'");
-  EXPECT_EQ(error("Can 1 2 0\nfixd"),
-            "s.sim:2:1: unknown keyword 'fixd': expected 'fixed'?");
+  EXPECT_EQ(error("Can 1 2 0\nfixd"), "s.sim:2:1: unknown keyword 'fixd': expected 'fixed'?");
 }
 
 TEST(Sim, EveryMistakeIsNamed) {

@@ -67,6 +67,8 @@ struct ObjectTraits {
   std::optional<double> friction{};     ///< Coefficient.
   std::optional<double> restitution{};  ///< 0 ... 1.
   bool fixed = false;
+  std::optional<world::Path> path{};
+  SourceLocation path_where;
 };
 
 /// One robot line of a `.sim`, before its model and its start letter are looked up.
@@ -87,6 +89,8 @@ struct SimFile {
   std::vector<std::pair<std::string, SourceLocation>> object_files;
   std::vector<SimRobot> robots;
   std::vector<world::ObjectSpec> objects;
+  std::vector<SourceLocation>
+      path_places;  ///< Of each of `objects`; of those without a path: none.
   std::vector<world::Marker> markers;
   bool show_sensors = false;
   bool show_trail = false;

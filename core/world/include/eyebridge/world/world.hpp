@@ -69,7 +69,8 @@ class World {
   [[nodiscard]] Vec2 velocity(BodyId id) const;
   /// Kicks what rolls or slides by itself; does nothing to others. `velocity` is finite.
   void set_velocity(BodyId id, Vec2 velocity);
-  /// Puts a body somewhere, at rest. No check: a person may put it into a wall.
+  /// Puts a body somewhere, at rest. No check: a person may put it into a wall. One on a path goes
+  /// on from there to the point that it was heading for.
   void set_pose(BodyId id, const Pose& pose);
 
   /// Drives `id` along the chord of `arc`, up to the first contact that does not give way.
@@ -81,8 +82,8 @@ class World {
   /// against a wall or a robot not too steeply; `dt` is the duration of the step in seconds, from
   /// which what rolls or slides gets its speed. `arc` is finite.
   MoveResult move(BodyId id, const Arc& arc, double dt);
-  /// Rolls balls, and lets slide what slides, for `dt` seconds; called once a step, after the
-  /// robots moved.
+  /// Moves what is on a path, rolls balls, and lets slide what slides, for `dt` seconds; called
+  /// once a step, after the robots moved.
   void step_objects(double dt);
 
   /// Range from `origin` along the unit vector `direction` to the nearest wall or body other than

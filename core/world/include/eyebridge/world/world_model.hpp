@@ -48,7 +48,17 @@ struct Matter {
   friend bool operator==(const Matter&, const Matter&) = default;
 };
 
-/// A thing that robots meet, and push unless it is fixed.
+/// A way on which an object moves by itself: straight from its place to the first point, and so on.
+/// It keeps its heading, pushes what gives way, and waits where a robot or a wall stops it.
+struct Path {
+  double speed = 0.1;  ///< Metres per second, > 0.
+  bool loop = true;    ///< From the last point to its first place; else it comes back as it went.
+  std::vector<Vec2> points;  ///< In the world, metres; one at least.
+
+  friend bool operator==(const Path&, const Path&) = default;
+};
+
+/// A thing that robots meet, and push unless it is fixed or on a path.
 struct ObjectSpec {
   ObjectKind kind = ObjectKind::Ball;
   std::string name = "ball";  ///< As the file calls it, lower case: "golf", "soccer", "can".
@@ -58,6 +68,7 @@ struct ObjectSpec {
   Rgb colour{255, 140, 0};
   Vec2 size{};  ///< Of a box: length along its heading and width, metres, > 0.
   Matter matter;
+  std::optional<Path> path{};
 
   /// Of the disc about its centre that covers it, metres.
   [[nodiscard]] double outer_radius() const;
@@ -115,5 +126,9 @@ std::vector<Wall> walls_of(const MazeGrid& maze);
 
 /// Distance from `p` to the rim of `object`, metres; less than 0, or 0, within it.
 double rim_distance(const ObjectSpec& object, Vec2 p);
+
+/// Index of a wall of `model` that `object` would meet on its path, which it has; nothing when
+/// there is none.
+std::optional<std::size_t> wall_on_path(const WorldModel& model, const ObjectSpec& object);
 
 }  // namespace eyebridge::world
