@@ -24,8 +24,9 @@ namespace eyebridge::hal {
 class SimBackend final : public Backend {
  public:
   /// `clock` steps `world`. The robot has the devices of its model, a compass, two motors with
-  /// encoders (1 left, 2 right), two servos (1 pan, 2 tilt), digital lines, and analog inputs with
-  /// a battery of `supply_voltage` volts. It has no I/O board and nothing of a computer.
+  /// encoders (1 left, 2 right), two servos (1 pan, 2 tilt; and a kicker's), digital lines, and
+  /// analog inputs with a battery of `supply_voltage` volts. It has no I/O board and nothing of a
+  /// computer.
   SimBackend(std::unique_ptr<SimWorld> world, std::unique_ptr<Clock> clock, robot::RobotIndex robot,
              double supply_voltage);
 

@@ -42,6 +42,8 @@ class SimWorld {
 
  private:
   void trace();
+  /// Called from a step: mutex_ is held.
+  void tell(const robot::CollisionEvent& event, LogSink& log) const;
 
   const std::string directory_;
   const Time step_length_;

@@ -27,6 +27,7 @@ void World::Impl::roll(BodyId id, double dt) {
     }
     travel(id, end.fraction * motion);
     left -= end.fraction * left;
+    note(id, end);
     bounce_off(id, end);
   }
   const double after = norm(bodies.velocity(id));
@@ -65,6 +66,7 @@ void World::step_objects(double dt) {
   for (BodyId id = 0; id < impl_->bodies.size(); ++id) {
     if (impl_->bodies.response_[id].slides) impl_->roll(id, dt);
   }
+  impl_->contacts.end_step([&](BodyId id, BodyId other) { return impl_->gap(id, other); });
 }
 
 }  // namespace eyebridge::world

@@ -85,6 +85,7 @@ double World::Impl::shift(BodyId id, Vec2 motion, double dt, int depth) {
   }
   const double before = first.fraction;
   travel(id, before * motion);
+  note(id, first);
   if (first.wall || !gives_way(first.body)) {
     return slip(id, (1.0 - before) * motion, towards(first, id)) ? 1.0 : before;
   }
@@ -127,6 +128,7 @@ MoveResult World::Impl::drive(BodyId id, Vec2 motion, double dt) {
       travel(id, pushed.fraction * rest);
       done += pushed.fraction * (1.0 - done);
       rest = (1.0 - pushed.fraction) * rest;
+      note(id, pushed);
       const Vec2 normal = towards(pushed, id);
       if (bodies.response_[pushed.body].slides && dt > 0.0) {
         kick(pushed.body, (1.0 / dt) * motion, normal);
@@ -145,7 +147,8 @@ MoveResult World::Impl::drive(BodyId id, Vec2 motion, double dt) {
   }
 }
 
-MoveResult World::Impl::stopped(BodyId id, double fraction, const Obstacle& end) const {
+MoveResult World::Impl::stopped(BodyId id, double fraction, const Obstacle& end) {
+  note(id, end);
   return {fraction, end.wall, end.body, towards(end, id)};
 }
 

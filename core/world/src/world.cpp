@@ -63,6 +63,7 @@ Pose World::pose(BodyId id) const {
 Vec2 World::position(BodyId id) const { return impl_->bodies.position(id); }
 Heading World::heading(BodyId id) const { return {impl_->bodies.cos_[id], impl_->bodies.sin_[id]}; }
 double World::radius(BodyId id) const { return impl_->bodies.radius_[id]; }
+bool World::gives_way(BodyId id) const { return impl_->gives_way(id); }
 Vec2 World::velocity(BodyId id) const { return impl_->bodies.velocity(id); }
 
 void World::set_velocity(BodyId id, Vec2 velocity) {
@@ -77,6 +78,7 @@ void World::set_pose(BodyId id, const Pose& pose) {
   bodies.sin_[id] = heading.sin;
   bodies.set_velocity(id, {});
   bodies.clearance_[id] = 0.0;
+  impl_->contacts.forget(id);
 }
 
 const WorldModel& World::model() const { return *impl_->model; }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "bodies.hpp"
+#include "contacts.hpp"
 #include "eyebridge/world/world.hpp"
 #include "paths.hpp"
 #include "wall_index.hpp"
@@ -29,7 +30,7 @@ struct World::Impl {
   // motion.cpp
   MoveResult drive(BodyId id, Vec2 motion, double dt);
   /// The result of a drive that ended at `end` after `fraction` of the motion.
-  [[nodiscard]] MoveResult stopped(BodyId id, double fraction, const Obstacle& end) const;
+  MoveResult stopped(BodyId id, double fraction, const Obstacle& end);
   /// First wall on the way of `id` along `motion`. Keeps the clearance; the caller must go on to
   /// travelled() for the way that the body really goes.
   Obstacle first_wall(BodyId id, Vec2 motion);
@@ -57,6 +58,13 @@ struct World::Impl {
   /// Moves it for `dt` seconds, or up to what stops it.
   void follow(Mover& mover, double dt);
 
+  // contacts.cpp
+  /// Remembers that `id` ran into `end`.
+  void note(BodyId id, const Obstacle& end);
+  /// Between the rims of two bodies, or of a body and the walls (kNoBody), metres.
+  [[nodiscard]] double gap(BodyId id, BodyId other) const;
+  [[nodiscard]] double wall_gap(BodyId id) const;
+
   // balls.cpp
   void roll(BodyId id, double dt);
   void bounce_off(BodyId id, const Obstacle& end);
@@ -75,6 +83,7 @@ struct World::Impl {
   RayCaster rays;
   Bodies bodies;
   std::vector<Mover> movers;
+  ContactBook contacts;
 };
 
 /// Unit vector from `from` to `to`; null where they are one.

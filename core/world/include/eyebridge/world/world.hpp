@@ -38,6 +38,13 @@ struct MoveResult {
   [[nodiscard]] bool blocked() const { return hit_wall || hit_body != kNoBody; }
 };
 
+/// A body that ran into something.
+struct Bump {
+  BodyId body = 0;         ///< The one that moved.
+  BodyId other = kNoBody;  ///< What it met; kNoBody: a wall.
+  Vec2 place;              ///< On the rim of `body`, in the world, metres.
+};
+
 /// Walls and bodies: who is where, who touches whom, how far a ray goes.
 ///
 /// Robots, balls and cans are discs, boxes rectangles that do not turn; state is struct-of-arrays.
@@ -65,6 +72,8 @@ class World {
   [[nodiscard]] Heading heading(BodyId id) const;
   /// Metres; of a box, that of the disc that covers it.
   [[nodiscard]] double radius(BodyId id) const;
+  /// Whether robots push it away: objects, unless they are fixed or on a path.
+  [[nodiscard]] bool gives_way(BodyId id) const;
   /// Metres per second, of what rolls or slides by itself; null for all others.
   [[nodiscard]] Vec2 velocity(BodyId id) const;
   /// Kicks what rolls or slides by itself; does nothing to others. `velocity` is finite.
@@ -97,6 +106,11 @@ class World {
   /// nearer than `reach` metres to its rim. What stopped it counts even with `reach` 0. Walls come
   /// first, then bodies in order of id; each direction once.
   void contacts(BodyId id, double reach, std::vector<Vec2>& out) const;
+
+  /// The contacts that began in the last step, which step_objects() ended, in the order in which
+  /// they happened: each once, until the two have been a millimetre apart. What a person puts
+  /// together counts from the first motion against each other. Lent until the next step.
+  [[nodiscard]] std::span<const Bump> bumps() const;
 
   /// True when a disc of `radius` at `centre` touches neither wall nor body (other than `ignore`).
   [[nodiscard]] bool is_free(Vec2 centre, double radius, BodyId ignore = kNoBody) const;
