@@ -30,8 +30,10 @@ void SimWorld::tell(const robot::CollisionEvent& event, LogSink& log) const {
   if (!event.robot && !event.with_robot) return;  // things among themselves
   const std::string who = name_of(event.body, event.robot);
   const std::string with = name_of(event.with_body, event.with_robot);
-  // To push a ball is what a program wants; to run into what stands is not.
-  const bool pushed = !event.with_wall() && simulation_.world().gives_way(event.with_body);
+  // To push a ball, or be met by one, is what a program wants; to run into what stands is not.
+  const world::World& world = simulation_.world();
+  const bool pushed =
+      world.gives_way(event.body) || (!event.with_wall() && world.gives_way(event.with_body));
   log.write(pushed ? Severity::Info : Severity::Warning,
             fmt::format("{} hit {} at x={:.3f} y={:.3f}", who, event.with_wall() ? "a wall" : with,
                         event.pose.x, event.pose.y));
