@@ -60,6 +60,9 @@ SimBackend::SimBackend(std::shared_ptr<SimWorld> world, std::shared_ptr<Clock> c
       analog_(supply_voltage) {
   if (world_->model(robot).lidar) lidar_.emplace(*world_, robot);
   if (world_->model(robot).camera) view_.emplace(*world_, robot);
+  if (const auto& kicker = world_->model(robot).kicker) {
+    servos_.try_emplace(static_cast<int>(kicker->servo) + 1, *world_, robot, kicker->servo);
+  }
 }
 
 RangeSensor* SimBackend::range_sensor(int id) { return find(range_sensors_, id); }

@@ -51,6 +51,29 @@ TEST(Ping, TwoRobotsCountTogether) {
   EXPECT_EQ(two.out, "robot 2 counted to 19\n") << two.err;
 }
 
+TEST(Soccer, OneRobotScoresAgainAndAgainTheSameWayEachTime) {
+  const auto play = [](const std::string& folder) {
+    return testing::run_program({{EYEBRIDGE_SOCCER, "60"},
+                                 {{"EYEBRIDGE_FAST", "true"},
+                                  {"EYEBRIDGE_WORLD", world("soccer-practice.sim")},
+                                  {"EYEBRIDGE_OUT", folder}},
+                                 ""});
+  };
+  const testing::ScratchFolder a;
+  const testing::ScratchFolder b;
+  const ProgramRun first = play(a.path());
+  EXPECT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_THAT(first.out, HasSubstr(" s: 3 to 0\n"));
+  EXPECT_EQ(play(b.path()).out, first.out);
+  for (const char* name : {"/trace.csv", "/collisions.csv"}) {
+    const std::string text = testing::file_text(a.path() + name);
+    EXPECT_EQ(testing::file_text(b.path() + name), text);
+    EXPECT_GT(text.size(), 30U) << "more than its header";
+  }
+  EXPECT_THAT(testing::file_text(a.path() + "/collisions.csv"),
+              ::testing::StartsWith("t,robot,with,x,y\n"));
+}
+
 TEST(ClassicPatrol, DrivesToAndFroWhileItIsWatched) {
   const ProgramRun r = run(EYEBRIDGE_CLASSIC_PATROL, "empty-room.wld");
   EXPECT_EQ(r.exit_code, 0) << r.err;
