@@ -114,8 +114,7 @@ bool Session::may_call(std::string_view call) const {
   if (stage == Impl::Stage::Beginning) {
     impl_->runner->arrive();
     auto beginning = Impl::Stage::Beginning;
-    return impl_->stage.compare_exchange_strong(beginning, Impl::Stage::Running) ||
-           may_call(call);
+    return impl_->stage.compare_exchange_strong(beginning, Impl::Stage::Running) || may_call(call);
   }
   if (impl_->runner != nullptr && !impl_->claim_end()) impl_->runner->hold_thread();
   return false;
@@ -136,12 +135,12 @@ std::function<void()> Session::bound(void (*function)()) {
   };
 }
 
-OwnPart& Session::own_part(std::type_index type, std::unique_ptr<OwnPart> (*make)()) {
+OwnPart& Session::own_part(std::type_index type, std::unique_ptr<OwnPart> (*make)(Session&)) {
   const std::lock_guard lock(impl_->own_mutex);
   for (const auto& [present, part] : impl_->own) {
     if (present == type) return *part;
   }
-  return *impl_->own.emplace_back(type, make()).second;
+  return *impl_->own.emplace_back(type, make(*this)).second;
 }
 
 void Session::leave(int code) {
