@@ -9,7 +9,7 @@
 #include "eyebridge/camera/fiducials.hpp"
 #include "render/engine.hpp"
 #include "render/gl_context.hpp"
-#include "render/noise.hpp"
+#include "src/frame_errors.hpp"
 #include "src/frame_schedule.hpp"
 #include "src/sources.hpp"
 #include "src/stderr_log.hpp"
@@ -95,7 +95,8 @@ class RenderSource final : public Source {
       Frame frame = RenderEngine::of_this_thread(settings_.maker, log).render(shot, log);
       frame.time = slot->time;
       frame.sequence = slot->sequence;
-      noise_.apply(view_.noise(), frame);
+      // By time: the sequence begins again with every source that is opened.
+      errors_.apply(view_.noise(), static_cast<std::uint64_t>(frame.time.count()), frame);
       return std::make_shared<const Frame>(std::move(frame));
     } catch (const std::runtime_error& error) {
       return fail(Errc::Disconnected, std::string("render: ") + error.what());
@@ -108,7 +109,7 @@ class RenderSource final : public Source {
   View& view_;
   LogSink* log_;
   FrameSchedule schedule_;
-  NoiseMaker noise_;
+  FrameErrors errors_;
   int width_ = 320;
   int height_ = 240;
 };

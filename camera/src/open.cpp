@@ -1,10 +1,14 @@
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <utility>
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/camera/source.hpp"
+#include "src/erring_source.hpp"
 #include "src/sources.hpp"
 #include "src/undistorted_source.hpp"
+#include "src/url_option.hpp"
 
 namespace eyebridge::camera {
 namespace {
@@ -40,23 +44,38 @@ Found find_source(std::string_view url) {
                                       "\" is not known, expected one of: " + known);
 }
 
+/// `url` without the options that all sources have, and what these say.
+struct CommonOptions {
+  std::string url;
+  std::optional<std::string> calibration;  ///< A file.
+  std::optional<ImageNoise> noise;
+};
+
+CommonOptions take_common(const std::string& url) {
+  const TakenOption calibration = take_option(url, "calibration", "calibration=FILE");
+  ErringUrl erring = take_errors(calibration.url);
+  return {std::move(erring.url), calibration.value, erring.noise};
+}
+
 }  // namespace
 
 std::span<const SourceFactory> source_table() { return kSources; }
 
 void check_source(const std::string& url, const SourceContext& context) {
-  const CalibratedUrl calibrated = take_calibration(url);
-  const Found found = find_source(calibrated.url);
+  const CommonOptions common = take_common(url);
+  const Found found = find_source(common.url);
   found.factory.check(found.rest, context);
-  if (calibrated.file) read_calibration(*calibrated.file);
+  if (common.calibration) read_calibration(*common.calibration);
 }
 
 std::unique_ptr<Source> open_source(const std::string& url, const SourceContext& context) {
-  const CalibratedUrl calibrated = take_calibration(url);
-  const Found found = find_source(calibrated.url);
+  const CommonOptions common = take_common(url);
+  const Found found = find_source(common.url);
   found.factory.check(found.rest, context);
   auto source = found.factory.open(found.rest, context);
-  return calibrated.file ? undistort(std::move(source), *calibrated.file) : std::move(source);
+  // The lens bends the light before the sensor errs; a calibration is of the pictures as they come.
+  if (common.noise) source = with_errors(std::move(source), *common.noise);
+  return common.calibration ? undistort(std::move(source), *common.calibration) : std::move(source);
 }
 
 }  // namespace eyebridge::camera

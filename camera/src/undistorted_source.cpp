@@ -1,6 +1,5 @@
 #include "src/undistorted_source.hpp"
 
-#include <algorithm>
 #include <cstdlib>
 
 #include <fmt/format.h>
@@ -10,8 +9,6 @@
 
 namespace eyebridge::camera {
 namespace {
-
-constexpr std::string_view kKey = "calibration=";
 
 /// Within 1 %: cameras round their smaller sizes to whole blocks.
 bool has_aspect_of(Size a, Size b) {
@@ -65,30 +62,6 @@ class UndistortedSource final : public Source {
 };
 
 }  // namespace
-
-CalibratedUrl take_calibration(const std::string& url) {
-  const std::size_t question = url.find('?');
-  if (question == std::string::npos) return {url, std::nullopt};
-  CalibratedUrl out{url.substr(0, question), std::nullopt};
-  char separator = '?';
-  for (std::size_t at = question + 1; at <= url.size();) {
-    const std::size_t end = std::min(url.find('&', at), url.size());
-    const std::string option = url.substr(at, end - at);
-    at = end + 1;
-    if (!option.starts_with(kKey)) {
-      out.url += separator + option;
-      separator = '&';
-      continue;
-    }
-    if (out.file || option.size() == kKey.size()) {
-      throw ConfigError({"--camera"}, fmt::format("found {}, expected one calibration=FILE",
-                                                  out.file ? "a second calibration"
-                                                           : "a calibration without a file"));
-    }
-    out.file = option.substr(kKey.size());
-  }
-  return out;
-}
 
 std::unique_ptr<Source> undistort(std::unique_ptr<Source> inner, const std::string& file) {
   auto source = std::make_unique<UndistortedSource>(std::move(inner), read_calibration(file), file);

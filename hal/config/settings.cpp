@@ -16,7 +16,9 @@ constexpr auto kSettings = std::to_array<Setting>({
     {"robot", Kind::Text, "S4", "type of the robot where the world places none"},
     {"robots", Kind::Text, "1",
      "how many robots of the world run programs: a number, or all that it places"},
-    {"hdt", Kind::Path, "", "hardware description of a real board; unset: that of an S4"},
+    {"hdt", Kind::Path, "",
+     "hardware description of a real board; unset: that of an S4. In simulation: the tables of "
+     "PSDs"},
     {"psd_numbers", Kind::Text, "robot",
      "what PSD numbers mean: robot, those of its file; 2015, 1 left and 2 front instead",
      -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
@@ -29,6 +31,11 @@ constexpr auto kSettings = std::to_array<Setting>({
     {"camera", Kind::Text, "render", "where frames come from: a source's URL, or none"},
     {"drive", Kind::Text, "",
      "hand or hand:free: a person with the camera drives; unset: the robot"},
+    {"errors", Kind::Text, "",
+     "what is wrong with simulated devices: perfect, realistic, harsh; psd:1 dropout=5%; unset: "
+     "what the files say"},
+    {"error_scale", Kind::Number, "100", "how much of these errors is simulated, percent", 0.0,
+     100.0},
     {"faults", Kind::Text, "", "devices that fail: psd:1 lose @2s..4s; all delay 20ms"},
     {"fast", Kind::Boolean, "false", "virtual time: run as fast as the machine can"},
     {"factor", Kind::Number, "1", "simulated seconds per second of real time", 0.001, 1e6},

@@ -1,10 +1,12 @@
 #include "host/open_host.hpp"
 
 #include <cstdlib>
+#include <optional>
 #include <utility>
 
 #include "eyebridge/files/hdt.hpp"
 #include "eyebridge/files/readers.hpp"
+#include "eyebridge/hal/world_control.hpp"
 #include "host/host_backend.hpp"
 #include "host/host_serial.hpp"
 #include "host/host_sound.hpp"
@@ -59,19 +61,33 @@ std::unique_ptr<Sound> make_sound(const Config& config, Clock& clock) {
   return make_played_sound(player, path == nullptr ? "" : path);
 }
 
+/// Where a simulated robot is; nothing for a real one, of which nobody knows. `robot` is lent.
+RadioPlace place_of(Backend& robot) {
+  WorldControl* const world = robot.world();
+  if (world == nullptr) return {};
+  return [world]() -> std::optional<Vec2> {
+    const auto pose = world->robot_pose(0);
+    return pose ? std::optional(pose->position()) : std::nullopt;
+  };
+}
+
 std::unique_ptr<Radio> make_radio(Backend& robot, const BackendContext& context,
                                   std::shared_ptr<RadioMedium> air) {
   const RadioSetting setting = radio_setting(context.config);
   const RadioConditions model = robot.radio_conditions();
-  const RadioErrors errors{setting.loss.value_or(model.loss), setting.delay.value_or(model.delay),
-                           static_cast<std::uint64_t>(context.config.integer("seed"))};
+  const RadioErrors errors{setting.loss.value_or(model.loss),
+                           setting.delay.value_or(model.delay),
+                           static_cast<std::uint64_t>(context.config.integer("seed")),
+                           setting.jitter.value_or(model.jitter),
+                           setting.corrupt.value_or(model.corrupt),
+                           setting.range.value_or(model.range)};
   const int id = setting.id.value_or(robot.robot_id());
   switch (setting.medium) {
     case Medium::None:
       return nullptr;
     case Medium::World:
       if (air == nullptr) air = std::make_shared<RadioMedium>();
-      return make_medium_radio(std::move(air), id, errors, robot.clock());
+      return make_medium_radio(std::move(air), id, errors, robot.clock(), place_of(robot));
     case Medium::Udp:
       return make_udp_radio(setting, id, errors, robot.clock(), context.log);
   }

@@ -18,6 +18,9 @@ struct RadioErrors {
   double loss = 0.0;  ///< Share that gets lost, 0 … 1.
   Time delay{0};      ///< On the receiver's clock.
   std::uint64_t seed = 1;
+  Time jitter{0};        ///< Up to so much more delay, evenly spread.
+  double corrupt = 0.0;  ///< Share in which one bit is flipped, 0 … 1.
+  double range = 0.0;    ///< Metres beyond which nothing arrives; 0: no limit.
 };
 
 /// Messages on their way to one robot, in an order that does not depend on who put them in first:
@@ -29,14 +32,29 @@ class RadioInbox {
 
   RadioInbox(int id, const RadioErrors& errors) : id_(id), errors_(errors) {}
 
-  /// `message` was sent at `now`. Whether it gets lost follows from the seed, sender, receiver and
-  /// how many this sender has sent before.
-  void add(RadioMessage message, Time now) {
-    auto [link, is_new] =
-        links_.try_emplace(message.sender, Link{Random(errors_.seed, stream_of(message.sender))});
-    const std::uint64_t number = link->second.sent++;
-    if (link->second.random.chance(errors_.loss) || waiting_.size() >= kMost) return;
-    waiting_.emplace(std::tuple(now + errors_.delay, message.sender, number), std::move(message));
+  [[nodiscard]] const RadioErrors& errors() const { return errors_; }
+
+  /// `message` was sent at `now`, from out of range if `in_range` is false. What it suffers follows
+  /// from the seed, sender, receiver and how many this sender has sent before; each kind of error
+  /// draws for every message, from a stream of its own.
+  void add(RadioMessage message, Time now, bool in_range = true) {
+    auto [entry, is_new] =
+        links_.try_emplace(message.sender, Link(errors_.seed, stream_of(message.sender)));
+    Link& link = entry->second;
+    const std::uint64_t number = link.sent++;
+    const bool lost = link.loss.chance(errors_.loss);
+    const auto late = Time(static_cast<Time::rep>(link.jitter.uniform() *
+                                                  static_cast<double>(errors_.jitter.count())));
+    const bool corrupted = link.corruption.chance(errors_.corrupt);
+    const std::uint64_t place = link.corruption.bits();
+    if (lost || !in_range || waiting_.size() >= kMost) return;
+    if (corrupted && !message.text.empty()) {
+      const std::uint64_t bit = place % (8 * message.text.size());
+      char& byte = message.text[bit / 8];
+      byte = static_cast<char>(static_cast<unsigned char>(byte) ^ (1U << (bit % 8)));
+    }
+    waiting_.emplace(std::tuple(now + errors_.delay + late, message.sender, number),
+                     std::move(message));
   }
 
   /// The first message that has arrived by `now`.
@@ -50,7 +68,14 @@ class RadioInbox {
 
  private:
   struct Link {
-    Random random;
+    Link(std::uint64_t seed, std::uint64_t stream)
+        : loss(seed, stream), jitter(seed, stream | kJitter), corruption(seed, stream | kCorrupt) {}
+    // Above the bits that stream_of() sets.
+    static constexpr std::uint64_t kJitter = 1U << 16U;
+    static constexpr std::uint64_t kCorrupt = 2U << 16U;
+    Random loss;
+    Random jitter;
+    Random corruption;
     std::uint64_t sent = 0;
   };
   /// A stream of random numbers for each pair, apart from those of devices (fault/fault_tap.cpp).

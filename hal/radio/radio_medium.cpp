@@ -7,15 +7,20 @@ namespace {
 
 class MediumRadio final : public Radio {
  public:
-  MediumRadio(std::shared_ptr<RadioMedium> medium, int id, const RadioErrors& errors, Clock& clock)
-      : medium_(std::move(medium)), id_(id), errors_(errors), clock_(clock) {}
+  MediumRadio(std::shared_ptr<RadioMedium> medium, int id, const RadioErrors& errors, Clock& clock,
+              RadioPlace place)
+      : medium_(std::move(medium)),
+        id_(id),
+        errors_(errors),
+        clock_(clock),
+        place_(std::move(place)) {}
   ~MediumRadio() override { medium_->leave(id_); }
   MediumRadio(const MediumRadio&) = delete;
   MediumRadio& operator=(const MediumRadio&) = delete;
 
   [[nodiscard]] int id() const override { return id_; }
   Result<void> start() override {
-    medium_->join(id_, errors_);
+    medium_->join(id_, errors_, place_);
     on_ = true;
     return {};
   }
@@ -44,45 +49,58 @@ class MediumRadio final : public Radio {
   const int id_;
   const RadioErrors errors_;
   Clock& clock_;
+  const RadioPlace place_;
   std::atomic<bool> on_ = false;
 };
 
 }  // namespace
 
-void RadioMedium::join(int id, const RadioErrors& errors) {
+void RadioMedium::join(int id, const RadioErrors& errors, const RadioPlace& place) {
   const std::lock_guard lock(mutex_);
-  inboxes_.try_emplace(id, id, errors);
+  members_.try_emplace(id, Member{RadioInbox(id, errors), place});
 }
 
 void RadioMedium::leave(int id) {
   const std::lock_guard lock(mutex_);
-  inboxes_.erase(id);
+  members_.erase(id);
 }
 
 void RadioMedium::send(int receiver, const RadioMessage& message, Time now) {
   const std::lock_guard lock(mutex_);
-  for (auto& [id, inbox] : inboxes_) {
+  const auto sender = members_.find(message.sender);
+  for (auto& [id, member] : members_) {
     const bool is_meant = receiver == Radio::kEveryone ? id != message.sender : id == receiver;
-    if (is_meant) inbox.add(message, now);
+    if (!is_meant) continue;
+    const Member* const from = sender == members_.end() ? nullptr : &sender->second;
+    member.inbox.add(message, now, reaches(from, member));
   }
+}
+
+bool RadioMedium::reaches(const Member* sender, const Member& receiver) {
+  const double range = receiver.inbox.errors().range;
+  if (range <= 0.0 || sender == nullptr || !sender->place || !receiver.place) return true;
+  const std::optional<Vec2> from = sender->place();
+  const std::optional<Vec2> to = receiver.place();
+  return !from || !to || norm(*from - *to) <= range;
 }
 
 std::optional<RadioMessage> RadioMedium::take(int id, Time now) {
   const std::lock_guard lock(mutex_);
-  const auto inbox = inboxes_.find(id);
-  return inbox == inboxes_.end() ? std::nullopt : inbox->second.take(now);
+  const auto member = members_.find(id);
+  return member == members_.end() ? std::nullopt : member->second.inbox.take(now);
 }
 
 std::vector<int> RadioMedium::robots() {
   const std::lock_guard lock(mutex_);
   std::vector<int> ids;
-  for (const auto& [id, inbox] : inboxes_) ids.push_back(id);
+  for (const auto& [id, member] : members_) ids.push_back(id);
   return ids;
 }
 
 std::unique_ptr<Radio> make_medium_radio(std::shared_ptr<RadioMedium> medium, int id,
-                                         const RadioErrors& errors, Clock& clock) {
-  return std::make_unique<MediumRadio>(std::move(medium), id, errors, clock);
+                                         const RadioErrors& errors, Clock& clock,
+                                         RadioPlace place) {
+  return std::make_unique<MediumRadio>(std::move(medium), id, errors, clock, std::move(place));
 }
 
 }  // namespace eyebridge::hal

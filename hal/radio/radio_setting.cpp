@@ -12,6 +12,7 @@ namespace eyebridge::hal {
 namespace {
 
 constexpr double kLongestDelay = 3600;  // seconds
+constexpr double kLongestRange = 1e6;   // metres
 
 [[noreturn]] void reject(const SourceLocation& where, std::string_view found,
                          const char* expected) {
@@ -40,6 +41,36 @@ void read_target(std::string_view rest, const SourceLocation& where, RadioSettin
   }
 }
 
+double read_share(const std::string& value, std::string_view key, const SourceLocation& where) {
+  double percent = 0;
+  const std::string_view digits =
+      std::string_view(value).substr(0, value.find_last_not_of('%') + 1);
+  if (digits.size() + 1 != value.size() || !is_number(digits, percent) ||
+      !(percent >= 0 && percent <= 100)) {
+    throw ConfigError(where, "found " + in_quotes(value) +
+                                 ", expected a share of the messages, 0% to 100%, for '" +
+                                 std::string(key) + "'");
+  }
+  return percent / 100;
+}
+
+Time read_time(const std::string& value, std::string_view key, const SourceLocation& where) {
+  const double seconds = parse_duration(value, where);
+  if (seconds > kLongestDelay) {
+    throw ConfigError(where, "found " + in_quotes(value) + ", expected at most an hour for '" +
+                                 std::string(key) + "'");
+  }
+  return from_seconds(seconds);
+}
+
+/// "5m" or "5".
+double read_range(std::string_view value, const SourceLocation& where) {
+  double metres = 0;
+  const std::string_view digits = value.ends_with('m') ? value.substr(0, value.size() - 1) : value;
+  if (is_number(digits, metres) && metres >= 0 && metres <= kLongestRange) return metres;
+  reject(where, value, "metres, 0 (no limit) to 1e6, for 'range'");
+}
+
 void read_option(std::string_view key, const std::string& value, const SourceLocation& where,
                  RadioSetting& out) {
   if (key == "id") {
@@ -49,24 +80,23 @@ void read_option(std::string_view key, const std::string& value, const SourceLoc
     }
     out.id = id;
   } else if (key == "loss") {
-    double percent = 0;
-    const std::string_view digits =
-        std::string_view(value).substr(0, value.find_last_not_of('%') + 1);
-    if (digits.size() + 1 != value.size() || !is_number(digits, percent) ||
-        !(percent >= 0 && percent <= 100)) {
-      reject(where, value, "a share of the messages, 0% to 100%, for 'loss'");
-    }
-    out.loss = percent / 100;
+    out.loss = read_share(value, key, where);
+  } else if (key == "corrupt") {
+    out.corrupt = read_share(value, key, where);
   } else if (key == "delay") {
-    const double seconds = parse_duration(value, where);
-    if (seconds > kLongestDelay) reject(where, value, "at most an hour for 'delay'");
-    out.delay = from_seconds(seconds);
+    out.delay = read_time(value, key, where);
+  } else if (key == "jitter") {
+    out.jitter = read_time(value, key, where);
+  } else if (key == "range" && out.medium == RadioSetting::Medium::World) {
+    out.range = read_range(value, where);
   } else if (key == "interface" && out.medium == RadioSetting::Medium::Udp) {
     in_addr address{};
     if (!is_address(value, address)) reject(where, value, "an IPv4 address for 'interface'");
     out.interface = value;
   } else {
-    reject(where, key, "one of the options id, loss, delay, and of udp: interface");
+    reject(where, key,
+           "one of the options id, loss, delay, jitter, corrupt, of world: range, and of udp: "
+           "interface");
   }
 }
 

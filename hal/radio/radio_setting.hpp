@@ -25,6 +25,9 @@ struct RadioSetting {
   std::optional<int> id;                ///< Of this robot; none: its number in its world.
   std::optional<double> loss;           ///< Share of the messages that get lost, 0 … 1; else as
   std::optional<Time> delay;            ///< the robot's model says. On the robot's clock.
+  std::optional<Time> jitter;           ///< Up to so much more delay.
+  std::optional<double> corrupt;        ///< Share of the messages with a flipped bit, 0 … 1.
+  std::optional<double> range;          ///< World: metres, >= 0; 0 is no limit.
 
   friend bool operator==(const RadioSetting&, const RadioSetting&) = default;
 };

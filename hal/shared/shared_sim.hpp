@@ -26,6 +26,7 @@ class SharedSim final : public SharedWorld {
   }
   void step() override { world_->step(); }
   [[nodiscard]] StateHash hash() override;
+  [[nodiscard]] bool is_locked() override { return world_->is_locked(); }
   [[nodiscard]] std::uint64_t overruns() const override;
 
   [[nodiscard]] std::shared_ptr<SimWorld> world() { return world_; }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "eyebridge/files/load.hpp"
+#include "sim/error_settings.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -17,12 +18,18 @@ files::Scenario empty_room(const Config& config) {
   return scenario;
 }
 
-}  // namespace
-
-files::Scenario configured_scenario(const Config& config) {
+files::Scenario named_world(const Config& config) {
   if (!config.is_set("world")) return empty_room(config);
   const auto& robot = config.value("robot");
   return files::load_scenario(config.path("world"), robot.text, {}, robot.where);
+}
+
+}  // namespace
+
+files::Scenario configured_scenario(const Config& config) {
+  files::Scenario scenario = named_world(config);
+  apply_error_settings(config, scenario);
+  return scenario;
 }
 
 std::unique_ptr<Backend> open_sim(const BackendUrl& url, const BackendContext& context) {

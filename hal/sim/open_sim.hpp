@@ -12,7 +12,7 @@ namespace eyebridge::hal {
 /// an empty room. Throws ConfigError.
 std::unique_ptr<Backend> open_sim(const BackendUrl& url, const BackendContext& context);
 
-/// The scenario that the configuration names, or an empty room.
+/// The scenario that the configuration names, or an empty room; with the errors that it sets.
 files::Scenario configured_scenario(const Config& config);
 
 /// How the configuration wants it simulated.

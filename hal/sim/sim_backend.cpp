@@ -71,7 +71,8 @@ Servo* SimBackend::servo(int id) { return find(servos_, id); }
 
 RadioConditions SimBackend::radio_conditions() const {
   const robot::RadioError& error = world_->model(robot_).radio_error;
-  return {error.loss, from_seconds(error.delay)};
+  return {error.loss, from_seconds(error.delay), from_seconds(error.jitter), error.corrupt,
+          error.range};
 }
 
 std::vector<DeviceFacts> SimBackend::facts_of(std::string_view kind) {

@@ -32,12 +32,17 @@ class SimWorld {
     return std::forward<Body>(body)(simulation_);
   }
 
+  /// True while one of the others runs. For signal handlers, too.
+  [[nodiscard]] bool is_locked() {
+    const std::unique_lock lock(mutex_, std::try_to_lock);
+    return !lock.owns_lock();
+  }
   /// One step, and its trace point.
   void step();
   /// Tells `sink` of `robot` after every step from now on; null ends it.
   void trace_to(TraceSink* sink, robot::RobotIndex robot);
 
-  /// Never changes; needs no lock.
+  /// Never changes, but for its errors; needs no lock.
   [[nodiscard]] const robot::RobotModel& model(robot::RobotIndex robot) const;
   [[nodiscard]] const std::string& directory() const { return directory_; }
 

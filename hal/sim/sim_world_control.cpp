@@ -1,5 +1,7 @@
 #include "sim/sim_world_control.hpp"
 
+#include "eyebridge/files/error_rules.hpp"
+
 namespace eyebridge::hal {
 namespace {
 
@@ -57,6 +59,22 @@ Result<void> SimWorldControl::set_object_pose(int id, const Pose& pose) {
   return object_index(id).map([&](world::BodyId index) {
     world_.locked([&](auto& sim) { sim.world().set_pose(index, pose); });
   });
+}
+
+Result<void> SimWorldControl::set_errors(int id, const std::string& rules, double share) {
+  if (!(share >= 0.0 && share <= 1.0)) {
+    return fail(Errc::OutOfRange, "set errors: expected a share of them, 0 to 1");
+  }
+  const auto index = robot_index(id);
+  if (!index) return tl::unexpected(index.error());
+  try {
+    return world_.locked([&](auto& sim) -> Result<void> {
+      sim.set_errors(*index, files::with_errors(sim.model(*index), rules, share));
+      return {};
+    });
+  } catch (const ConfigError& error) {
+    return fail(Errc::OutOfRange, error.what());
+  }
 }
 
 }  // namespace eyebridge::hal

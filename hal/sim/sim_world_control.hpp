@@ -17,6 +17,7 @@ class SimWorldControl final : public WorldControl, private SimDevice {
   Result<void> set_robot_pose(int id, const Pose& pose) override;
   [[nodiscard]] Result<Pose> object_pose(int id) const override;
   Result<void> set_object_pose(int id, const Pose& pose) override;
+  Result<void> set_errors(int id, const std::string& rules, double share) override;
 
  private:
   [[nodiscard]] Result<robot::RobotIndex> robot_index(int id) const;

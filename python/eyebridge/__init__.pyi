@@ -85,6 +85,9 @@ class Robot:
         """Duty of each motor, -1 … 1."""
     def stop(self) -> None:
         """Motors off."""
+    def set_errors(self, rules: str, scale: float = 1.0) -> None:
+        """Changes the errors that it has now by rules as in docs/errors.md ("harsh", "psd:1 dropout=5%"), then scales
+        all of them by 0 … 1. Raises ConfigError for bad rules. reset() brings back the scenario's."""
     def psd(self, id: int) -> float:
         """Range of a distance sensor by its number (`psd_ids`), with its error. Raises IndexError for none."""
     def psds(self) -> NDArray[numpy.float64]:

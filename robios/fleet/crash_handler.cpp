@@ -25,7 +25,6 @@ thread_local const void* last_address = nullptr;
 /// Where a robot's flow goes on after the handler, at the top of its stack.
 [[noreturn]] void give_up() {
   Robot& robot = *Robot::current();
-  flow.calls = 0;
   if (last_signal == kHang) {
     robot.fail("the program has made no call for too long and is ended; the others go on", 124);
   }
@@ -63,16 +62,17 @@ void say(const char* text) {
 
 void on_crash(int signal, siginfo_t* info, void* context) {
   Robot* const robot = Robot::current();
-  const bool is_safe = robot != nullptr && flow.calls == 0 && !robot->has_ended();
+  if (signal == kHang && flow.calls > 0) return;  // a call that takes long
+  const bool is_safe = robot != nullptr && !robot->has_ended() && robot->may_be_stopped();
   if (is_safe && redirect(*static_cast<ucontext_t*>(context), robot->stack_mark())) {
     last_signal = signal;
     last_address = info->si_addr;
     return;
   }
-  if (signal == kHang) return;
   if (robot != nullptr) {
-    say("eyebridge: error: a robot's program crashed inside a RoBIOS call: all robots end\n");
+    say("eyebridge: error: a robot's program crashed while it had the world: all robots end\n");
   }
+  if (signal == kHang) return;
   ::signal(signal, SIG_DFL);
   raise(signal);
 }

@@ -3,11 +3,15 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <utility>
 
 #include <fmt/format.h>
+#include <sys/syscall.h>
 #include <unistd.h>
+
+#include "flow.hpp"
 
 namespace eyebridge::robios {
 namespace {
@@ -18,6 +22,7 @@ constexpr int kCannotRun = 126;  // as shells say it
 
 void Robot::begin(const hal::Config& config, const hal::Seat& seat,
                   const std::filesystem::path& out) {
+  world_ = seat.world;
   session_ = Session::begin(
       {config, seat, this, fmt::format("robot {}", index_ + 1),
        out.empty() ? out : out / fmt::format("robot-{}", index_ + 1)});
@@ -45,10 +50,23 @@ void* Robot::variable(const char* name) {
 }
 
 void Robot::fail(const std::string& how, int code) {
+  is_abandoned_ = flow.calls > 0;
+  flow.calls = 0;
   std::fflush(stdout);  // what it printed before comes before
-  session_->log().write(Severity::Error, how);
+  session_->log().write(Severity::Error, is_abandoned_ ? how + " (inside a RoBIOS call)" : how);
   leave(code);
   __builtin_unreachable();
+}
+
+bool Robot::may_be_stopped() const {
+  if (flow.calls == 0) return true;
+  // Others hold the world for microseconds; a tenth of a second is for ever.
+  for (int i = 0; i < 100; ++i) {
+    if (!world_->is_locked()) return true;
+    const timespec pause{0, 1'000'000};
+    syscall(SYS_nanosleep, &pause, nullptr);
+  }
+  return false;
 }
 
 std::string Robot::name() const {
@@ -63,7 +81,11 @@ Robot* Robot::current() {
 bool Robot::end(int code) {
   if (ended_.exchange(true)) return false;
   exit_code_ = code;
-  session_->end();
+  if (is_abandoned_) {
+    session_->abandon();
+  } else {
+    session_->end();
+  }
   return true;
 }
 

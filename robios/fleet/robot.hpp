@@ -34,8 +34,12 @@ class Robot : public Runner {
   [[noreturn]] void run();
 
   void* variable(const char* name) override;
-  /// The robot's program crashed or hangs in the calling flow: tells so and leaves.
+  /// The robot's program crashed or hangs in the calling flow: tells so and leaves. Inside a call
+  /// of ours it leaves without results.
   [[noreturn]] void fail(const std::string& how, int code);
+  /// False when the calling flow was stopped while it had locked what others need. For signal
+  /// handlers.
+  [[nodiscard]] bool may_be_stopped() const;
 
   [[nodiscard]] std::size_t index() const { return index_; }
   /// "robot 2 (explorer)".
@@ -56,10 +60,12 @@ class Robot : public Runner {
  private:
   const std::size_t index_;
   const RobotProgram program_;
+  std::shared_ptr<hal::SharedWorld> world_;
   std::unique_ptr<ProgramImage> image_;
   Session* session_ = nullptr;
   void* stack_mark_ = nullptr;
   std::atomic<bool> ended_ = false;
+  bool is_abandoned_ = false;  ///< The calling flow will never leave its call.
   int exit_code_ = 0;
 };
 

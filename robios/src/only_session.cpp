@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "eyebridge/camera/prepare_process.hpp"
+#include "eyebridge/hal/shared_world.hpp"
 #include "host.hpp"
 #include "session_impl.hpp"
 #include "signals.hpp"
@@ -22,7 +23,16 @@ std::atomic<Session*> the_session = nullptr;
 
 hal::Config read_config() {
   camera::prepare_process();  // before the session's threads
-  return hal::Config::from_process(program_file());
+  hal::Config config = hal::Config::from_process(program_file());
+  // A program of eyebridge-cc has become the launcher before its main() (fleet/start_several.cpp).
+  if (hal::programs_wanted(config) > 1) {
+    const hal::ConfigValue& robots = config.value("robots");
+    throw ConfigError(robots.where, fmt::format("found {} robots, but this program can be that of "
+                                                "one only; expected one built with eyebridge-cc or "
+                                                "eyebridge-c++, and no Python program",
+                                                robots.text));
+  }
+  return config;
 }
 
 }  // namespace

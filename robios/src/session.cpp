@@ -171,6 +171,15 @@ void Session::failed(std::string_view call, const Error& error) {
 
 std::string Session::last_error() const { return impl_->failures.last(); }
 
+void Session::abandon() noexcept {
+  std::call_once(impl_->ended, [this] {
+    impl_->claim_end();
+    impl_->stage = Impl::Stage::Ended;
+    impl_->backend->stop();
+    impl_->backend->trace_to(nullptr);
+  });
+}
+
 void Session::end() noexcept {
   if (impl_->stage == Impl::Stage::Forked) return;
   std::call_once(impl_->ended, [this] {

@@ -9,7 +9,7 @@
 #include "eyebridge/camera/convert.hpp"
 #include "eyebridge/camera/png.hpp"
 #include "picture_files.hpp"
-#include "render/noise.hpp"
+#include "src/frame_errors.hpp"
 
 namespace eyebridge::camera::testing {
 namespace {
@@ -139,7 +139,7 @@ TEST(Convert, FitEnlargesByRepeating) {
 TEST(Noise, GaussianNoiseHasTheSigmaAskedFor) {
   Frame frame = make_frame(320, 240, PixelFormat::Rgb24);
   std::fill(frame.bytes.begin(), frame.bytes.end(), std::uint8_t{128});
-  NoiseMaker().apply({0.0, 8.0, 3}, frame);
+  FrameErrors().apply({{0.0, 8.0}, 3}, 0, frame);
   double sum = 0.0;
   double squares = 0.0;
   for (const std::uint8_t byte : frame.bytes) {
@@ -154,7 +154,7 @@ TEST(Noise, GaussianNoiseHasTheSigmaAskedFor) {
 TEST(Noise, SaltAndPepperTurnsTheFractionAskedFor) {
   Frame frame = make_frame(320, 240, PixelFormat::Rgb24);
   std::fill(frame.bytes.begin(), frame.bytes.end(), std::uint8_t{128});
-  NoiseMaker().apply({0.1, 0.0, 3}, frame);
+  FrameErrors().apply({{0.1}, 3}, 0, frame);
   int black = 0;
   int white = 0;
   for (std::size_t i = 0; i < frame.bytes.size(); i += 3) {

@@ -228,7 +228,7 @@ TEST(Render, NoiseDiffersFromFrameToFrameButNotFromRunToRun) {
     FakeClock clock;
     FakeView view;
     view.model = empty_room();
-    view.noise_ = {salt, sigma, 42};
+    view.noise_ = {{salt, sigma}, 42};
     const auto source = open_source("render", {&clock, &view, nullptr});
     return std::pair{*source->next(kLater), *source->next(kLater)};
   };
@@ -244,7 +244,7 @@ TEST(Render, SnowDoesNotRepeatForASourceThatIsOpenedAgain) {
   FakeClock clock;
   FakeView view;
   view.model = empty_room();
-  view.noise_ = {0.1, 5.0, 42};
+  view.noise_ = {{0.1, 5.0}, 42};
   const auto first_frame = [&] {
     return *open_source("render", {&clock, &view, nullptr})->next(clock.now() + kLater);
   };

@@ -17,7 +17,9 @@
 #include "eyebridge/camera/calibration.hpp"
 #include "eyebridge/camera/picture.hpp"
 #include "eyebridge/camera/recording/frame_table.hpp"
+#include "eyebridge/files/error_rules.hpp"
 #include "eyebridge/files/hdt.hpp"
+#include "eyebridge/files/load.hpp"
 #include "eyebridge/files/readers.hpp"
 #include "eyebridge/hal/url.hpp"
 #include "fault/fault_script.hpp"
@@ -150,6 +152,29 @@ inline void recording(std::string_view bytes) {
   } catch (const ConfigError&) {
   }
   for (const char* end : {"", "-wal", "-shm"}) std::remove((path + end).c_str());
+}
+
+/// What is accepted gives a robot errors that can be, and none when nothing of them is simulated.
+inline void errors(std::string_view text) {
+  try {
+    files::Scenario scenario = files::default_scenario();
+    robot::RobotModel& model = scenario.models.front();
+    model.lidar = robot::LidarModel{};
+    for (auto& sensor : model.range_sensors) sensor.table = robot::RangeTable({0.1, 0.2, 0.4});
+    files::apply_rules(files::read_error_rules(text, {}), scenario);
+    for (robot::RobotModel& robot : scenario.models) {
+      const auto share = [](double value) { return value >= 0.0 && value <= 1.0; };
+      for (const auto& sensor : robot.range_sensors) {
+        if (!share(sensor.error.dropout) || !(sensor.error.sigma >= 0.0)) found();
+      }
+      const robot::RadioError& radio = robot.radio_error;
+      if (!share(radio.loss) || !share(radio.corrupt) || !(radio.delay >= 0.0)) found();
+      if (!share(robot.drive_error.slip) || !share(robot.camera->error.coloured)) found();
+      robot::scale_errors(robot, 0.0);
+      if (!robot::is_perfect(robot)) found();
+    }
+  } catch (const ConfigError&) {  // the input is no list of rules
+  }
 }
 
 /// What is accepted has a time, a device and an amount that can be.

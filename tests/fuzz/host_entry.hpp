@@ -23,8 +23,12 @@ inline void radio(std::string_view text) {
     const hal::RadioSetting setting = hal::parse_radio(text, {});
     const int id = setting.id.value_or(hal::Radio::kFirstId);
     const double loss = setting.loss.value_or(0.0);
-    const bool sane = loss >= 0.0 && loss <= 1.0 && setting.delay.value_or(Time{0}) >= Time{0} &&
-                      id >= hal::Radio::kFirstId && id <= hal::Radio::kLastId &&
+    const double corrupt = setting.corrupt.value_or(0.0);
+    const double range = setting.range.value_or(0.0);
+    const bool sane = corrupt >= 0.0 && corrupt <= 1.0 && range >= 0.0 &&
+                      setting.jitter.value_or(Time{0}) >= Time{0} && loss >= 0.0 && loss <= 1.0 &&
+                      setting.delay.value_or(Time{0}) >= Time{0} && id >= hal::Radio::kFirstId &&
+                      id <= hal::Radio::kLastId &&
                       (setting.medium != Medium::Udp || setting.port != 0);
     if (!sane) std::abort();
   } catch (const ConfigError&) {  // the input is no setting

@@ -20,7 +20,8 @@ using ::testing::IsEmpty;
 class RadioMediumTest : public ::testing::Test {
  protected:
   explicit RadioMediumTest(const RadioErrors& errors = {}) : errors_(errors) {
-    for (const int id : {1, 2, 3}) radios_.push_back(make_medium_radio(medium_, id, errors_, clock_));
+    for (const int id : {1, 2, 3})
+      radios_.push_back(make_medium_radio(medium_, id, errors_, clock_));
   }
   Radio& robot(int id) { return *radios_[static_cast<std::size_t>(id) - 1]; }
   void all_on() {
@@ -170,6 +171,10 @@ TEST(RadioSettings, SayWhoIsReached) {
   EXPECT_EQ(udp.id, 2);
   EXPECT_EQ(udp.loss, 0.125);
   EXPECT_EQ(udp.delay, Time(20ms));
+  const RadioSetting bad = parse_radio("world?jitter=5ms&corrupt=1%&range=4.5m", {});
+  EXPECT_EQ(bad.jitter, Time(5ms));
+  EXPECT_EQ(bad.corrupt, 0.01);
+  EXPECT_EQ(bad.range, 4.5);
 }
 
 TEST(RadioSettings, MistakesAreNamed) {
@@ -187,7 +192,11 @@ TEST(RadioSettings, MistakesAreNamed) {
       {"world?loss=101%", "a share of the messages"},
       {"world?loss=1%%", "a share of the messages"},
       {"world?loss=%", "a share of the messages"},
-      {"world?delay=2h", "at most an hour"},
+      {"world?delay=2h", "at most an hour for 'delay'"},
+      {"world?jitter=2h", "at most an hour for 'jitter'"},
+      {"world?corrupt=2", "a share of the messages"},
+      {"world?range=-1m", "metres, 0 (no limit) to 1e6"},
+      {"udp:239.192.7.1:7007?range=1m", "of world: range"},
       {"world?interface=127.0.0.1", "one of the options"},
       {"udp:239.192.7.1:7007?interface=lo", "an IPv4 address"},
       {"world?speed=9", "one of the options"}};

@@ -165,13 +165,13 @@ TEST(SimBackend, TakesTheStallTimeoutFromTheConfiguration) {
 
 TEST(SimBackend, GivesTheCameraTheNoiseAndTexturesOfItsScenario) {
   files::Scenario scenario = rig_scenario(0.5);
-  scenario.models.front().camera->sigma = 3.0;
-  scenario.models.front().camera->salt_and_pepper = 0.01;
+  scenario.models.front().camera->error.sigma = 3.0;
+  scenario.models.front().camera->error.salt_and_pepper = 0.01;
   scenario.directory = "/tmp/textures";
   const Rig rig = open({{"fast", "true"}, {"seed", "5"}}, std::move(scenario));
   const camera::ImageNoise noise = rig.backend->camera_view()->noise();
-  EXPECT_EQ(noise.sigma, 3.0);
-  EXPECT_EQ(noise.salt_and_pepper, 0.01);
+  EXPECT_EQ(noise.error.sigma, 3.0);
+  EXPECT_EQ(noise.error.salt_and_pepper, 0.01);
   EXPECT_NE(noise.seed, 5u);  // which the other devices draw from
   EXPECT_EQ(rig.backend->camera_view()->texture_directory(), "/tmp/textures");
 }

@@ -55,6 +55,18 @@ class Simulations(unittest.TestCase):
             sim.step(2)
             self.assertEqual(robot.twist, (0.0, 0.0))
 
+    def test_errors_are_set_while_it_runs(self):
+        with eyebridge.Simulation() as sim:
+            robot = sim.robots[0]
+            exact = robot.psd(1)
+            robot.set_errors("psd bias=100; psd:2 sigma=5", scale=0.5)
+            self.assertAlmostEqual(robot.psd(1), exact + 0.05)
+            robot.set_errors("perfect")
+            self.assertEqual(robot.psd(1), exact)
+            for rules, scale in (("awful", 1), ("robot:1 harsh", 1), ("harsh", 1.5), ("harsh", math.nan)):
+                with self.assertRaises(ValueError):
+                    robot.set_errors(rules, scale)
+
     def test_poses_are_a_view_that_follows_and_cannot_be_written(self):
         sim = eyebridge.Simulation(seed=3)
         poses, twists = sim.poses, sim.twists

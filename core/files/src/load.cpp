@@ -96,8 +96,12 @@ Scenario load_scenario(const std::filesystem::path& path, const std::string& def
     return scenario;
   }
   if (kind == Kind::Sim) {
-    load_sim(read_text_file(path), name, places, scenario);
-    if (!scenario.robots.empty()) return scenario;
+    const auto errors = load_sim(read_text_file(path), name, places, scenario);
+    if (scenario.robots.empty()) {
+      place_default(scenario, named_robot(default_robot, robot_where), {name, 0, 0});
+    }
+    apply_rules(errors, scenario);
+    return scenario;
   } else if (kind == Kind::Robot) {
     scenario.world = empty_room();
     const auto robot = read_robi(read_text_file(path), name, scenario.warnings);

@@ -1,6 +1,5 @@
 #include "robot_builder.hpp"
 
-#include <array>
 #include <set>
 
 #include "eyebridge/base/units.hpp"
@@ -9,8 +8,6 @@ namespace eyebridge::files {
 namespace {
 
 constexpr std::size_t kMaxSensors = 1000;
-constexpr std::array<std::string_view, 10> kErrors = {
-    "psd", "drive", "wheels", "encoder", "compass", "camera", "ir", "bump", "lidar", "radio"};
 
 /// The number that programs use for a PSD of this name; 0 when the name is no standard one.
 int standard_psd(std::string_view name) {
@@ -82,6 +79,8 @@ bool RobotBuilder::read_extension(const Statement& s) {
     s.expect_arguments(2, "accel linear_mm_s2 angular_deg_s2");
     model_.drive.linear_acceleration = s.millimetres(1, "the acceleration", 1, 1e6);
     model_.drive.angular_acceleration = deg_to_rad(s.number(2, "the angular acceleration", 1, 1e6));
+  } else if (keyword == "psd_table") {
+    read_table(s);
   } else if (keyword == "error") {
     read_error(s);
   } else {
@@ -91,58 +90,22 @@ bool RobotBuilder::read_extension(const Statement& s) {
 }
 
 void RobotBuilder::read_error(const Statement& s) {
-  if (s.size() < 2) s.fail(1, "line ends: expected 'error' and one of " + one_of(kErrors));
-  const std::string kind = lower(s.text(1));
-  const auto expect = [&](std::size_t count, std::string_view form) {
-    s.expect_arguments(count + 1, std::string("error ").append(form));
-  };
-  const auto fraction = [&](std::size_t i, std::string_view what) {
-    return s.number(i, what, 0, 100) / 100;
-  };
-  const auto scale = [&](std::size_t i, std::string_view what) {
-    return s.number(i, what, -50, 50) / 100;
-  };
-  if (kind == "psd" || kind == "lidar") {
-    expect(2, kind + " sigma_mm percent");
-    robot::GaussianError& error = kind == "psd" ? psd_error_ : lidar_error_;
-    error.sigma = s.millimetres(2, "sigma", 0, 1e5);
-    error.sigma_relative = fraction(3, "the percentage");
-  } else if (kind == "drive") {
-    expect(2, "drive linear_percent angular_percent");
-    model_.drive_error.linear_sigma = fraction(2, "the linear percentage");
-    model_.drive_error.angular_sigma = fraction(3, "the angular percentage");
-  } else if (kind == "wheels") {
-    expect(2, "wheels left_percent right_percent");
-    model_.drive_error.left_scale = scale(2, "the left percentage");
-    model_.drive_error.right_scale = scale(3, "the right percentage");
-  } else if (kind == "encoder") {
-    expect(1, "encoder quantised");
-    if (lower(s.text(2)) != "quantised") {
-      s.fail(2, in_quotes(s.text(2)) + " found: expected 'quantised'");
-    }
-    model_.drive_error.encoder_quantised = true;
-  } else if (kind == "compass") {
-    expect(1, "compass sigma_deg");
-    model_.compass_error.sigma = deg_to_rad(s.number(2, "sigma", 0, 180));
-  } else if (kind == "camera") {
-    expect(2, "camera salt_and_pepper_percent sigma");
-    camera_salt_ = fraction(2, "the percentage");
-    camera_sigma_ = s.number(3, "sigma", 0, 255);
-  } else if (kind == "radio") {
-    expect(2, "radio loss_percent delay_ms");
-    model_.radio_error.loss = fraction(2, "the percentage");
-    model_.radio_error.delay = s.number(3, "the delay", 0, 3'600'000) / 1000;
-  } else if (kind == "ir") {
-    expect(1, "ir flip_percent");
-    ir_flip_ = fraction(2, "the percentage");
-  } else if (kind == "bump") {
-    expect(1, "bump miss_percent");
-    bump_miss_ = fraction(2, "the percentage");
-  } else {
-    const std::string_view near = nearest(kind, kErrors);
-    s.fail(1, "unknown error model " + in_quotes(s.text(1)) + ": expected " +
-                  (near.empty() ? one_of(kErrors) : in_quotes(near) + "?"));
+  std::vector<ErrorWord> words;
+  for (std::size_t i = 1; i < s.size(); ++i) words.push_back({s.text(i), s.where(i)});
+  if (words.empty()) s.fail(1, "line ends: expected a preset or an error model");
+  errors_.push_back(read_error_rule(words, s.where(s.size())));
+  if (errors_.back().robot)
+    s.fail(1, in_quotes(s.text(1)) + " found: this file is about one robot");
+}
+
+void RobotBuilder::read_table(const Statement& s) {
+  if (s.size() < 3) s.fail(s.size(), "line ends: expected 'psd_table MM MM ...', by raw value");
+  std::vector<double> metres;
+  for (std::size_t i = 1; i < s.size(); ++i) {
+    metres.push_back(s.millimetres(i, "a range of the table", 0, 1e5));
   }
+  psd_table_ = robot::RangeTable(metres);
+  if (psd_table_.empty()) s.fail(1, "no range below 9999 in the table: expected one");
 }
 
 template <class Sensor>
@@ -201,18 +164,14 @@ robot::RobotModel RobotBuilder::finish() {
   number_sensors(model_.proximity_sensors, ir_ids_, "ir");
   number_sensors(model_.bumpers, bump_ids_, "bump");
   for (robot::RangeSensorModel& psd : model_.range_sensors) {
-    psd.error = psd_error_;
+    psd.table = psd_table_;
     if (psd_range_) {
       psd.min_range = psd_range_->first;
       psd.max_range = psd_range_->second;
     }
   }
-  for (robot::ProximityModel& ir : model_.proximity_sensors) ir.flip_probability = ir_flip_;
-  for (robot::BumperModel& bumper : model_.bumpers) bumper.miss_probability = bump_miss_;
-  if (model_.lidar) model_.lidar->error = lidar_error_;
-  if (model_.camera) {
-    model_.camera->salt_and_pepper = camera_salt_;
-    model_.camera->sigma = camera_sigma_;
+  for (const ErrorRule& rule : errors_) {
+    if (!apply_rule(rule, model_) && rule.device) throw no_such_device(rule, model_);
   }
   return std::move(model_);
 }

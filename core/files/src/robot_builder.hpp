@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "eyebridge/files/error_rules.hpp"
 #include "eyebridge/robot/robot_model.hpp"
 #include "text.hpp"
 
@@ -12,7 +13,7 @@ namespace eyebridge::files {
 
 /// Puts a RobotModel together from the lines that `.robi` and `eyesim.p` have in common.
 ///
-/// Errors and ranges may stand before the sensors they speak of: finish() applies them.
+/// Errors, tables and ranges may stand before the sensors they speak of: finish() applies them.
 class RobotBuilder {
  public:
   explicit RobotBuilder(Warnings& warnings) : warnings_(warnings) {}
@@ -25,7 +26,7 @@ class RobotBuilder {
   void add_ir(const Statement& s, const Pose& pose, std::optional<std::size_t> threshold_token);
   /// "bump NAME id start end"
   void add_bump(const Statement& s);
-  /// Our extensions: true when the line was one of "psd_range", "accel" and "error".
+  /// Our extensions: true when the line was one of "psd_range", "psd_table", "accel" and "error".
   bool read_extension(const Statement& s);
 
   /// Numbers the sensors, applies errors and ranges. Throws ConfigError for an id met twice.
@@ -41,6 +42,7 @@ class RobotBuilder {
 
   Id read_id(const Statement& s, std::size_t token) const;
   void read_error(const Statement& s);
+  void read_table(const Statement& s);
   template <class Sensor>
   void number_sensors(std::vector<Sensor>& sensors, const std::vector<Id>& ids,
                       std::string_view kind);
@@ -51,12 +53,8 @@ class RobotBuilder {
   std::vector<Id> ir_ids_;
   std::vector<Id> bump_ids_;
   std::optional<std::pair<double, double>> psd_range_;
-  robot::GaussianError psd_error_;
-  robot::GaussianError lidar_error_;
-  double ir_flip_ = 0;
-  double bump_miss_ = 0;
-  double camera_salt_ = 0;
-  double camera_sigma_ = 0;
+  robot::RangeTable psd_table_;
+  std::vector<ErrorRule> errors_;
 };
 
 }  // namespace eyebridge::files

@@ -170,10 +170,11 @@ class SimLoader {
 
 }  // namespace
 
-void load_sim(std::string_view text, const std::string& name, const SearchPlaces& places,
-              Scenario& scenario) {
-  const SimFile sim = read_sim(text, name, scenario.warnings);
+std::vector<ErrorRule> load_sim(std::string_view text, const std::string& name,
+                                const SearchPlaces& places, Scenario& scenario) {
+  SimFile sim = read_sim(text, name, scenario.warnings);
   SimLoader(sim, name, places, scenario).load();
+  return std::move(sim.errors);
 }
 
 }  // namespace eyebridge::files

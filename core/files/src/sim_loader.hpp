@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "eyebridge/files/error_rules.hpp"
 #include "eyebridge/files/load.hpp"
 
 namespace eyebridge::files {
@@ -10,8 +11,9 @@ namespace eyebridge::files {
 /// Walls around 2 m x 2 m.
 world::WorldModel empty_room();
 
-/// Fills `scenario` from the `.sim` file `name` with content `text`. Throws ConfigError.
-void load_sim(std::string_view text, const std::string& name, const SearchPlaces& places,
-              Scenario& scenario);
+/// Fills `scenario` from the `.sim` file `name` with content `text`. Returns its rules about
+/// errors, for when all robots are placed. Throws ConfigError.
+std::vector<ErrorRule> load_sim(std::string_view text, const std::string& name,
+                                const SearchPlaces& places, Scenario& scenario);
 
 }  // namespace eyebridge::files

@@ -11,8 +11,8 @@ namespace eyebridge::files {
 namespace {
 
 constexpr std::size_t kMaxThings = 100000;
-constexpr std::array<std::string_view, 8> kSimKeywords = {"world", "maze",   "robi",     "robot",
-                                                          "obj",   "object", "settings", "marker"};
+constexpr std::array<std::string_view, 9> kSimKeywords = {
+    "world", "maze", "robi", "robot", "obj", "object", "settings", "marker", "error"};
 constexpr std::string_view kRobotForm = "NAME x y phi [program]' or 'NAME S [phi] [program]";
 
 bool is_start_letter(std::string_view word) {
@@ -37,9 +37,10 @@ class SimReader {
     while (statements_.next(s)) {
       any = true;
       if (out_.robots.size() + out_.objects.size() + out_.markers.size() + out_.robot_files.size() +
-              out_.object_files.size() >
+              out_.object_files.size() + out_.errors.size() >
           kMaxThings) {
-        s.fail(0, "more than " + std::to_string(kMaxThings) + " robots, objects and markers");
+        s.fail(0,
+               "more than " + std::to_string(kMaxThings) + " robots, objects, markers and errors");
       }
       read_statement(s);
     }
@@ -66,6 +67,8 @@ class SimReader {
       read_settings(s);
     } else if (keyword == "marker") {
       read_marker(s);
+    } else if (keyword == "error") {
+      read_error(s);
     } else if (auto object = builtin_object(keyword)) {
       s.expect_arguments(3, std::string(s.text(0)) + " x y phi");
       object->pose = pose(s, 1);
@@ -151,6 +154,13 @@ class SimReader {
     if (s.size() >= 6) marker.colour = {channel(3), channel(4), channel(5)};
     if (s.size() == 7) static_cast<void>(channel(6));
     out_.markers.push_back(marker);
+  }
+
+  void read_error(const Statement& s) {
+    std::vector<ErrorWord> words;
+    for (std::size_t i = 1; i < s.size(); ++i) words.push_back({s.text(i), s.where(i)});
+    if (words.empty()) s.fail(1, "line ends: expected a preset or an error model");
+    out_.errors.push_back(read_error_rule(words, s.where(s.size())));
   }
 
   void read_robot(const Statement& s, const std::string& keyword) {

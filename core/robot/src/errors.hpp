@@ -8,7 +8,17 @@
 namespace eyebridge::robot {
 
 /// What kind of device a stream of random numbers belongs to.
-enum class NoiseSource : std::uint64_t { Drive, Range, Proximity, Bumper, Lidar, Compass, Camera };
+enum class NoiseSource : std::uint64_t {
+  Drive,
+  Range,
+  Proximity,
+  Bumper,
+  Lidar,
+  Compass,
+  Camera,
+  Slip,
+  Encoder
+};
 
 /// The stream of device number `index` of kind `source` on robot `robot`: no two devices share
 /// one, so that adding a sensor does not change another one's noise. `index` < 2^16.

@@ -74,7 +74,7 @@ double Wheel::rolling(const MotorModel& model) const {
 }
 
 std::int64_t Wheel::raw_ticks(const MotorModel& model) const {
-  return std::llround(travel_ * model.ticks_per_metre);
+  return std::llround(travel_ * model.ticks_per_metre) - missed_ticks_;
 }
 
 }  // namespace eyebridge::robot

@@ -47,12 +47,14 @@ class Wheel {
   [[nodiscard]] double travel() const { return travel_; }  ///< Since the start, metres.
   /// How far the rim still goes when the controller is told to stand still, metres.
   [[nodiscard]] double rolling(const MotorModel& model) const;
-  /// Whole ticks since the start, to the nearest one.
+  /// Whole ticks since the start, to the nearest one, without those that were missed.
   [[nodiscard]] std::int64_t raw_ticks(const MotorModel& model) const;
   [[nodiscard]] std::int64_t ticks(const MotorModel& model) const {
     return raw_ticks(model) - zero_ticks_;
   }
   void reset_ticks(const MotorModel& model) { zero_ticks_ = raw_ticks(model); }
+  /// The encoder has not counted `ticks` of those that went by; negative ones of a way back.
+  void miss(std::int64_t ticks) { missed_ticks_ += ticks; }
 
  private:
   double speed_ = 0.0;
@@ -61,6 +63,7 @@ class Wheel {
   double last_error_ = 0.0;   // metres per second
   double integral_ = 0.0;     // metres per second, summed over periods of the board's controller
   std::int64_t zero_ticks_ = 0;
+  std::int64_t missed_ticks_ = 0;
   PidGains gains_;
 };
 

@@ -34,7 +34,7 @@ bool Simulation::read_proximity(RobotIndex robot, std::size_t sensor) {
   RayDevice& device = devices.proximities.at(sensor);
   const ProximityModel& model = devices.model.proximity_sensors[sensor];
   const bool near = impl_->look(robot, device.sight, model.threshold) < model.threshold;
-  const bool flipped = model.flip_probability > 0.0 && device.noise.chance(model.flip_probability);
+  const bool flipped = !model.error.perfect() && device.noise.chance(model.error.flip);
   return near != flipped;
 }
 
@@ -53,7 +53,7 @@ bool Simulation::read_bumper(RobotIndex robot, std::size_t bumper) {
         return in_sector(bearing, model.start, model.end);
       });
   if (!touched) return false;
-  return model.miss_probability <= 0.0 || !noise.chance(model.miss_probability);
+  return model.error.perfect() || !noise.chance(model.error.miss);
 }
 
 void Simulation::read_lidar(RobotIndex robot, double field_of_view, std::span<double> ranges) {
@@ -78,13 +78,16 @@ void Simulation::read_lidar(RobotIndex robot, double field_of_view, double tilt,
     range = beam.range(range);
     if (model.error.perfect() || range >= model.max_range) continue;
     range = std::clamp(with_error(range, model.error, devices.lidar), 0.0, model.max_range);
+    if (model.error.dropout > 0.0 && devices.lidar.chance(model.error.dropout)) {
+      range = model.max_range;
+    }
   }
 }
 
 double Simulation::read_compass(RobotIndex robot) {
   RobotDevices& devices = impl_->devices_of(robot);
   const double heading = impl_->world.heading(body(robot)).angle();
-  const GaussianError& error = devices.model.compass_error;
+  const CompassError& error = devices.model.compass_error;
   if (error.perfect()) return heading;
   return wrap_angle(with_error(heading, error, devices.compass));
 }

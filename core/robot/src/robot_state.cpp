@@ -41,7 +41,7 @@ DriveLimits limits_of(const RobotModel& model, double dt) {
   const bool lags = drive.motor_time_constant > 0.0;
   limits.distance_end = lags ? kCreepDistance : kExact;
   limits.angle_end = lags ? kCreepAngle : kExact;
-  if (model.drive_error.encoder_quantised) {
+  if (model.drive_error.counts_ticks()) {
     // A goal between two ticks is reached at either of them.
     const double tick = kPi * drive.wheel_diameter / drive.ticks_per_revolution;
     limits.distance_end += tick;
@@ -63,13 +63,14 @@ std::vector<RayDevice> ray_devices(const auto& models, std::uint64_t seed, std::
 }  // namespace
 
 RobotState::RobotState(const RobotModel& model, const SimulationSettings& settings,
-                       world::BodyId body_id, Random drive_noise)
+                       world::BodyId body_id, Random drive_noise, const DriveFaults& fault_noise)
     : body(body_id),
       wheel_base(model.drive.wheel_base),
       motor(motor_of(model.drive, settings.step)),
       controller(limits_of(model, settings.step)),
-      error(model.drive_error),
-      noise(drive_noise) {}
+      noise(drive_noise) {
+  set_error(model, settings.step, fault_noise);
+}
 
 Twist RobotState::present() const {
   if (!by_motors) return controller.twist();
@@ -93,6 +94,18 @@ void RobotState::use_motors() {
 void RobotState::use_controller() {
   clear_stall();
   by_motors = false;
+}
+
+void RobotState::set_error(const RobotModel& model, double dt, const DriveFaults& fault_noise) {
+  const DriveError& wanted = model.drive_error;
+  if (wanted.counts_ticks() && !error.counts_ticks()) {
+    // Odometry goes on from here; what the encoders counted before is not travel of the next step.
+    for (std::size_t i = 0; i < 2; ++i) seen_ticks[i] = wheels[i].raw_ticks(motor);
+  }
+  const bool has_faults = wanted.slip > 0.0 || wanted.encoder_miss > 0.0;
+  if (has_faults && !faults) faults = std::make_unique<DriveFaults>(fault_noise);
+  error = wanted;
+  controller.set_limits(limits_of(model, dt));
 }
 
 void RobotState::clear_stall() {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
+#include "drive_faults.hpp"
 #include "errors.hpp"
 #include "eyebridge/robot/drive_controller.hpp"
 #include "eyebridge/robot/odometry.hpp"
@@ -20,7 +22,7 @@ struct MotorCommand {
 /// Everything about a robot that step() touches: one block of memory a robot.
 struct RobotState {
   RobotState(const RobotModel& model, const SimulationSettings& settings, world::BodyId body_id,
-             Random drive_noise);
+             Random drive_noise, const DriveFaults& fault_noise);
 
   /// How fast the robot is meant to go now: where the next ramp starts.
   [[nodiscard]] Twist present() const;
@@ -31,6 +33,8 @@ struct RobotState {
   /// Gives the robot back to v-omega control, and forgets a stall: a new command came.
   void use_controller();
   void clear_stall();
+  /// From now on the drive errs as `model` says; `fault_noise` is what its faults draw from.
+  void set_error(const RobotModel& model, double dt, const DriveFaults& fault_noise);
 
   world::BodyId body;
   bool by_motors = false;
@@ -48,6 +52,7 @@ struct RobotState {
   Twist measured;
   DriveError error;
   Random noise;
+  std::unique_ptr<DriveFaults> faults;  ///< Null unless there is slip or ticks are missed.
 };
 
 /// A range sensor or proximity switch with its ray and its noise.

@@ -52,7 +52,11 @@ bool in_reach(double range, const RangeSensorModel& model) {
 
 double range_reading(double range, const RangeSensorModel& model, Random& random) {
   if (!in_reach(range, model)) return model.out_of_range;
-  return std::clamp(with_error(range, model.error, random), 0.0, model.max_range);
+  const RangeError& error = model.error;
+  if (error.perfect()) return range;
+  double reading = std::clamp(with_error(range, error, random), 0.0, model.max_range);
+  if (error.quantised) reading = model.table.nearest(reading, model.out_of_range);
+  return error.dropout > 0.0 && random.chance(error.dropout) ? model.out_of_range : reading;
 }
 
 double range_reading(double range, const RangeSensorModel& model) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "eyebridge/robot/error_presets.hpp"
 #include "simulation_impl.hpp"
 
 namespace eyebridge::robot {
@@ -62,7 +63,8 @@ RobotIndex Simulation::add_robot(const RobotModel& model, const Pose& pose) {
   const world::BodyId body = impl_->world.add_robot(pose, model.radius(), model.height, colour);
   const std::uint64_t seed = impl_->settings.seed;
   impl_->states.emplace_back(model, impl_->settings, body,
-                             noise_stream(seed, robot, NoiseSource::Drive, 0));
+                             noise_stream(seed, robot, NoiseSource::Drive, 0),
+                             DriveFaults(seed, robot));
   impl_->devices.emplace_back(model, seed, robot);
   return robot;
 }
@@ -71,6 +73,14 @@ std::size_t Simulation::robot_count() const { return impl_->states.size(); }
 const RobotModel& Simulation::model(RobotIndex robot) const {
   return impl_->devices_of(robot).model;
 }
+
+void Simulation::set_errors(RobotIndex robot, const RobotModel& like) {
+  RobotModel& model = impl_->devices_of(robot).model;
+  copy_errors(like, model);
+  const SimulationSettings& settings = impl_->settings;
+  impl_->at(robot).set_error(model, settings.step, DriveFaults(settings.seed, robot));
+}
+
 world::BodyId Simulation::body(RobotIndex robot) const { return impl_->at(robot).body; }
 
 void Simulation::step() {

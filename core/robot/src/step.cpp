@@ -41,17 +41,31 @@ WheelTravel drive_wheels(RobotState& state) {
 /// What the ground makes of the wheels' travel.
 PathStep true_path(RobotState& state, const WheelTravel& wheels) {
   const DriveError& error = state.error;
-  PathStep path =
-      path_of({wheels.left * (1.0 + error.left_scale), wheels.right * (1.0 + error.right_scale)},
-              state.wheel_base);
+  WheelTravel ground{wheels.left * (1.0 + error.left_scale),
+                     wheels.right * (1.0 + error.right_scale)};
+  if (error.slip > 0.0) state.faults->slip(error.slip, ground);
+  PathStep path = path_of(ground, state.wheel_base);
   if (error.linear_sigma != 0.0) path.distance *= 1.0 + error.linear_sigma * state.noise.gaussian();
   if (error.angular_sigma != 0.0) path.angle *= 1.0 + error.angular_sigma * state.noise.gaussian();
   return path;
 }
 
+/// Turns wheel `side` by `travel`, and its encoder as far as that sees it.
+void turn_wheel(RobotState& state, std::size_t side, double travel, bool held) {
+  Wheel& wheel = state.wheels[side];
+  if (state.error.encoder_miss == 0.0) {
+    wheel.turn(travel, held);
+    return;
+  }
+  const std::int64_t before = wheel.raw_ticks(state.motor);
+  wheel.turn(travel, held);
+  const std::int64_t ticks = wheel.raw_ticks(state.motor) - before;
+  wheel.miss(state.faults->missed(state.error.encoder_miss, side, ticks));
+}
+
 /// What odometry sees of the wheels' travel.
 PathStep measured_path(RobotState& state, const WheelTravel& wheels) {
-  if (!state.error.encoder_quantised) return path_of(wheels, state.wheel_base);
+  if (!state.error.counts_ticks()) return path_of(wheels, state.wheel_base);
   double travel[2];
   for (std::size_t i = 0; i < 2; ++i) {
     const std::int64_t ticks = state.wheels[i].raw_ticks(state.motor);
@@ -77,8 +91,8 @@ void Simulation::Impl::step_robot(RobotIndex robot) {
   const bool held = result.blocked();
   wheels.left *= result.fraction;
   wheels.right *= result.fraction;
-  state.wheels[0].turn(wheels.left, held);
-  state.wheels[1].turn(wheels.right, held);
+  turn_wheel(state, 0, wheels.left, held);
+  turn_wheel(state, 1, wheels.right, held);
   const PathStep measured = measured_path(state, wheels);
   state.odometry.add(measured == path ? arc : arc_of(measured));
   const double dt = settings.step;

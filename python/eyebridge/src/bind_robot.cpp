@@ -10,6 +10,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "checks.hpp"
+#include "eyebridge/files/error_rules.hpp"
 #include "robot_camera.hpp"
 #include "robot_handle.hpp"
 
@@ -101,6 +102,13 @@ void set_wheels(RobotHandle& robot, double left, double right) {
   });
 }
 
+void set_errors(RobotHandle& robot, const std::string& rules, double scale) {
+  if (!(scale >= 0.0 && scale <= 1.0)) refuse("scale", scale, "0 ... 1");
+  robot.simulation->with([&](auto& sim) {
+    sim.set_errors(robot.index, files::with_errors(sim.model(robot.index), rules, scale));
+  });
+}
+
 std::unique_ptr<RobotCamera> open_camera(const RobotHandle& robot, int width, int height,
                                          const std::string& options) {
   return std::make_unique<RobotCamera>(robot.simulation, robot.index, width, height,
@@ -166,6 +174,7 @@ void bind_robot(py::module_& module) {
            py::arg("speed") = 0.3, Release())
       .def("set_wheels", &set_wheels, py::arg("left"), py::arg("right"), Release())
       .def("stop", [](const RobotHandle& r) { of(r, [](auto& sim, auto i) { sim.stop(i); }); })
+      .def("set_errors", &set_errors, py::arg("rules"), py::arg("scale") = 1.0, Release())
       .def("psd", &psd, py::arg("id"))
       .def("psds", &psds)
       .def_property_readonly("psd_ids",

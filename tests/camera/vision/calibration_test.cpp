@@ -15,6 +15,7 @@
 #include "src/lens_distortion.hpp"
 #include "src/undistorted_source.hpp"
 #include "src/undistortion.hpp"
+#include "src/url_option.hpp"
 
 namespace eyebridge::camera::testing {
 namespace {
@@ -241,12 +242,15 @@ TEST_F(CalibratedSource, AFileThatIsMissingOrEmptyNamedOrNamedTwiceIsAnError) {
   EXPECT_THROW(check_source("pattern?calibration=no-such-file.toml", context), ConfigError);
 }
 
-TEST(TakeCalibration, LeavesTheOtherOptionsToTheSource) {
-  EXPECT_EQ(take_calibration("v4l2:/dev/video0?size=640x480&calibration=a.toml&fps=30").url,
+TEST(TakeOption, LeavesTheOtherOptionsToTheSource) {
+  const auto take = [](const char* url) {
+    return take_option(url, "calibration", "calibration=FILE");
+  };
+  EXPECT_EQ(take("v4l2:/dev/video0?size=640x480&calibration=a.toml&fps=30").url,
             "v4l2:/dev/video0?size=640x480&fps=30");
-  EXPECT_EQ(take_calibration("v4l2:/dev/video0?calibration=a.toml").url, "v4l2:/dev/video0");
-  EXPECT_EQ(take_calibration("render:egl").url, "render:egl");
-  EXPECT_EQ(*take_calibration("render?calibration=a.toml").file, "a.toml");
+  EXPECT_EQ(take("v4l2:/dev/video0?calibration=a.toml").url, "v4l2:/dev/video0");
+  EXPECT_EQ(take("render:egl").url, "render:egl");
+  EXPECT_EQ(*take("render?calibration=a.toml").value, "a.toml");
 }
 
 }  // namespace

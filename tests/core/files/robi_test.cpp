@@ -101,17 +101,17 @@ TEST(Robi, ReadsOurExtensionsAndAppliesThemToEarlierLines) {
   EXPECT_EQ(robot.range_sensors[0].min_range, 0.05);
   EXPECT_EQ(robot.range_sensors[0].max_range, 0.8);
   EXPECT_EQ(robot.proximity_sensors.at(0).threshold, 0.12);
-  EXPECT_EQ(robot.proximity_sensors.at(0).flip_probability, 0.07);
+  EXPECT_EQ(robot.proximity_sensors.at(0).error.flip, 0.07);
   EXPECT_EQ(robot.bumpers.at(0).start, -kPi / 4);
-  EXPECT_EQ(robot.bumpers.at(0).miss_probability, 0.08);
+  EXPECT_EQ(robot.bumpers.at(0).error.miss, 0.08);
   EXPECT_EQ(robot.drive.linear_acceleration, 0.8);
   EXPECT_EQ(robot.drive.angular_acceleration, kPi / 2);
   EXPECT_EQ(robot.drive_error, (robot::DriveError{0.03, 0.04, 0.01, -0.02, 1}));
   EXPECT_EQ(robot.compass_error.sigma, kPi / 2);
-  EXPECT_EQ(robot.camera->salt_and_pepper, 0.05);
+  EXPECT_EQ(robot.camera->error.salt_and_pepper, 0.05);
   EXPECT_EQ(robot.radio_error.loss, 0.09);
   EXPECT_EQ(robot.radio_error.delay, 0.25);
-  EXPECT_EQ(robot.camera->sigma, 6);
+  EXPECT_EQ(robot.camera->error.sigma, 6);
   EXPECT_EQ(robot.lidar->error.sigma, 0.009);
   EXPECT_EQ(robot.lidar->error.sigma_relative, 0.1);
 }
@@ -148,7 +148,7 @@ TEST(Robi, EveryMistakeIsNamedWithItsPlace) {
        "r.robi:1:7: unknown drive 'HOVERCRAFT': expected DIFFERENTIAL_DRIVE, "
        "ACKERMANN_DRIVE or OMNI_DRIVE"},
       {"error psi 1 2", "r.robi:1:7: unknown error model 'psi': expected 'psd'?"},
-      {"error encoder rounded", "r.robi:1:15: 'rounded' found: expected 'quantised'"},
+      {"error encoder rounded", "r.robi:1:15: 'rounded' found: expected quantised or miss"},
       {"diameter -5", "r.robi:1:10: the diameter is -5: expected 1 to 10000"},
       {"diameter nan", "r.robi:1:10: 'nan' found: expected the diameter, a number"},
       {"name R\n fisheye 100", "r.robi:2:2: fisheye without camera: expected a 'camera' line"},

@@ -15,7 +15,7 @@ RobotModel erring_model() {
   model.range_sensors[1].pose_in_robot = {0.0, 0.05, kPi / 2};
   for (RangeSensorModel& sensor : model.range_sensors) sensor.error = {0.001, 0.005, 0.02};
   model.proximity_sensors.resize(1);
-  model.proximity_sensors[0].flip_probability = 0.05;
+  model.proximity_sensors[0].error.flip = 0.05;
   model.bumpers = {{1, "front", -0.8, 0.8, 0.1}};
   model.lidar = LidarModel{};
   model.lidar->error.sigma = 0.01;

@@ -76,7 +76,7 @@ TEST(Proximity, IsTrueNearerThanItsThreshold) {
 TEST(Proximity, FlipsAsOftenAsItWasTold) {
   RobotModel model;
   ProximityModel sensor;
-  sensor.flip_probability = 0.1;
+  sensor.error.flip = 0.1;
   model.proximity_sensors = {sensor};
   Rig rig(model);
   int wrong = 0;

@@ -15,11 +15,12 @@ int main(int argc, char** argv) {
     VWSetSpeed(20 * id, 0);
     OSWait(100);
   }
-  LCDSetPrintf(0, 0, "robot %d", id);
-  CAMInit(id == 1 ? QQVGA : QVGA);
+  const int count = OSGetCount() / 100 * 100;
   int x, y, phi;
   VWGetPosition(&x, &y, &phi);
+  LCDSetPrintf(0, 0, "robot %d", id);
+  CAMInit(id == 1 ? QQVGA : QVGA);
   printf("%d: counted %d calls %d mine %d camera %d x %d at %d %s\n", id, counted, calls, mine[0],
-         CAMWIDTH, x / 10 * 10, OSGetCount() / 100 * 100, argc > 1 ? argv[1] : "alone");
+         CAMWIDTH, x / 10 * 10, count, argc > 1 ? argv[1] : "alone");
   return 0;
 }

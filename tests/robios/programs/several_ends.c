@@ -20,6 +20,7 @@ int main(void) {
   if (id == 4) return fill(0);
   if (id == 5) abort();
   if (id == 6) raise(SIGFPE);
+  if (id == 7) LCDImage((BYTE*)16);
   OSWait(1000);
   printf("robot %d is left\n", id);
   return 0;

@@ -1,5 +1,6 @@
 // Robot 1 sets off and its program ends; robot 2 watches it go on, by radio and by its own eyes.
 #include <eyebot.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -14,11 +15,11 @@ int main(void) {
   char text[20];
   int sender = 0;
   RADIOReceive(&sender, text, sizeof text);
-  int x1, x2, y, z, phi;
-  SIMGetRobot(1, &x1, &y, &z, &phi);
+  int x1, y1, x2, y2, z, phi;
+  SIMGetRobot(1, &x1, &y1, &z, &phi);
   OSWait(1000);
-  SIMGetRobot(1, &x2, &y, &z, &phi);
-  printf("%d said %s at %d; went on %d mm\n", sender, text, OSGetCount() / 100 * 100,
-         (x2 - x1 + 5) / 10 * 10);
+  SIMGetRobot(1, &x2, &y2, &z, &phi);
+  printf("%d said %s at %d; went on %.0f mm\n", sender, text, OSGetCount() / 100 * 100,
+         hypot(x2 - x1, y2 - y1));
   return 0;
 }

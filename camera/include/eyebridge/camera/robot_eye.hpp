@@ -28,7 +28,7 @@ inline Eye eye_of(const robot::Simulation& sim, robot::RobotIndex robot) {
 /// What its pictures suffer from; otherwise as eye_of().
 inline ImageNoise noise_of(const robot::Simulation& sim, robot::RobotIndex robot) {
   const robot::CameraModel& model = *sim.model(robot).camera;
-  return {model.salt_and_pepper, model.sigma, sim.camera_noise_seed(robot)};
+  return {model.error, sim.camera_noise_seed(robot)};
 }
 
 }  // namespace eyebridge::camera

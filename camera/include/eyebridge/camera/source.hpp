@@ -62,7 +62,9 @@ void check_source(const std::string& url, const SourceContext& context);
 /// ConfigError{"--camera"} for an unknown scheme (naming the known ones) or a source that cannot
 /// work here. With "?calibration=FILE" any source gives straightened pictures: those of a pinhole
 /// with the same focal length; set_size() fails with Unsupported where the camera's pictures get
-/// another aspect than the calibration's.
+/// another aspect than the calibration's. With "?errors=harsh" or "?errors=sigma=4,blur=1" (what
+/// follows `camera` in docs/errors.md) its frames get a camera's errors; "error_seed=N" gives other
+/// ones, what one frame suffers follows from that and its sequence.
 std::unique_ptr<Source> open_source(const std::string& url, const SourceContext& context);
 
 }  // namespace eyebridge::camera

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string>
 
+#include "eyebridge/robot/error_models.hpp"
 #include "eyebridge/world/scene.hpp"
 
 namespace eyebridge::camera {
@@ -17,11 +18,10 @@ struct Eye {
   double horizontal_field_of_view = 1.0471975511965976;  ///< Radians; pixels are square.
 };
 
-/// Noise added to a rendered picture.
+/// What is wrong with a camera's pictures.
 struct ImageNoise {
-  double salt_and_pepper = 0.0;  ///< Fraction of pixels turned black or white.
-  double sigma = 0.0;            ///< Gaussian, a channel, 0 … 255.
-  std::uint64_t seed = 1;        ///< Of this camera alone; each frame's time makes a stream of it.
+  robot::CameraError error;
+  std::uint64_t seed = 1;  ///< Of this camera alone; each picture makes a stream of it.
 };
 
 /// What a rendered camera looks at: implemented by a simulated robot. Any thread.

@@ -19,8 +19,11 @@ struct RadioMessage {
 
 /// What messages to a robot suffer on their way, as its model says.
 struct RadioConditions {
-  double loss = 0.0;  ///< Share that gets lost, 0 … 1.
-  Time delay{0};      ///< Until one arrives, on the robot's clock.
+  double loss = 0.0;     ///< Share that gets lost, 0 … 1.
+  Time delay{0};         ///< Until one arrives, on the robot's clock.
+  Time jitter{0};        ///< Up to so much later, evenly spread: messages may overtake.
+  double corrupt = 0.0;  ///< Share in which one bit is flipped, 0 … 1.
+  double range = 0.0;    ///< Metres beyond which nothing arrives; 0: no limit.
 };
 
 /// The radio of a robot: messages to other robots by number.

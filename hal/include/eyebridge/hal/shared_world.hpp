@@ -52,6 +52,9 @@ class SharedWorld {
   virtual void step() = 0;
   /// The state of everything that moves: the same for the same run.
   [[nodiscard]] virtual StateHash hash() = 0;
+  /// True while somebody reads or changes the world: asked by who may have been stopped in the
+  /// middle of that. For signal handlers, too.
+  [[nodiscard]] virtual bool is_locked() = 0;
   /// How often real time slipped because the computer was too slow; 0 in virtual time.
   [[nodiscard]] virtual std::uint64_t overruns() const = 0;
 };

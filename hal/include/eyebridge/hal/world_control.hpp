@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "eyebridge/base/pose.hpp"
 #include "eyebridge/base/result.hpp"
 
@@ -22,6 +24,10 @@ class WorldControl {
   virtual Result<void> set_robot_pose(int id, const Pose& pose) = 0;
   virtual Result<Pose> object_pose(int id) const = 0;
   virtual Result<void> set_object_pose(int id, const Pose& pose) = 0;
+  /// Does to the errors that robot `id` has now what `rules` say, written as the setting `errors`
+  /// ("realistic", "psd:1 dropout=5%"; robot:N not), then scales them by `share`, 0 … 1. Rules
+  /// that are wrong are OutOfRange, too, and change nothing.
+  virtual Result<void> set_errors(int id, const std::string& rules, double share) = 0;
 };
 
 }  // namespace eyebridge::hal

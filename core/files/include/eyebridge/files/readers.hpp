@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "eyebridge/files/error_rules.hpp"
 #include "eyebridge/files/scenario.hpp"
 
 namespace eyebridge::files {
@@ -76,6 +77,7 @@ struct SimFile {
   std::vector<SimRobot> robots;
   std::vector<world::ObjectSpec> objects;
   std::vector<world::Marker> markers;
+  std::vector<ErrorRule> errors;
   bool show_sensors = false;
   bool show_trail = false;
 };

@@ -45,6 +45,8 @@ class DriveController {
     return state_ != DriveState::Driving && twist_ == Twist{} && target_ == Twist{};
   }
   [[nodiscard]] const DriveLimits& limits() const { return limits_; }
+  /// Holds from the next step on; what is under way goes on.
+  void set_limits(const DriveLimits& limits) { limits_ = limits; }
 
  private:
   /// Distance or angle of a goal.

@@ -6,22 +6,12 @@
 
 #include "eyebridge/base/pose.hpp"
 #include "eyebridge/base/units.hpp"
+#include "eyebridge/robot/error_models.hpp"
 
 namespace eyebridge::robot {
 
 // Definition structs: every field has a usable default, every one names its unit. The defaults are
 // those of an S4-sized EyeBot; readers of .robi and eyesim.p overwrite what their file says.
-
-/// Gaussian error of a reading: sigma = `sigma` + `sigma_relative` * value, mean = `bias`.
-/// All zero, the default, is a perfect sensor.
-struct GaussianError {
-  double bias = 0.0;            ///< In the unit of the reading.
-  double sigma = 0.0;           ///< In the unit of the reading.
-  double sigma_relative = 0.0;  ///< Fraction of the reading.
-
-  [[nodiscard]] bool perfect() const { return bias == 0 && sigma == 0 && sigma_relative == 0; }
-  friend bool operator==(const GaussianError&, const GaussianError&) = default;
-};
 
 /// A distance sensor (PSD): one ray.
 struct RangeSensorModel {
@@ -32,8 +22,9 @@ struct RangeSensorModel {
   double min_range = 0.0;       ///< Nearer surfaces read as `out_of_range`, metres.
   double max_range = 9.999;     ///< Farther surfaces read as `out_of_range`, metres.
   double out_of_range = 9.999;  ///< Metres: EyeSim's 9999 mm.
-  GaussianError error;
+  RangeError error;
   int semantics = 0;  ///< As classic programs ask for it, PSDInit(-205); 0: by name only.
+  RangeTable table;   ///< What `error.quantised` rounds to; empty: the sensor has no table.
 
   friend bool operator==(const RangeSensorModel&, const RangeSensorModel&) = default;
 };
@@ -43,9 +34,9 @@ struct ProximityModel {
   int id = 1;
   std::string name;
   Pose pose_in_robot;
-  double threshold = 0.15;        ///< Metres.
-  double flip_probability = 0.0;  ///< Of one wrong answer, 0 … 1.
-  int semantics = 0;              ///< As RangeSensorModel's.
+  double threshold = 0.15;  ///< Metres.
+  ProximityError error;
+  int semantics = 0;  ///< As RangeSensorModel's.
 
   friend bool operator==(const ProximityModel&, const ProximityModel&) = default;
 };
@@ -54,10 +45,10 @@ struct ProximityModel {
 struct BumperModel {
   int id = 1;
   std::string name;
-  double start = 0.0;             ///< Bearing in the robot, radians; the sector goes
-  double end = 0.0;               ///< counter-clockwise from `start` to `end`.
-  double miss_probability = 0.0;  ///< Of a contact not seen, 0 … 1.
-  int semantics = 0;              ///< As RangeSensorModel's.
+  double start = 0.0;  ///< Bearing in the robot, radians; the sector goes
+  double end = 0.0;    ///< counter-clockwise from `start` to `end`.
+  BumperError error;
+  int semantics = 0;  ///< As RangeSensorModel's.
 
   friend bool operator==(const BumperModel&, const BumperModel&) = default;
 };
@@ -70,7 +61,7 @@ struct LidarModel {
   Pose pose_in_robot;
   double height = 0.1;       ///< Metres above the floor.
   double max_range = 9.999;  ///< Metres; also what "nothing hit" reads.
-  GaussianError error;
+  LidarError error;
 
   friend bool operator==(const LidarModel&, const LidarModel&) = default;
 };
@@ -85,8 +76,7 @@ struct CameraModel {
   double max_pan = deg_to_rad(90);   ///< Servo 1's throw to either side, radians.
   double max_tilt = deg_to_rad(90);  ///< Servo 2's throw to either side, radians.
   double horizontal_field_of_view = deg_to_rad(60);  ///< Radians.
-  double salt_and_pepper = 0.0;                      ///< Fraction of pixels turned black or white.
-  double sigma = 0.0;                                ///< Gaussian noise a channel, 0 … 255.
+  CameraError error;
 
   friend bool operator==(const CameraModel&, const CameraModel&) = default;
 };
@@ -109,25 +99,6 @@ struct DriveModel {
   friend bool operator==(const DriveModel&, const DriveModel&) = default;
 };
 
-/// Errors of actuators and odometry. All zero: perfect.
-struct DriveError {
-  double linear_sigma = 0.0;   ///< Gaussian, fraction of each step's travel.
-  double angular_sigma = 0.0;  ///< Gaussian, fraction of each step's turn.
-  double left_scale = 0.0;     ///< Systematic: the left wheel's travel is 1 + this times what its
-  double right_scale = 0.0;    ///< encoder says; likewise right (unequal wheel diameters).
-  bool encoder_quantised = false;  ///< Odometry sees whole encoder ticks only, not exact travel.
-
-  friend bool operator==(const DriveError&, const DriveError&) = default;
-};
-
-/// What messages to this robot's radio suffer.
-struct RadioError {
-  double loss = 0.0;   ///< Share of the messages that get lost, 0 … 1.
-  double delay = 0.0;  ///< Seconds until one arrives.
-
-  friend bool operator==(const RadioError&, const RadioError&) = default;
-};
-
 /// Everything about one type of robot.
 struct RobotModel {
   std::string name = "S4";
@@ -140,7 +111,7 @@ struct RobotModel {
   std::vector<BumperModel> bumpers;
   std::optional<LidarModel> lidar;
   std::optional<CameraModel> camera;
-  GaussianError compass_error;  ///< Radians.
+  CompassError compass_error;
   RadioError radio_error;
 
   [[nodiscard]] double radius() const { return diameter / 2; }

@@ -71,6 +71,10 @@ class Simulation {
   [[nodiscard]] std::size_t robot_count() const;
   [[nodiscard]] const RobotModel& model(RobotIndex robot) const;
   [[nodiscard]] world::BodyId body(RobotIndex robot) const;
+  /// From now on the devices of `robot` err as those of `like`, a model with the same devices: its
+  /// own with set_errors() or scale_errors() of error_presets.hpp, say. Streams of random numbers
+  /// go on where they are. Throws std::invalid_argument when `like` has other devices.
+  void set_errors(RobotIndex robot, const RobotModel& like);
 
   /// Advances time by settings().step.
   void step();

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "eyebridge/base/random.hpp"
+#include "eyebridge/robot/arc.hpp"
+
+namespace eyebridge::robot {
+
+/// Faults that wheels and encoders have now and then; each wheel draws from streams of its own.
+class DriveFaults {
+ public:
+  /// Of robot number `robot` in a run with `seed`.
+  DriveFaults(std::uint64_t seed, std::uint32_t robot);
+
+  /// With `probability` each wheel finds no hold in this step: its part of `ground` is zero.
+  void slip(double probability, WheelTravel& ground);
+  /// How many of the `ticks` of wheel `side` (0 left, 1 right) are not counted, each with
+  /// `probability`; signed as `ticks`.
+  std::int64_t missed(double probability, std::size_t side, std::int64_t ticks);
+
+ private:
+  std::array<Random, 2> slip_;
+  std::array<Random, 2> encoder_;
+};
+
+}  // namespace eyebridge::robot

@@ -1,0 +1,88 @@
+// Worlds whose robots name their programs: `eyebridge run --world FILE.sim`.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <sys/stat.h>
+
+#include "command.hpp"
+
+namespace eyebridge {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using testing::run_command;
+using testing::run_shell;
+using testing::ScratchFolder;
+
+constexpr const char* kFleetRoom = "floor 3000 3000\n0 0 3000 0\n3000 0 3000 3000\n3000 3000 0 3000\n0 3000 0 0\n";
+
+/// A room, and a program that tells its robot's number and words.
+class Scenario : public ::testing::Test {
+ protected:
+  Scenario() {
+    folder_.write("room.wld", kFleetRoom);
+    folder_.write("prog.c",
+                  "#include <eyebot.h>\n#include <stdio.h>\n"
+                  "int main(int argc, char** argv) {\n"
+                  "  OSWait(100 * OSMachineID());\n"
+                  "  printf(\"%d %s\\n\", OSMachineID(), argc > 1 ? argv[1] : \"none\");\n"
+                  "  return 0;\n}\n");
+    compile("prog.c -o prog");
+  }
+  void compile(const std::string& words) {
+    const auto built = run_shell("eyebridge-cc " + words, folder_.path());
+    EXPECT_EQ(built.exit_code, 0) << built.err;
+  }
+  testing::ProgramRun run(const std::string& robots) {
+    const auto sim = folder_.write("all.sim", "world room.wld\n" + robots);
+    return run_command({"run", "--fast", "--world", sim}, folder_.path());
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(Scenario, EachRobotRunsWhatItsLineNames) {
+  const auto r = run("S4 500 500 0 prog one\nS4 1500 500 90 prog two\nS4 2500 2500 0\n");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.out, "1 one\n2 two\n");  // the third has none and stands
+  EXPECT_THAT(r.err, HasSubstr("eyebridge: 2 robots"));
+}
+
+TEST_F(Scenario, AProgramThatIsNotThereIsThatRobotsTrouble) {
+  const auto r = run("S4 500 500 0 nowhere\nS4 1500 500 90 prog two\nS4 2500 2500 0 prog.c\n");
+  EXPECT_EQ(r.exit_code, 126);
+  EXPECT_EQ(r.out, "2 two\n");
+  EXPECT_THAT(r.err, AllOf(HasSubstr("robot 1: error: nowhere: no such program"),
+                           HasSubstr("prog.c: not executable")));
+}
+
+TEST_F(Scenario, WithoutAnyProgramItIsAnError) {
+  const auto r = run("S4 500 500 0\n");
+  EXPECT_EQ(r.exit_code, 2);
+  EXPECT_THAT(r.err, HasSubstr("all.sim: found no robot with a program"));
+}
+
+TEST_F(Scenario, TwoRobotsOnOnePlaceAreAnErrorAtTheirLine) {
+  const auto r = run("S4 500 500 0 prog\nS4 500 500 0 prog\n");
+  EXPECT_EQ(r.exit_code, 2);
+  EXPECT_THAT(r.err, HasSubstr("all.sim:3:"));
+}
+
+TEST_F(Scenario, ProgramsThatCannotBeLoadedTwiceSayWhy) {
+  folder_.write("own.c", "#include <eyebot.h>\nstatic __thread int mine;\n"
+                         "int main(void) { return mine + OSWait(10); }\n");
+  compile("own.c -o own");
+  EXPECT_THAT(run("S4 500 500 0 own\nS4 1500 500 90 prog\n").err,
+              HasSubstr("found a program with thread_local variables"));
+  compile("-no-pie prog.c -o own");
+  EXPECT_THAT(run("S4 500 500 0 own\nS4 1500 500 90 prog\n").err,
+              HasSubstr("found a program for a fixed address"));
+  folder_.write("text", "no program");
+  ASSERT_EQ(chmod((folder_.path() + "/text").c_str(), 0755), 0);
+  EXPECT_THAT(run("S4 500 500 0 text\nS4 1500 500 90 prog\n").err,
+              HasSubstr("found a file that is no program"));
+}
+
+}  // namespace
+}  // namespace eyebridge
