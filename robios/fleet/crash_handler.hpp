@@ -6,8 +6,8 @@
 namespace eyebridge::robios {
 
 /// From now on a robot whose program crashes (bad memory access, illegal instruction, division by
-/// zero, abort()) ends alone, with a message. A crash while it had locked the world, or in no robot's
-/// program, ends the process as ever.
+/// zero, abort()) ends alone, with a message. A crash while it had locked the world, or in no
+/// robot's program, ends the process as ever.
 void handle_crashes();
 
 /// Makes the robot that runs in `thread` end, as a crash would, when it is not inside a call of

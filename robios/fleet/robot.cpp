@@ -23,14 +23,13 @@ constexpr int kCannotRun = 126;  // as shells say it
 void Robot::begin(const hal::Config& config, const hal::Seat& seat,
                   const std::filesystem::path& out) {
   world_ = seat.world;
-  session_ = Session::begin(
-      {config, seat, this, fmt::format("robot {}", index_ + 1),
-       out.empty() ? out : out / fmt::format("robot-{}", index_ + 1)});
+  session_ = Session::begin({config, seat, this, fmt::format("robot {}", index_ + 1),
+                             out.empty() ? out : out / fmt::format("robot-{}", index_ + 1)});
 }
 
 void Robot::run() {
   Session::set_here(session_);
-  stack_mark_ = __builtin_frame_address(0);
+  flow.stack_mark = __builtin_frame_address(0);
   try {
     image_ = ProgramImage::load(program_.file);  // runs constructors: the robot's first code
   } catch (const ConfigError& error) {

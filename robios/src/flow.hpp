@@ -7,9 +7,11 @@ namespace eyebridge::robios {
 struct Flow {
   /// Calls of the API that it is in: a crash there may have left something locked.
   int calls = 0;
-  bool in_timer = false;         ///< It runs the function of a timer.
-  int kernel_calls = 0;          ///< Of classic RoBIOS's multitasking.
+  bool in_timer = false;        ///< It runs the function of a timer.
+  int kernel_calls = 0;         ///< Of classic RoBIOS's multitasking.
   void* kernel_task = nullptr;  ///< Likewise: which task it is.
+  void* stack_mark = nullptr;   ///< Of one of several robots': from where down its stack may be
+                                ///< used again once the program is given up.
 };
 
 inline thread_local Flow flow;
@@ -23,8 +25,8 @@ class InCall {
   InCall& operator=(const InCall&) = delete;
 };
 
-/// In a call, where the robot's program goes on: in its timers' functions, or where its threads wait
-/// for each other.
+/// In a call, where the robot's program goes on: in its timers' functions, or where its threads
+/// wait for each other.
 class OutOfCall {
  public:
   OutOfCall() : depth_(flow.calls) { flow.calls = 0; }

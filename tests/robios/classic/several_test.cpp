@@ -18,18 +18,11 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::ProgramRun;
-using testing::run_named;
 
 using Settings = std::map<std::string, std::string>;
 
-constexpr char kSeveral[] = EYEBRIDGE_TEST_PROGRAMS "/several_c";
+constexpr char kSeveral[] = EYEBRIDGE_TEST_PROGRAMS "/several_c 2";
 constexpr char kTasks[] = EYEBRIDGE_TEST_PROGRAMS "/several_tasks_c";
-
-Settings several(const std::string& count, Settings more = {}) {
-  more.emplace("EYEBRIDGE_ROBOTS", count);
-  more.emplace("EYEBRIDGE_WORLD", EYEBRIDGE_TEST_WORLDS "/rooms.wld");
-  return more;
-}
 
 std::vector<std::string> sorted_lines(const std::string& text) {
   std::vector<std::string> lines;
@@ -43,6 +36,13 @@ std::vector<std::string> sorted_lines(const std::string& text) {
 std::string state_of(const std::string& messages) {
   const std::size_t at = messages.find("state ");
   return at == std::string::npos ? "" : messages.substr(at, 22);
+}
+
+/// The program runs for each of `count` robots, and gets their number as argument.
+ProgramRun run_several(const std::string& program, const std::string& count, Settings more) {
+  more.emplace("EYEBRIDGE_ROBOTS", count);
+  more.emplace("EYEBRIDGE_WORLD", EYEBRIDGE_TEST_WORLDS "/rooms.wld");
+  return testing::run_program({{EYEBRIDGE_TEST_PROGRAMS "/" + program, count}, more, ""});
 }
 
 /// What is to be the same in every run.
@@ -60,22 +60,22 @@ ProgramRun run_scenario(const std::string& first, const std::string& second) {
 
 TEST(SeveralClassicRobots, EachHasItsOwnDevicesTimersAndVariables) {
   for (const auto& clock : testing::kClocks) {
-    const ProgramRun r = run_named("several_c", several("3", clock));
+    const ProgramRun r = run_several("several_c", "3", clock);
     EXPECT_EQ(r.exit_code, 0) << r.err;
     EXPECT_THAT(sorted_lines(r.out),
                 ElementsAre("1: drives 3 psd 1, latch 1 port 10 var 101 date 1.1.1991 name B, "
-                            "timers 16 ticked 0, radio 1 heard 5",
+                            "timers 16 ticked 0, radio 1 heard 7",
                             "2: drives 1 psd 1, latch 2 port 20 var 102 date 2.2.1992 name C, "
-                            "timers 15 ticked 1, radio 2 heard 4",
+                            "timers 15 ticked 1, radio 2 heard 7",
                             "3: drives 3 psd 1, latch 3 port 30 var 103 date 3.3.1993 name D, "
-                            "timers 16 ticked 0, radio 3 heard 3"))
+                            "timers 16 ticked 0, radio 3 heard 7"))
         << r.err;
   }
 }
 
 TEST(SeveralClassicRobots, EachHasItsOwnTasks) {
   for (const auto& clock : testing::kClocks) {
-    const ProgramRun r = run_named("several_tasks_c", several("3", clock));
+    const ProgramRun r = run_several("several_tasks_c", "3", clock);
     EXPECT_EQ(r.exit_code, 0) << r.err;
     EXPECT_THAT(sorted_lines(r.out),
                 ElementsAre("1: mode 1 got 4 4, computed 1", "2: mode 0 got 4 4, computed 0",
@@ -85,16 +85,21 @@ TEST(SeveralClassicRobots, EachHasItsOwnTasks) {
 }
 
 TEST(SeveralClassicRobots, ARunRepeatsToTheBit) {
+  const auto run = [](const char* program) {
+    const ProgramRun r = run_several(program, "4", testing::kClocks[0]);
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    return result_of(r);
+  };
   for (const char* program : {"several_c", "several_tasks_c"}) {
-    const std::string first = result_of(run_named(program, several("4")));
+    const std::string first = run(program);
     ASSERT_THAT(first, HasSubstr("state "));
-    for (int i = 0; i < 5; ++i) EXPECT_EQ(result_of(run_named(program, several("4"))), first);
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(run(program), first);
   }
 }
 
 TEST(SeveralClassicRobots, AnEndOfAnyKindIsThatRobotsOwn) {
   for (const auto& clock : testing::kClocks) {
-    const ProgramRun r = run_named("several_ends_c", several("7", clock));
+    const ProgramRun r = run_several("several_ends_c", "7", clock);
     EXPECT_EQ(r.exit_code, 5) << r.err;  // the first robot's
     EXPECT_THAT(sorted_lines(r.out), ElementsAre("robot 6 is left", "robot 7 is left"));
     EXPECT_THAT(

@@ -27,7 +27,7 @@ void producer() {
 }
 
 void computes() {
-  for (;;) {
+  while (got[1] + got[2] < 8) {
     computed++;
     OSGetCount();
   }
@@ -61,7 +61,7 @@ int main() {
   OSSemP(&done);
   OSSemP(&done);
   OSDetachTimer(timer);
-  OSKill(busy);
+  if (mode == COOP) OSKill(busy); /* it never began */
   if (OSJoin(maker) != 0 || OSJoin(tasks[0]) != 0) printf("%d: not joined\n", id);
   printf("%d: mode %d got %d %d, computed %d\n", id, OSMTStatus(), got[1], got[2],
          mode == PREEMPT ? computed > 10 : computed);
