@@ -25,8 +25,10 @@ constexpr int kHighestTone = 20000;
 constexpr double kLongestTone = 60;
 constexpr int kMicrophoneShift = 2;  // 12 bits to 10
 
-std::mutex sample_mutex;
-UniqueFd playing_sample;  // the file that the player reads
+struct PlayingSample {
+  std::mutex mutex;
+  UniqueFd file;  ///< What the player reads.
+};
 
 Result<hal::Sound*> sound_of(Session& session) {
   hal::Sound* const sound = session.backend().sound();
@@ -35,15 +37,16 @@ Result<hal::Sound*> sound_of(Session& session) {
 }
 
 /// The sound as a file without a name, as others see it.
-Result<std::string> as_file(const robios::classic::Sample& sample) {
+Result<std::string> as_file(Session& session, const robios::classic::Sample& sample) {
   UniqueFd file(::memfd_create("eyebridge-sample", MFD_CLOEXEC));
   if (!file.valid() || ::write(file.get(), sample.wav.data(), sample.wav.size()) !=
                            static_cast<ssize_t>(sample.wav.size())) {
     return fail(Errc::Unsupported, "there is no memory for the sample");
   }
-  const std::lock_guard lock(sample_mutex);
-  playing_sample = std::move(file);
-  return fmt::format("/proc/{}/fd/{}", ::getpid(), playing_sample.get());
+  auto& playing = session.own<PlayingSample>();
+  const std::lock_guard lock(playing.mutex);
+  playing.file = std::move(file);
+  return fmt::format("/proc/{}/fd/{}", ::getpid(), playing.file.get());
 }
 
 /// What nothing is heard of has ended.
@@ -75,7 +78,7 @@ int AUPlaySample(void* sample, ...) {
         .and_then([&](const robios::classic::Sample& read) -> Result<int> {
           const Result<hal::Sound*> sound = sound_of(session);
           if (!sound) return tl::unexpected(sound.error());
-          return as_file(read).and_then([&](const std::string& path) {
+          return as_file(session, read).and_then([&](const std::string& path) {
             return (*sound)->play(path).map([&] { return read.frequency; });
           });
         });

@@ -2,12 +2,13 @@
 
 #include <pthread.h>
 
+#include "flow.hpp"
 #include "guarded.hpp"
 #include "kernel.hpp"
 
 namespace eyebridge::robios::classic {
 
-/// The multitasking of this process's session. Any thread.
+/// The multitasking of the calling thread's robot. Any thread.
 Kernel& kernel();
 
 /// guarded() for the calls of classic RoBIOS: tasks take turns before it, and a task that was ended
@@ -15,6 +16,7 @@ Kernel& kernel();
 template <class Value, class Body>
 Value call(const Call& name, Value failure, Body&& body) {
   try {
+    const InCall in_call;  // the kernel has locks, too
     kernel().enter();
     const Value value = guarded(name, failure, body);
     kernel().leave();

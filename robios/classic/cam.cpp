@@ -23,9 +23,12 @@ using robios::classic::doing;
 constexpr int kVersion = 17;
 constexpr CAMHandle kHandle = 1;
 
-std::mutex pace_mutex;
-int frame_rate = FPS7_5;
-Time next_frame{0};
+/// How often the camera gives a frame.
+struct Pace {
+  std::mutex mutex;
+  int frame_rate = FPS7_5;
+  Time next_frame{0};
+};
 
 /// 1/60 s, twice that …
 Time frame_period(int rate) {
@@ -43,9 +46,10 @@ Result<camera::FramePtr> next_at_rate(Session& session) {
   }
   Time due{0};
   {
-    const std::lock_guard lock(pace_mutex);
-    due = std::max(next_frame, session.clock().now());
-    next_frame = due + frame_period(frame_rate);
+    auto& pace = session.own<Pace>();
+    const std::lock_guard lock(pace.mutex);
+    due = std::max(pace.next_frame, session.clock().now());
+    pace.next_frame = due + frame_period(pace.frame_rate);
   }
   if (due > session.clock().now()) robios::classic::wait_until(due);
   return session.camera().next();
@@ -77,9 +81,10 @@ int CAMInit(long mode) {
   const int none = is_name(mode) ? 0 : NOCAM;
   return call("CAMInit", none, [&](Session& session) -> Result<int> {
     return session.camera().init(imagecolumns, imagerows).map([&] {
-      const std::lock_guard lock(pace_mutex);
-      frame_rate = FPS7_5;
-      next_frame = session.clock().now();
+      auto& pace = session.own<Pace>();
+      const std::lock_guard lock(pace.mutex);
+      pace.frame_rate = FPS7_5;
+      pace.next_frame = session.clock().now();
       return good;
     });
   });
@@ -134,22 +139,24 @@ int CAMGetFrameBayer(BYTE* buf) {
 }
 
 int CAMSet(int p1, int, int) {
-  return doing("CAMSet", 1, [&](Session&) -> Result<void> {
+  return doing("CAMSet", 1, [&](Session& session) -> Result<void> {
     if (p1 < FPS15 || p1 > FPS0_46875) {
       return fail(Errc::OutOfRange, fmt::format("frame rate {}, expected FPS15 ({}) to FPS0_46875 "
                                                 "({})",
                                                 p1, FPS15, FPS0_46875));
     }
-    const std::lock_guard lock(pace_mutex);
-    frame_rate = p1;
+    auto& pace = session.own<Pace>();
+    const std::lock_guard lock(pace.mutex);
+    pace.frame_rate = p1;
     return {};
   });
 }
 
 int CAMGet(int* p1, int* p2, int* p3) {
-  return doing("CAMGet", 1, [&](Session&) -> Result<void> {
-    const std::lock_guard lock(pace_mutex);
-    if (p1 != nullptr) *p1 = frame_rate;
+  return doing("CAMGet", 1, [&](Session& session) -> Result<void> {
+    auto& pace = session.own<Pace>();
+    const std::lock_guard lock(pace.mutex);
+    if (p1 != nullptr) *p1 = pace.frame_rate;
     if (p2 != nullptr) *p2 = imagecolumns;
     if (p3 != nullptr) *p3 = imagerows;
     return {};

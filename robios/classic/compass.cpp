@@ -20,15 +20,21 @@ using robios::classic::doing;
 constexpr Time kMeasurement = std::chrono::milliseconds(100);
 
 struct CompassModule {
+  std::mutex mutex;
   bool open = false;
   std::optional<Time> started;
   bool again_and_again = false;
   long long measured = 0;      ///< Which measurement `degrees` is of, from 1.
   std::optional<int> degrees;  ///< The last result; outlives stopping.
-};
 
-std::mutex compass_mutex;
-CompassModule compass_module;
+  void reset(bool is_open) {
+    open = is_open;
+    started.reset();
+    again_and_again = false;
+    measured = 0;
+    degrees.reset();
+  }
+};
 
 /// Clockwise from +y, of an angle counter-clockwise from +x.
 int bearing_of(double heading) {
@@ -36,23 +42,24 @@ int bearing_of(double heading) {
   return (whole % 360 + 360) % 360;
 }
 
+/// Under the module's lock, as take_result().
 Result<hal::Compass*> open_module(Session& session) {
   hal::Compass* const compass = session.backend().compass();
-  if (compass == nullptr || !compass_module.open) {
+  if (compass == nullptr || !session.own<CompassModule>().open) {
     return fail(Errc::Unsupported, "the compass is not initialised: call COMPASSInit first");
   }
   return compass;
 }
 
 /// Takes the result of a measurement that is done by now, if there is a new one.
-Result<void> take_result(hal::Compass& compass, Time now) {
-  if (!compass_module.started) return {};
-  const long long done = (now - *compass_module.started) / kMeasurement;
-  const long long last = compass_module.again_and_again || done < 1 ? done : 1;
-  if (last == compass_module.measured) return {};
+Result<void> take_result(CompassModule& unit, hal::Compass& compass, Time now) {
+  if (!unit.started) return {};
+  const long long done = (now - *unit.started) / kMeasurement;
+  const long long last = unit.again_and_again || done < 1 ? done : 1;
+  if (last == unit.measured) return {};
   return compass.read().map([&](double heading) {
-    compass_module.degrees = bearing_of(heading);
-    compass_module.measured = last;
+    unit.degrees = bearing_of(heading);
+    unit.measured = last;
   });
 }
 
@@ -65,25 +72,26 @@ int COMPASSInit(DeviceSemantics semantics) {
     if (session.backend().compass() == nullptr) {
       return fail(Errc::Unsupported, "this robot has no compass");
     }
-    const std::lock_guard lock(compass_mutex);
-    compass_module = {};
-    compass_module.open = true;
+    auto& unit = session.own<CompassModule>();
+    const std::lock_guard lock(unit.mutex);
+    unit.reset(true);
     return {};
   });
 }
 
 int COMPASSStart(BOOL cycle) {
   return call("COMPASSStart", 1, [&](Session& session) -> Result<int> {
-    const std::lock_guard lock(compass_mutex);
+    auto& unit = session.own<CompassModule>();
+    const std::lock_guard lock(unit.mutex);
     return open_module(session).map([&](hal::Compass*) {
       const Time now = session.clock().now();
-      const bool busy = compass_module.started && (compass_module.again_and_again ||
-                                                   now - *compass_module.started < kMeasurement);
+      const bool busy =
+          unit.started && (unit.again_and_again || now - *unit.started < kMeasurement);
       if (busy) return 1;
-      compass_module.started = now;
-      compass_module.again_and_again = cycle != 0;
-      compass_module.measured = 0;
-      compass_module.degrees.reset();
+      unit.started = now;
+      unit.again_and_again = cycle != 0;
+      unit.measured = 0;
+      unit.degrees.reset();
       return 0;
     });
   });
@@ -91,10 +99,11 @@ int COMPASSStart(BOOL cycle) {
 
 int COMPASSCheck(void) {
   return call("COMPASSCheck", 0, [](Session& session) -> Result<int> {
-    const std::lock_guard lock(compass_mutex);
+    auto& unit = session.own<CompassModule>();
+    const std::lock_guard lock(unit.mutex);
     return open_module(session).and_then([&](hal::Compass* compass) {
-      return take_result(*compass, session.clock().now()).map([] {
-        return compass_module.degrees ? 1 : 0;
+      return take_result(unit, *compass, session.clock().now()).map([&] {
+        return unit.degrees ? 1 : 0;
       });
     });
   });
@@ -102,42 +111,42 @@ int COMPASSCheck(void) {
 
 int COMPASSStop(void) {
   return doing("COMPASSStop", 1, [](Session& session) -> Result<void> {
+    auto& unit = session.own<CompassModule>();
     std::optional<Time> end;
     {
-      const std::lock_guard lock(compass_mutex);
+      const std::lock_guard lock(unit.mutex);
       if (const auto compass = open_module(session); !compass) {
         return tl::unexpected(compass.error());
       }
-      if (compass_module.started) {
-        const long long done = (session.clock().now() - *compass_module.started) / kMeasurement;
-        if (done < 1 || compass_module.again_and_again)
-          end = *compass_module.started + (done + 1) * kMeasurement;
+      if (unit.started) {
+        const long long done = (session.clock().now() - *unit.started) / kMeasurement;
+        if (done < 1 || unit.again_and_again) end = *unit.started + (done + 1) * kMeasurement;
       }
     }
     if (!end) return {};
     robios::classic::wait_until(*end);
-    const std::lock_guard lock(compass_mutex);
+    const std::lock_guard lock(unit.mutex);
     return open_module(session).and_then([&](hal::Compass* compass) {
-      return take_result(*compass, session.clock().now()).map([] {
-        compass_module.started.reset();
-      });
+      return take_result(unit, *compass, session.clock().now()).map([&] { unit.started.reset(); });
     });
   });
 }
 
 int COMPASSRelease(void) {
   return doing("COMPASSRelease", 1, [](Session& session) -> Result<void> {
-    const std::lock_guard lock(compass_mutex);
-    return open_module(session).map([](hal::Compass*) { compass_module = {}; });
+    auto& unit = session.own<CompassModule>();
+    const std::lock_guard lock(unit.mutex);
+    return open_module(session).map([&](hal::Compass*) { unit.reset(false); });
   });
 }
 
 int COMPASSGet(void) {
   return call("COMPASSGet", -1, [](Session& session) -> Result<int> {
-    const std::lock_guard lock(compass_mutex);
+    auto& unit = session.own<CompassModule>();
+    const std::lock_guard lock(unit.mutex);
     return open_module(session).and_then([&](hal::Compass* compass) {
-      return take_result(*compass, session.clock().now()).map([] {
-        return compass_module.degrees.value_or(-1);
+      return take_result(unit, *compass, session.clock().now()).map([&] {
+        return unit.degrees.value_or(-1);
       });
     });
   });
@@ -145,7 +154,8 @@ int COMPASSGet(void) {
 
 int COMPASSCalibrate(int mode) {
   return doing("COMPASSCalibrate", 1, [&](Session& session) -> Result<void> {
-    const std::lock_guard lock(compass_mutex);
+    auto& unit = session.own<CompassModule>();
+    const std::lock_guard lock(unit.mutex);
     if (const auto compass = open_module(session); !compass) {
       return tl::unexpected(compass.error());
     }

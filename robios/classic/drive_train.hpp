@@ -26,7 +26,8 @@ struct Turn {
   Time began{0};
 };
 
-/// What drives: the open motors and encoders, and whether the VW drive has them. Lock `mutex`.
+/// What drives a robot: the open motors and encoders, and whether the VW drive has them. Lock
+/// `mutex`. Session::own() has it.
 struct DriveTrain {
   static constexpr VWHandle kVw = 1;
   // Those of the VW drive.
@@ -39,7 +40,5 @@ struct DriveTrain {
   bool vw_open = false;
   std::optional<Turn> turn;  ///< The movement of the VW drive, when it is one.
 };
-
-DriveTrain& drive_train();
 
 }  // namespace eyebridge::robios::classic

@@ -19,43 +19,47 @@ using robios::classic::doing;
 constexpr Time kLongestWait = std::chrono::hours(1);
 constexpr int kNoEntry = 2;
 
-std::mutex remote_mutex;
-bool listening = false;
-std::deque<int> codes;
+struct RemoteControl {
+  std::mutex mutex;
+  bool listening = false;
+  std::deque<int> codes;
+};
 
 /// Takes the codes that have come: from a receiver on the robot, and the script or window of the
-/// keys. Lock remote_mutex.
-Result<void> listen(Session& session) {
-  if (!listening) {
+/// keys. Lock the remote control.
+Result<void> listen(Session& session, RemoteControl& control) {
+  if (!control.listening) {
     return fail(Errc::Unsupported, "the remote control is not initialised: call IRTVInit first");
   }
-  while (const int code = session.keys().read_remote()) codes.push_back(code);
+  while (const int code = session.keys().read_remote()) control.codes.push_back(code);
   hal::Remote* const remote = session.backend().remote();
   while (remote != nullptr) {
     const Result<int> code = remote->read();
     if (!code) return tl::unexpected(code.error());
     if (*code == 0) return {};
-    codes.push_back(*code);
+    control.codes.push_back(*code);
   }
   return {};
 }
 
 Result<int> next_code(Session& session, bool take) {
-  const std::lock_guard lock(remote_mutex);
-  return listen(session).map([&] {
-    if (codes.empty()) return 0;
-    const int code = codes.front();
-    if (take) codes.pop_front();
+  auto& control = session.own<RemoteControl>();
+  const std::lock_guard lock(control.mutex);
+  return listen(session, control).map([&] {
+    if (control.codes.empty()) return 0;
+    const int code = control.codes.front();
+    if (take) control.codes.pop_front();
     return code;
   });
 }
 
 int begin(const robios::Call& name, int failure, bool legal, const char* what) {
-  return doing(name, failure, [&](Session&) -> Result<void> {
+  return doing(name, failure, [&](Session& session) -> Result<void> {
     if (!legal) return fail(Errc::OutOfRange, what);
-    const std::lock_guard lock(remote_mutex);
-    listening = true;
-    codes.clear();
+    auto& control = session.own<RemoteControl>();
+    const std::lock_guard lock(control.mutex);
+    control.listening = true;
+    control.codes.clear();
     return {};
   });
 }
@@ -75,10 +79,11 @@ int IRTVInit(int type, int, int, int, int mode, int bufsize, int) {
 }
 
 void IRTVTerm(void) {
-  doing("IRTVTerm", 1, [](Session&) -> Result<void> {
-    const std::lock_guard lock(remote_mutex);
-    listening = false;
-    codes.clear();
+  doing("IRTVTerm", 1, [](Session& session) -> Result<void> {
+    auto& control = session.own<RemoteControl>();
+    const std::lock_guard lock(control.mutex);
+    control.listening = false;
+    control.codes.clear();
     return {};
   });
 }
@@ -110,8 +115,9 @@ int IRTVGet(void) {
 
 void IRTVFlush(void) {
   doing("IRTVFlush", 1, [](Session& session) -> Result<void> {
-    const std::lock_guard lock(remote_mutex);
-    return listen(session).map([] { codes.clear(); });
+    auto& control = session.own<RemoteControl>();
+    const std::lock_guard lock(control.mutex);
+    return listen(session, control).map([&] { control.codes.clear(); });
   });
 }
 

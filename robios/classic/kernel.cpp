@@ -136,11 +136,14 @@ void Kernel::hand_over(Lock& lock) {
   running_ = next;
   turn_began_ = clock_.now();
   show(*next, State::Running);
-  next->turn.notify_all();
+  next->notify();
 }
 
 void Kernel::await_turn(Task& me, Lock& lock) {
-  me.turn.wait(lock, [&] { return running_ == &me || me.state == State::Ended; });
+  {
+    const OutOfCall program;
+    me.turn.wait(lock, [&] { return running_ == &me || me.state == State::Ended; });
+  }
   if (me.state == State::Ended) throw TaskEnded{};
 }
 

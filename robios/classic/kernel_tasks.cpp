@@ -63,7 +63,10 @@ Result<tcb*> Kernel::spawn(const std::string& name, void (*code)(), int stack_si
       &attributes, std::max(kStackSize, static_cast<std::size_t>(std::max(stack_size, 0))));
   pthread_attr_setdetachstate(&attributes, PTHREAD_CREATE_DETACHED);
   pthread_t thread{};
-  const int failure = pthread_create(&thread, &attributes, thread_of, task.get());
+  const int failure = [&] {
+    const OutOfCall program;
+    return pthread_create(&thread, &attributes, thread_of, task.get());
+  }();
   pthread_attr_destroy(&attributes);
   if (failure != 0) return fail(Errc::Unsupported, "the system gives no thread for the task");
   tcb* const shown = &task->shown;
@@ -77,10 +80,12 @@ void* Kernel::thread_of(void* given) {
   Kernel& kernel = *me.kernel;
   try {
     {
+      const InCall in_call;
       Lock lock(kernel.mutex_);
       kernel.await_turn(me, lock);
     }
     me.code();
+    const InCall in_call;
     static_cast<void>(kernel.kill(nullptr));
   } catch (const TaskEnded&) {
     return nullptr;
@@ -96,7 +101,7 @@ Result<void> Kernel::kill(tcb* task) {
   if (ended.state == State::AtSemaphore) --ended.waits_at->waitq.threads;
   show(ended, State::Ended);
   if (&ended != self()) {
-    ended.turn.notify_all();
+    ended.notify();
     return {};
   }
   if (running_ == &ended) hand_over(lock);
@@ -181,7 +186,7 @@ void Kernel::watch() {
       running_ = next;
       turn_began_ = clock_.now();
       show(*next, State::Running);
-      next->turn.notify_all();
+      next->notify();
     }
   }).detach();
 }

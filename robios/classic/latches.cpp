@@ -21,10 +21,13 @@ constexpr int kLatchLines = 8;
 constexpr int kFirstOutput = 9;     // digital line of bit 0 of output latch 0
 constexpr int kConverterShift = 2;  // 12 bits to 10
 
-std::mutex latch_mutex;
-BYTE output_latch = 0;
-BYTE par_data = 0;
-BYTE par_ctrl = 0;
+/// What was written last.
+struct Latches {
+  std::mutex mutex;
+  BYTE output = 0;
+  BYTE par_data = 0;
+  BYTE par_ctrl = 0;
+};
 
 Result<hal::DigitalLines*> lines_of(Session& session) {
   hal::DigitalLines* const lines = session.backend().digital();
@@ -44,17 +47,19 @@ Result<void> need_port(Session& session) {
   return fail(Errc::Unsupported, "this robot has no parallel port");
 }
 
-BYTE read_port(const robios::Call& name, const BYTE& value) {
+BYTE read_port(const robios::Call& name, BYTE Latches::*field) {
   return call(name, BYTE{0}, [&](Session& session) -> Result<BYTE> {
-    const std::lock_guard lock(latch_mutex);
-    return need_port(session).map([&] { return value; });
+    auto& latches = session.own<Latches>();
+    const std::lock_guard lock(latches.mutex);
+    return need_port(session).map([&] { return latches.*field; });
   });
 }
 
-void write_port(const robios::Call& name, BYTE& to, int value) {
+void write_port(const robios::Call& name, BYTE Latches::*field, int value) {
   doing(name, 1, [&](Session& session) -> Result<void> {
-    const std::lock_guard lock(latch_mutex);
-    return need_port(session).map([&] { to = static_cast<BYTE>(value); });
+    auto& latches = session.own<Latches>();
+    const std::lock_guard lock(latches.mutex);
+    return need_port(session).map([&] { latches.*field = static_cast<BYTE>(value); });
   });
 }
 
@@ -88,10 +93,11 @@ BYTE OSReadInLatch(int latchnr) {
 
 BYTE OSWriteOutLatch(int latchnr, BYTE mask, BYTE value) {
   return call("OSWriteOutLatch", BYTE{0}, [&](Session& session) -> Result<BYTE> {
-    const std::lock_guard lock(latch_mutex);
+    auto& latches = session.own<Latches>();
+    const std::lock_guard lock(latches.mutex);
     const auto lines = latch_lines(session, latchnr);
     if (!lines) return tl::unexpected(lines.error());
-    const BYTE before = output_latch;
+    const BYTE before = latches.output;
     const auto after = static_cast<BYTE>((before & mask) | value);
     for (int bit = 0; bit < kLatchLines; ++bit) {
       const bool high = (after >> bit & 1) != 0;
@@ -99,26 +105,28 @@ BYTE OSWriteOutLatch(int latchnr, BYTE mask, BYTE value) {
         return tl::unexpected(written.error());
       }
     }
-    output_latch = after;
+    latches.output = after;
     return before;
   });
 }
 
 BYTE OSReadOutLatch(int latchnr) {
   return call("OSReadOutLatch", BYTE{0}, [&](Session& session) -> Result<BYTE> {
-    const std::lock_guard lock(latch_mutex);
-    return latch_lines(session, latchnr).map([](hal::DigitalLines*) { return output_latch; });
+    auto& latches = session.own<Latches>();
+    const std::lock_guard lock(latches.mutex);
+    return latch_lines(session, latchnr).map([&](hal::DigitalLines*) { return latches.output; });
   });
 }
 
-BYTE OSReadParData(void) { return read_port("OSReadParData", par_data); }
-void OSWriteParData(BYTE value) { write_port("OSWriteParData", par_data, value); }
+BYTE OSReadParData(void) { return read_port("OSReadParData", &Latches::par_data); }
+void OSWriteParData(BYTE value) { write_port("OSWriteParData", &Latches::par_data, value); }
 BYTE OSReadParSR(void) {
-  static constexpr BYTE kNothing = 0;
-  return read_port("OSReadParSR", kNothing);
+  return call("OSReadParSR", BYTE{0}, [](Session& session) -> Result<BYTE> {
+    return need_port(session).map([] { return BYTE{0}; });  // nothing is plugged in
+  });
 }
-void OSWriteParCTRL(BYTE value) { write_port("OSWriteParCTRL", par_ctrl, value & 0x0F); }
-BYTE OSReadParCTRL(void) { return read_port("OSReadParCTRL", par_ctrl); }
+void OSWriteParCTRL(BYTE value) { write_port("OSWriteParCTRL", &Latches::par_ctrl, value & 0x0F); }
+BYTE OSReadParCTRL(void) { return read_port("OSReadParCTRL", &Latches::par_ctrl); }
 
 int OSGetAD(int channel) {
   return call("OSGetAD", -1, [&](Session& session) { return convert(session, channel); });

@@ -18,48 +18,47 @@ using robios::Session;
 using robios::classic::call;
 using robios::classic::describe;
 using robios::classic::doing;
-using robios::classic::drive_train;
 using robios::classic::DriveTrain;
 using robios::classic::find_device;
 using robios::classic::Slots;
 
-std::mutex servo_mutex;
-Slots<hal::Servo*> servos("servo", 16);
+struct Servos {
+  std::mutex mutex;
+  Slots<hal::Servo*> open{"servo", 16};
+};
 
 }  // namespace
 
-DriveTrain& eyebridge::robios::classic::drive_train() {
-  static DriveTrain& train = *new DriveTrain;  // threads may call while the process ends
-  return train;
-}
-
 ServoHandle SERVOInit(DeviceSemantics semantics) {
   return call("SERVOInit", 0, [&](Session& session) -> Result<int> {
-    const std::lock_guard lock(servo_mutex);
+    auto& servos = session.own<Servos>();
+    const std::lock_guard lock(servos.mutex);
     return find_device(session.backend(), "servo", semantics).and_then([&](int id) -> Result<int> {
       hal::Servo* const servo = session.backend().servo(id);
       if (servo == nullptr) {
         return fail(Errc::OutOfRange, "this robot has no servo " + describe(semantics));
       }
-      return servos.open(id, servo);
+      return servos.open.open(id, servo);
     });
   });
 }
 
 int SERVORelease(ServoHandle handle) {
-  return call("SERVORelease", Slots<int>::kWrongHandle, [&](Session&) -> Result<int> {
-    const std::lock_guard lock(servo_mutex);
-    return servos.close(handle);
+  return call("SERVORelease", Slots<int>::kWrongHandle, [&](Session& session) -> Result<int> {
+    auto& servos = session.own<Servos>();
+    const std::lock_guard lock(servos.mutex);
+    return servos.open.close(handle);
   });
 }
 
 int SERVOSet(ServoHandle handle, int angle) {
-  return doing("SERVOSet", -1, [&](Session&) -> Result<void> {
+  return doing("SERVOSet", -1, [&](Session& session) -> Result<void> {
     if (angle < 0 || angle > 255) {
       return fail(Errc::OutOfRange, fmt::format("servo position {}, expected 0 … 255", angle));
     }
-    const std::lock_guard lock(servo_mutex);
-    const auto chosen = servos.all(handle);
+    auto& servos = session.own<Servos>();
+    const std::lock_guard lock(servos.mutex);
+    const auto chosen = servos.open.all(handle);
     if (!chosen) return tl::unexpected(chosen.error());
     for (hal::Servo** servo : *chosen) {
       // 128 is the middle, 1 and 255 the ends; 0 is one more step.
@@ -72,7 +71,7 @@ int SERVOSet(ServoHandle handle, int angle) {
 
 MotorHandle MOTORInit(DeviceSemantics semantics) {
   return call("MOTORInit", 0, [&](Session& session) -> Result<int> {
-    DriveTrain& train = drive_train();
+    auto& train = session.own<DriveTrain>();
     const std::lock_guard lock(train.mutex);
     return find_device(session.backend(), "motor", semantics).and_then([&](int id) -> Result<int> {
       hal::Motor* const motor = session.backend().motor(id);
@@ -88,8 +87,8 @@ MotorHandle MOTORInit(DeviceSemantics semantics) {
 }
 
 int MOTORRelease(MotorHandle handle) {
-  return call("MOTORRelease", Slots<int>::kWrongHandle, [&](Session&) -> Result<int> {
-    DriveTrain& train = drive_train();
+  return call("MOTORRelease", Slots<int>::kWrongHandle, [&](Session& session) -> Result<int> {
+    auto& train = session.own<DriveTrain>();
     const std::lock_guard lock(train.mutex);
     if (const auto chosen = train.motors.all(handle)) {
       for (hal::Motor** motor : *chosen) static_cast<void>((*motor)->set_duty(0.0));
@@ -99,8 +98,8 @@ int MOTORRelease(MotorHandle handle) {
 }
 
 int MOTORDrive(MotorHandle handle, int speed) {
-  return doing("MOTORDrive", -1, [&](Session&) -> Result<void> {
-    DriveTrain& train = drive_train();
+  return doing("MOTORDrive", -1, [&](Session& session) -> Result<void> {
+    auto& train = session.own<DriveTrain>();
     const std::lock_guard lock(train.mutex);
     const auto chosen = train.motors.all(handle);
     if (!chosen) return tl::unexpected(chosen.error());

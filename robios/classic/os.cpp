@@ -22,8 +22,25 @@ using robios::classic::doing;
 
 constexpr int kMachineSpeed = 25'000'000;
 
-std::mutex variables_mutex;
-std::array<int, 4> variables{};  // SAVEVAR1 … 4
+struct Variables {
+  std::mutex mutex;
+  std::array<int, 4> words{};  ///< SAVEVAR1 … 4
+};
+
+/// Texts that programs keep the address of, and might write into.
+struct Texts {
+  explicit Texts(Session& session) {
+    const auto facts = session.backend().facts_of("robot");
+    if (!facts.empty() && !facts.front().name.empty()) name = facts.front().name;
+  }
+  std::string version = "6.5";
+  std::string name = "EyeBot";
+};
+
+char* text(const robios::Call& name, std::string Texts::*which) {
+  char* const text = (Session::instance().own<Texts>().*which).data();
+  return call(name, text, [&](Session&) -> Result<char*> { return text; });
+}
 
 /// Word, and shift and mask of the part of it that a number of SAVEVAR… means.
 struct Variable {
@@ -52,11 +69,7 @@ int of_the_loader(const robios::Call& name) {
 
 }  // namespace
 
-char* OSVersion(void) {
-  static char version[] = "6.5";
-  return call("OSVersion", static_cast<char*>(version),
-              [](Session&) -> Result<char*> { return version; });
-}
+char* OSVersion(void) { return text("OSVersion", &Texts::version); }
 
 int OSError(const char* msg, int number, BOOL deadend) {
   return call("OSError", 1, [&](Session& session) -> Result<int> {
@@ -80,17 +93,7 @@ int OSMachineSpeed(void) {
               [](Session&) -> Result<int> { return kMachineSpeed; });
 }
 
-char* OSMachineName(void) {
-  static char nobody[] = "EyeBot";
-  return call("OSMachineName", static_cast<char*>(nobody), [](Session& session) -> Result<char*> {
-    // Never changes: programs keep the pointer.
-    static std::string name = [&] {
-      const auto facts = session.backend().facts_of("robot");
-      return facts.empty() || facts.front().name.empty() ? nobody : facts.front().name;
-    }();
-    return name.data();
-  });
-}
+char* OSMachineName(void) { return text("OSMachineName", &Texts::name); }
 
 unsigned char OSMachineID(void) {
   return call("OSMachineID", static_cast<unsigned char>(0),
@@ -123,21 +126,23 @@ int OSDisable(void) {
 }
 
 int OSGetVar(int num) {
-  return call("OSGetVar", -1, [&](Session&) -> Result<int> {
-    const std::lock_guard lock(variables_mutex);
+  return call("OSGetVar", -1, [&](Session& session) -> Result<int> {
+    auto& variables = session.own<Variables>();
+    const std::lock_guard lock(variables.mutex);
     return variable(num).map(
-        [](const Variable& v) { return (variables.at(v.word) >> v.shift) & v.mask; });
+        [&](const Variable& v) { return (variables.words.at(v.word) >> v.shift) & v.mask; });
   });
 }
 
 int OSPutVar(int num, int value) {
-  return call("OSPutVar", 1, [&](Session&) -> Result<int> {
-    const std::lock_guard lock(variables_mutex);
+  return call("OSPutVar", 1, [&](Session& session) -> Result<int> {
+    auto& variables = session.own<Variables>();
+    const std::lock_guard lock(variables.mutex);
     return variable(num).and_then([&](const Variable& v) -> Result<int> {
       if (value < 0 || value > v.mask) {
         return fail(Errc::OutOfRange, fmt::format("{} does not fit into 0 … {}", value, v.mask));
       }
-      int& word = variables.at(v.word);
+      int& word = variables.words.at(v.word);
       word = (word & ~(v.mask << v.shift)) | value << v.shift;
       return 0;
     });

@@ -27,9 +27,11 @@ struct Psd {
   std::optional<int> raw;
 };
 
-std::mutex psd_mutex;
-Slots<Psd> psds("PSD", kMostPsds);
-PsdCycle psd_cycle;
+struct Psds {
+  std::mutex mutex;
+  Slots<Psd> open{"PSD", kMostPsds};
+  PsdCycle cycle;
+};
 
 Result<int> read_mm(hal::RangeSensor& sensor) {
   return sensor.read().map([&](double range) {
@@ -42,13 +44,14 @@ Result<int> read_mm(hal::RangeSensor& sensor) {
 template <class Read>
 Result<int> reading(Session& session, PSDHandle handle, std::optional<int> Psd::*field,
                     Read&& read) {
-  const std::lock_guard lock(psd_mutex);
+  auto& psds = session.own<Psds>();
+  const std::lock_guard lock(psds.mutex);
   const Time now = session.clock().now();
-  if (handle == 0) return static_cast<int>(psd_cycle.began(now) / robios::classic::kTick);
-  const Result<Psd*> found = psds.one(handle);
+  if (handle == 0) return static_cast<int>(psds.cycle.began(now) / robios::classic::kTick);
+  const Result<Psd*> found = psds.open.one(handle);
   if (!found) return tl::unexpected(found.error());
   Psd& psd = **found;
-  const long long number = (psd_cycle.mask() & handle) != 0 ? psd_cycle.number(now) : 0;
+  const long long number = (psds.cycle.mask() & handle) != 0 ? psds.cycle.number(now) : 0;
   if (number != 0 && number == psd.measured && psd.*field) return *(psd.*field);
   Result<int> value = read(*psd.sensor);
   if (!value) return value;
@@ -65,7 +68,8 @@ Result<int> reading(Session& session, PSDHandle handle, std::optional<int> Psd::
 
 PSDHandle PSDInit(DeviceSemantics semantics) {
   return call("PSDInit", 0, [&](Session& session) -> Result<int> {
-    const std::lock_guard lock(psd_mutex);
+    auto& psds = session.own<Psds>();
+    const std::lock_guard lock(psds.mutex);
     return robios::classic::find_device(session.backend(), "psd", semantics)
         .and_then([&](int id) -> Result<int> {
           hal::RangeSensor* const sensor = session.backend().range_sensor(id);
@@ -73,51 +77,56 @@ PSDHandle PSDInit(DeviceSemantics semantics) {
             return fail(Errc::OutOfRange,
                         "this robot has no PSD " + robios::classic::describe(semantics));
           }
-          return psds.open(id, {sensor, 0, {}, {}});
+          return psds.open.open(id, {sensor, 0, {}, {}});
         });
   });
 }
 
 int PSDRelease(void) {
-  return doing("PSDRelease", 1, [](Session&) -> Result<void> {
-    const std::lock_guard lock(psd_mutex);
-    psds.close_all();
-    psd_cycle.stop();
+  return doing("PSDRelease", 1, [](Session& session) -> Result<void> {
+    auto& psds = session.own<Psds>();
+    const std::lock_guard lock(psds.mutex);
+    psds.open.close_all();
+    psds.cycle.stop();
     return {};
   });
 }
 
 int EYEBRIDGEPSDRelease(int given, PSDHandle handle) {
   if (given == 0) return PSDRelease();
-  return call("PSDRelease", 1, [&](Session&) -> Result<int> {
-    const std::lock_guard lock(psd_mutex);
-    const auto known = psds.all(handle);
+  return call("PSDRelease", 1, [&](Session& session) -> Result<int> {
+    auto& psds = session.own<Psds>();
+    const std::lock_guard lock(psds.mutex);
+    const auto known = psds.open.all(handle);
     if (!known) return tl::unexpected(known.error());
-    return psds.close(handle);
+    return psds.open.close(handle);
   });
 }
 
 int PSDStart(PSDHandle bitmask, BOOL cycle) {
   return call("PSDStart", -1, [&](Session& session) -> Result<int> {
-    const std::lock_guard lock(psd_mutex);
-    const auto known = psds.all(bitmask);
+    auto& psds = session.own<Psds>();
+    const std::lock_guard lock(psds.mutex);
+    const auto known = psds.open.all(bitmask);
     if (!known) return tl::unexpected(known.error());
-    return psd_cycle.start(bitmask, cycle != 0, session.clock().now()) ? 0 : 1;
+    return psds.cycle.start(bitmask, cycle != 0, session.clock().now()) ? 0 : 1;
   });
 }
 
 int PSDStop(void) {
-  return doing("PSDStop", 1, [](Session&) -> Result<void> {
-    const std::lock_guard lock(psd_mutex);
-    psd_cycle.stop();
+  return doing("PSDStop", 1, [](Session& session) -> Result<void> {
+    auto& psds = session.own<Psds>();
+    const std::lock_guard lock(psds.mutex);
+    psds.cycle.stop();
     return {};
   });
 }
 
 BOOL PSDCheck(void) {
   return call("PSDCheck", FALSE, [](Session& session) -> Result<int> {
-    const std::lock_guard lock(psd_mutex);
-    return psd_cycle.is_ready(session.clock().now()) ? TRUE : FALSE;
+    auto& psds = session.own<Psds>();
+    const std::lock_guard lock(psds.mutex);
+    return psds.cycle.is_ready(session.clock().now()) ? TRUE : FALSE;
   });
 }
 

@@ -13,7 +13,6 @@ using namespace eyebridge;
 using robios::Session;
 using robios::classic::call;
 using robios::classic::doing;
-using robios::classic::drive_train;
 using robios::classic::DriveTrain;
 using robios::classic::find_device;
 using robios::classic::Quad;
@@ -32,8 +31,8 @@ Result<std::uint32_t> ticks_of(const Quad& quad) {
 /// Runs `act(quad)`, which gives Result<void>, for each encoder of the mask.
 template <class Act>
 int for_each_quad(const robios::Call& name, QuadHandle handle, Act&& act) {
-  return doing(name, -1, [&](Session&) -> Result<void> {
-    DriveTrain& train = drive_train();
+  return doing(name, -1, [&](Session& session) -> Result<void> {
+    auto& train = session.own<DriveTrain>();
     const std::lock_guard lock(train.mutex);
     const auto chosen = train.quads.all(handle);
     if (!chosen) return tl::unexpected(chosen.error());
@@ -48,7 +47,7 @@ int for_each_quad(const robios::Call& name, QuadHandle handle, Act&& act) {
 
 QuadHandle QUADInit(DeviceSemantics semantics) {
   return call("QUADInit", 0, [&](Session& session) -> Result<int> {
-    DriveTrain& train = drive_train();
+    auto& train = session.own<DriveTrain>();
     const std::lock_guard lock(train.mutex);
     hal::Backend& backend = session.backend();
     Result<int> id = find_device(backend, "encoder", semantics);
@@ -70,8 +69,8 @@ QuadHandle QUADInit(DeviceSemantics semantics) {
 }
 
 int QUADRelease(QuadHandle handle) {
-  return call("QUADRelease", -1, [&](Session&) -> Result<int> {
-    DriveTrain& train = drive_train();
+  return call("QUADRelease", -1, [&](Session& session) -> Result<int> {
+    auto& train = session.own<DriveTrain>();
     const std::lock_guard lock(train.mutex);
     const auto chosen = train.quads.all(handle);
     if (!chosen) return tl::unexpected(chosen.error());
@@ -88,8 +87,8 @@ int QUADReset(QuadHandle handle) {
 }
 
 int QUADRead(QuadHandle handle) {
-  return call("QUADRead", 0, [&](Session&) -> Result<int> {
-    DriveTrain& train = drive_train();
+  return call("QUADRead", 0, [&](Session& session) -> Result<int> {
+    auto& train = session.own<DriveTrain>();
     const std::lock_guard lock(train.mutex);
     return train.quads.one(handle).and_then([](Quad* quad) { return quad->encoder->read(); });
   });
@@ -109,8 +108,8 @@ DeviceSemantics QUADGetMotor(DeviceSemantics semantics) {
 }
 
 float QUADODORead(QuadHandle handle) {
-  return call("QUADODORead", 0.0F, [&](Session&) -> Result<float> {
-    DriveTrain& train = drive_train();
+  return call("QUADODORead", 0.0F, [&](Session& session) -> Result<float> {
+    auto& train = session.own<DriveTrain>();
     const std::lock_guard lock(train.mutex);
     return train.quads.one(handle).and_then([](Quad* quad) -> Result<float> {
       if (quad->ticks_per_metre == 0.0) {

@@ -20,8 +20,10 @@ using robios::classic::doing;
 
 constexpr int kHost = 0;
 
-std::mutex radio_mutex;
-RadioIOParameters radio_parameters{SERIAL2, SER9600, 0, 0, 0, 0};
+struct Ioctl {
+  std::mutex mutex;
+  RadioIOParameters parameters{SERIAL2, SER9600, 0, 0, 0, 0};
+};
 
 }  // namespace
 
@@ -81,18 +83,20 @@ int RADIORecv(BYTE* id, int* bytesReceived, void* buffer) {
 void RADIOGetIoctl(RadioIOParameters* radioParams) {
   doing("RADIOGetIoctl", 1, [&](Session& session) -> Result<void> {
     if (radioParams == nullptr) return robios::null_pointer();
-    const std::lock_guard lock(radio_mutex);
-    if (radio_parameters.id == 0) radio_parameters.id = session.backend().robot_id();
-    *radioParams = radio_parameters;
+    auto& ioctl = session.own<Ioctl>();
+    const std::lock_guard lock(ioctl.mutex);
+    if (ioctl.parameters.id == 0) ioctl.parameters.id = session.backend().robot_id();
+    *radioParams = ioctl.parameters;
     return {};
   });
 }
 
 void RADIOSetIoctl(RadioIOParameters* radioParams) {
-  doing("RADIOSetIoctl", 1, [&](Session&) -> Result<void> {
+  doing("RADIOSetIoctl", 1, [&](Session& session) -> Result<void> {
     if (radioParams == nullptr) return robios::null_pointer();
-    const std::lock_guard lock(radio_mutex);
-    radio_parameters = *radioParams;
+    auto& ioctl = session.own<Ioctl>();
+    const std::lock_guard lock(ioctl.mutex);
+    ioctl.parameters = *radioParams;
     return {};
   });
 }

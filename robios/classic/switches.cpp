@@ -25,10 +25,12 @@ struct Bumper {
   Time hit_at{0};        ///< The first time since then.
 };
 
-std::mutex switch_mutex;
-Slots<Bumper> bumpers("bumper", kMostSwitches);
-Slots<hal::SwitchSensor*> proximities("infrared switch", kMostSwitches);
-bool bumpers_watched = false;
+struct Switches {
+  std::mutex mutex;
+  Slots<Bumper> bumpers{"bumper", kMostSwitches};
+  Slots<hal::SwitchSensor*> proximities{"infrared switch", kMostSwitches};
+  bool bumpers_watched = false;
+};
 
 /// What the robot's timer unit does by itself: it holds the first contact. One that cannot be read
 /// now is asked again next time; BUMPCheck() tells of the failure.
@@ -44,9 +46,11 @@ Result<void> look_at(Bumper& bumper, Time now) {
 }
 
 void look_at_bumpers() {
-  const std::lock_guard lock(switch_mutex);
-  const Time now = Session::instance().clock().now();
-  const auto open = bumpers.all(bumpers.open_mask());
+  Session& session = Session::instance();
+  auto& switches = session.own<Switches>();
+  const std::lock_guard lock(switches.mutex);
+  const Time now = session.clock().now();
+  const auto open = switches.bumpers.all(switches.bumpers.open_mask());
   if (!open) return;
   for (Bumper* bumper : *open) static_cast<void>(look_at(*bumper, now));
 }
@@ -62,28 +66,31 @@ BumpHandle BUMPInit(DeviceSemantics semantics) {
     return find_device(session.backend(), "bumper", semantics).and_then([&](int id) -> Result<int> {
       hal::SwitchSensor* const sensor = session.backend().bumper(id);
       if (sensor == nullptr) return no_switch(semantics);
-      const std::lock_guard lock(switch_mutex);
-      if (!bumpers_watched)
+      auto& switches = session.own<Switches>();
+      const std::lock_guard lock(switches.mutex);
+      if (!switches.bumpers_watched)
         session.timers().attach(robios::classic::kTick, session.bound(look_at_bumpers));
-      bumpers_watched = true;
+      switches.bumpers_watched = true;
       // What it touches now it has not hit.
-      return bumpers.open(id, {sensor, sensor->read().value_or(false), false, Time(0)});
+      return switches.bumpers.open(id, {sensor, sensor->read().value_or(false), false, Time(0)});
     });
   });
 }
 
 int BUMPRelease(BumpHandle handle) {
-  return call("BUMPRelease", Slots<int>::kWrongHandle, [&](Session&) -> Result<int> {
-    const std::lock_guard lock(switch_mutex);
-    return bumpers.close(handle);
+  return call("BUMPRelease", Slots<int>::kWrongHandle, [&](Session& session) -> Result<int> {
+    auto& switches = session.own<Switches>();
+    const std::lock_guard lock(switches.mutex);
+    return switches.bumpers.close(handle);
   });
 }
 
 int BUMPCheck(BumpHandle handle, int* timestamp) {
   if (timestamp != nullptr) *timestamp = 0;
   return call("BUMPCheck", -1, [&](Session& session) -> Result<int> {
-    const std::lock_guard lock(switch_mutex);
-    const Result<Bumper*> found = bumpers.one(handle);
+    auto& switches = session.own<Switches>();
+    const std::lock_guard lock(switches.mutex);
+    const Result<Bumper*> found = switches.bumpers.one(handle);
     if (!found) return tl::unexpected(found.error());
     Bumper& bumper = **found;
     if (const Result<void> seen = look_at(bumper, session.clock().now()); !seen && !bumper.hit) {
@@ -105,23 +112,26 @@ IRHandle IRInit(DeviceSemantics semantics) {
         .and_then([&](int id) -> Result<int> {
           hal::SwitchSensor* const sensor = session.backend().proximity(id);
           if (sensor == nullptr) return no_switch(semantics);
-          const std::lock_guard lock(switch_mutex);
-          return proximities.open(id, sensor);
+          auto& switches = session.own<Switches>();
+          const std::lock_guard lock(switches.mutex);
+          return switches.proximities.open(id, sensor);
         });
   });
 }
 
 int IRRelease(IRHandle handle) {
-  return call("IRRelease", Slots<int>::kWrongHandle, [&](Session&) -> Result<int> {
-    const std::lock_guard lock(switch_mutex);
-    return proximities.close(handle);
+  return call("IRRelease", Slots<int>::kWrongHandle, [&](Session& session) -> Result<int> {
+    auto& switches = session.own<Switches>();
+    const std::lock_guard lock(switches.mutex);
+    return switches.proximities.close(handle);
   });
 }
 
 int IRRead(IRHandle handle) {
-  return call("IRRead", -1, [&](Session&) -> Result<int> {
-    const std::lock_guard lock(switch_mutex);
-    return proximities.one(handle).and_then([](hal::SwitchSensor** sensor) {
+  return call("IRRead", -1, [&](Session& session) -> Result<int> {
+    auto& switches = session.own<Switches>();
+    const std::lock_guard lock(switches.mutex);
+    return switches.proximities.one(handle).and_then([](hal::SwitchSensor** sensor) {
       return (*sensor)->read().map([](bool near) { return near ? 1 : 0; });
     });
   });

@@ -3,6 +3,7 @@
 #include <condition_variable>
 #include <string>
 
+#include "flow.hpp"
 #include "kernel.hpp"
 
 namespace eyebridge::robios::classic {
@@ -23,6 +24,11 @@ struct Kernel::Task {
   bool has_waited = false;  ///< main() counts as MIN_PRI until it gives way.
   std::condition_variable turn;
 
+  /// Its state or whose turn it is has changed.
+  void notify() {
+    const OutOfCall program;
+    turn.notify_all();
+  }
   [[nodiscard]] int priority() const { return is_main && has_waited ? MIN_PRI : shown.pri; }
 };
 

@@ -1,7 +1,5 @@
 // The calls of multitasking; what they do is in the kernel.
 
-#include <cstdlib>
-
 #include <fmt/format.h>
 
 #include "call.hpp"
@@ -22,7 +20,7 @@ Kernel::Hooks hooks_of(Session& session) {
   return {
       [&session](Time deadline) { session.wait_until(deadline); },
       [&session] { return session.timers().next_due(); },
-      [] { return robios::classic::timers_attached(); },
+      [&session] { return robios::classic::timers_attached(session); },
       [&session] {
         session.abort_run({Errc::Timeout,
                            "all tasks wait for each other or are suspended, and nothing else could "
@@ -31,17 +29,18 @@ Kernel::Hooks hooks_of(Session& session) {
   };
 }
 
+/// A session's: never destroyed, as tasks may still call while the process ends.
+struct SessionKernel {
+  explicit SessionKernel(Session& session) : kernel(session.clock(), hooks_of(session)) {}
+  Kernel kernel;
+};
+
 Kernel& the_kernel() { return robios::classic::kernel(); }
 
 }  // namespace
 
 Kernel& eyebridge::robios::classic::kernel() {
-  // Never destroyed, as the session: tasks may still call while the process ends.
-  static auto* const kernel = [] {
-    Session& session = Session::instance();
-    return new Kernel(session.clock(), hooks_of(session));
-  }();
-  return *kernel;
+  return Session::instance().own<SessionKernel>().kernel;
 }
 
 int OSMTInit(BYTE mode) {
@@ -99,12 +98,12 @@ int OSGetUID(struct tcb* thread) {
 }
 
 int OSKill(struct tcb* thread) {
-  if (thread == nullptr && the_kernel().is_main()) std::exit(0);
+  if (thread == nullptr && the_kernel().is_main()) Session::instance().leave(0);
   return doing("OSKill", 1, [&](Session&) { return the_kernel().kill(thread); });
 }
 
 int OSExit(int code) {
-  if (the_kernel().is_main()) std::exit(code);
+  if (the_kernel().is_main()) Session::instance().leave(code);
   return doing("OSExit", 1, [&](Session& session) -> Result<void> {
     const Result<std::string> name = the_kernel().name(nullptr);
     if (!name) return tl::unexpected(name.error());

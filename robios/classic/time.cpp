@@ -34,27 +34,31 @@ struct Date {
   int year = 2000;
 };
 
-std::mutex time_mutex;
-std::optional<long long> midnight;  // in ticks of the robot's clock
-Date today;
-std::set<int> attached_timers;
+struct Times {
+  std::mutex mutex;
+  std::optional<long long> midnight;  ///< In ticks of the robot's clock.
+  Date today;
+  std::set<int> timers;  ///< Those attached.
+};
 
 long long ticks_since_start(Session& session) { return session.clock().now() / kTick; }
 
 /// A virtual clock starts at midnight, so that runs repeat.
 long long ticks_of_day(Session& session) {
-  const std::lock_guard lock(time_mutex);
+  auto& times = session.own<Times>();
+  const std::lock_guard lock(times.mutex);
   const long long now = ticks_since_start(session);
-  if (!midnight) {
-    midnight = 0;
+  if (!times.midnight) {
+    times.midnight = 0;
     if (!session.clock().is_virtual()) {
       const std::time_t time = std::time(nullptr);
       std::tm local{};
       localtime_r(&time, &local);
-      midnight = now - (local.tm_hour * kHour + local.tm_min * kMinute + local.tm_sec * kSecond);
+      times.midnight =
+          now - (local.tm_hour * kHour + local.tm_min * kMinute + local.tm_sec * kSecond);
     }
   }
-  return ((now - *midnight) % kDay + kDay) % kDay;
+  return ((now - *times.midnight) % kDay + kDay) % kDay;
 }
 
 void store(int* out, long long value) {
@@ -86,9 +90,10 @@ bool exists(const Date& d) {
 
 }  // namespace
 
-bool eyebridge::robios::classic::timers_attached() {
-  const std::lock_guard lock(time_mutex);
-  return !attached_timers.empty();
+bool eyebridge::robios::classic::timers_attached(Session& session) {
+  auto& times = session.own<Times>();
+  const std::lock_guard lock(times.mutex);
+  return !times.timers.empty();
 }
 
 int OSSetTime(int hrs, int mins, int secs) {
@@ -96,8 +101,9 @@ int OSSetTime(int hrs, int mins, int secs) {
     if (hrs < 0 || hrs > 23 || mins < 0 || mins > 59 || secs < 0 || secs > 59) {
       return fail(Errc::OutOfRange, fmt::format("{}:{}:{} is no time of day", hrs, mins, secs));
     }
-    const std::lock_guard lock(time_mutex);
-    midnight = ticks_since_start(session) - (hrs * kHour + mins * kMinute + secs * kSecond);
+    auto& times = session.own<Times>();
+    const std::lock_guard lock(times.mutex);
+    times.midnight = ticks_since_start(session) - (hrs * kHour + mins * kMinute + secs * kSecond);
     return 0;
   });
 }
@@ -123,22 +129,24 @@ int OSShowTime(void) {
 }
 
 int OSSetDate(int day, int month, int year) {
-  return call("OSSetDate", 1, [&](Session&) -> Result<int> {
+  return call("OSSetDate", 1, [&](Session& session) -> Result<int> {
     if (!exists({day, month, year})) {
       return fail(Errc::OutOfRange, fmt::format("{}.{}.{} is no date", day, month, year));
     }
-    const std::lock_guard lock(time_mutex);
-    today = {day, month, year};
+    auto& times = session.own<Times>();
+    const std::lock_guard lock(times.mutex);
+    times.today = {day, month, year};
     return 0;
   });
 }
 
 int OSGetDate(int* day, int* month, int* year) {
-  return call("OSGetDate", 1, [&](Session&) -> Result<int> {
-    const std::lock_guard lock(time_mutex);
-    store(day, today.day);
-    store(month, today.month);
-    store(year, today.year);
+  return call("OSGetDate", 1, [&](Session& session) -> Result<int> {
+    auto& times = session.own<Times>();
+    const std::lock_guard lock(times.mutex);
+    store(day, times.today.day);
+    store(month, times.today.month);
+    store(year, times.today.year);
     return 0;
   });
 }
@@ -159,20 +167,22 @@ TimerHandle OSAttachTimer(int scale, TimerFnc function) {
       return fail(Errc::OutOfRange,
                   fmt::format("a timer needs a function and at least 1 tick, found {}", scale));
     }
-    const std::lock_guard lock(time_mutex);
-    if (attached_timers.size() >= kMostTimers) {
+    auto& times = session.own<Times>();
+    const std::lock_guard lock(times.mutex);
+    if (times.timers.size() >= kMostTimers) {
       return fail(Errc::OutOfRange, fmt::format("{} timers are attached already", kMostTimers));
     }
     const int handle = session.timers().attach(scale * kTick, session.bound(function));
-    attached_timers.insert(handle);
+    times.timers.insert(handle);
     return handle;
   });
 }
 
 int OSDetachTimer(TimerHandle handle) {
   return call("OSDetachTimer", 0, [&](Session& session) -> Result<int> {
-    const std::lock_guard lock(time_mutex);
-    if (attached_timers.erase(handle) == 0 || !session.timers().detach(handle)) {
+    auto& times = session.own<Times>();
+    const std::lock_guard lock(times.mutex);
+    if (times.timers.erase(handle) == 0 || !session.timers().detach(handle)) {
       return fail(Errc::OutOfRange, fmt::format("there is no timer {}", handle));
     }
     return 1;

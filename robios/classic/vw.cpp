@@ -17,13 +17,14 @@ using namespace eyebridge;
 using robios::Session;
 using robios::classic::call;
 using robios::classic::doing;
-using robios::classic::drive_train;
 using robios::classic::DriveTrain;
 using robios::classic::Turn;
 
+DriveTrain& train_of(Session& session) { return session.own<DriveTrain>(); }
+
 /// The drive behind a handle.
 Result<hal::Drive*> open_drive(Session& session, VWHandle handle) {
-  if (handle != DriveTrain::kVw || !drive_train().vw_open) {
+  if (handle != DriveTrain::kVw || !train_of(session).vw_open) {
     return fail(Errc::OutOfRange, fmt::format("handle {} is no open VW drive", handle));
   }
   hal::Drive* const drive = session.backend().drive();
@@ -35,7 +36,7 @@ Result<hal::Drive*> open_drive(Session& session, VWHandle handle) {
 template <class Body>
 int with_vw(const robios::Call& name, VWHandle handle, Body&& body) {
   return doing(name, -1, [&](Session& session) -> Result<void> {
-    const std::lock_guard lock(drive_train().mutex);
+    const std::lock_guard lock(train_of(session).mutex);
     return open_drive(session, handle).and_then([&](hal::Drive* drive) -> Result<void> {
       return body(*drive, session);
     });
@@ -44,12 +45,12 @@ int with_vw(const robios::Call& name, VWHandle handle, Body&& body) {
 
 int drive_to(const robios::Call& name, VWHandle handle, const DriveGoal& goal) {
   return with_vw(name, handle, [&](hal::Drive& drive, Session& session) -> Result<void> {
-    drive_train().turn.reset();
+    train_of(session).turn.reset();
     if (goal.distance != 0.0 || goal.angle == 0.0 || goal.speed == 0.0) return drive.start(goal);
     const Result<Pose> before = drive.odometry();
     if (!before) return tl::unexpected(before.error());
     return drive.start(goal).map([&] {
-      drive_train().turn = Turn{goal.angle, goal.speed, before->theta, session.clock().now()};
+      train_of(session).turn = Turn{goal.angle, goal.speed, before->theta, session.clock().now()};
     });
   });
 }
@@ -65,7 +66,7 @@ double remaining_angle(const Turn& turn, double heading, Time now) {
 }
 
 Result<hal::DriveStatus> status_of(Session& session, VWHandle handle) {
-  const std::lock_guard lock(drive_train().mutex);
+  const std::lock_guard lock(train_of(session).mutex);
   return open_drive(session, handle).and_then([](hal::Drive* drive) { return drive->status(); });
 }
 
@@ -73,7 +74,7 @@ Result<hal::DriveStatus> status_of(Session& session, VWHandle handle) {
 
 VWHandle VWInit(DeviceSemantics semantics, int Timescale) {
   return call("VWInit", 0, [&](Session& session) -> Result<int> {
-    DriveTrain& train = drive_train();
+    auto& train = train_of(session);
     const std::lock_guard lock(train.mutex);
     Result<int> known = robios::classic::find_device(session.backend(), "drive", semantics);
     if (!known) return known;
@@ -97,15 +98,15 @@ VWHandle VWInit(DeviceSemantics semantics, int Timescale) {
 }
 
 int VWRelease(VWHandle handle) {
-  return with_vw("VWRelease", handle, [](hal::Drive& drive, Session&) {
-    drive_train().vw_open = false;
+  return with_vw("VWRelease", handle, [](hal::Drive& drive, Session& session) {
+    train_of(session).vw_open = false;
     return drive.set_speed({});
   });
 }
 
 int VWSetSpeed(VWHandle handle, meterPerSec v, radPerSec w) {
-  return with_vw("VWSetSpeed", handle, [&](hal::Drive& drive, Session&) {
-    drive_train().turn.reset();
+  return with_vw("VWSetSpeed", handle, [&](hal::Drive& drive, Session& session) {
+    train_of(session).turn.reset();
     return drive.set_speed({v, w});
   });
 }
@@ -120,13 +121,14 @@ int VWGetSpeed(VWHandle handle, SpeedType* vw) {
 }
 
 int VWSetPosition(VWHandle handle, meter x, meter y, radians phi) {
-  return with_vw("VWSetPosition", handle, [&](hal::Drive& drive, Session&) -> Result<void> {
+  return with_vw("VWSetPosition", handle, [&](hal::Drive& drive, Session& session) -> Result<void> {
     const Result<Pose> before = drive.odometry();
     if (!before) return tl::unexpected(before.error());
     if (!std::isfinite(phi)) return fail(Errc::OutOfRange, "the heading is no number");
     const double heading = wrap_angle(phi);
     return drive.set_odometry({x, y, heading}).map([&] {
-      if (drive_train().turn) drive_train().turn->heading += heading - before->theta;
+      auto& turn = train_of(session).turn;
+      if (turn) turn->heading += heading - before->theta;
     });
   });
 }
@@ -174,8 +176,9 @@ float VWDriveRemain(VWHandle handle) {
     const Result<hal::DriveStatus> status = status_of(session, handle);
     if (!status) return tl::unexpected(status.error());
     if (status->progress != hal::DriveProgress::Driving) return 0.0F;
-    const std::lock_guard lock(drive_train().mutex);
-    const auto& turn = drive_train().turn;
+    auto& train = train_of(session);
+    const std::lock_guard lock(train.mutex);
+    const auto& turn = train.turn;
     if (!turn) return static_cast<float>(status->remaining);
     return session.backend().drive()->odometry().map([&](const Pose& pose) {
       return static_cast<float>(remaining_angle(*turn, pose.theta, session.clock().now()));

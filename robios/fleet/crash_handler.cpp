@@ -63,8 +63,9 @@ void say(const char* text) {
 void on_crash(int signal, siginfo_t* info, void* context) {
   Robot* const robot = Robot::current();
   if (signal == kHang && flow.calls > 0) return;  // a call that takes long
-  const bool is_safe = robot != nullptr && !robot->has_ended() && robot->may_be_stopped();
-  if (is_safe && redirect(*static_cast<ucontext_t*>(context), robot->stack_mark())) {
+  const bool is_safe = robot != nullptr && flow.stack_mark != nullptr && !robot->has_ended() &&
+                       robot->may_be_stopped();
+  if (is_safe && redirect(*static_cast<ucontext_t*>(context), flow.stack_mark)) {
     last_signal = signal;
     last_address = info->si_addr;
     return;

@@ -29,7 +29,7 @@ void Robot::begin(const hal::Config& config, const hal::Seat& seat,
 
 void Robot::run() {
   Session::set_here(session_);
-  stack_mark_ = __builtin_frame_address(0);
+  flow.stack_mark = __builtin_frame_address(0);
   try {
     image_ = ProgramImage::load(program_.file);  // runs constructors: the robot's first code
   } catch (const ConfigError& error) {

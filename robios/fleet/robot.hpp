@@ -47,8 +47,6 @@ class Robot : public Runner {
   [[nodiscard]] Session& session() const { return *session_; }
   [[nodiscard]] bool has_ended() const { return ended_; }
   [[nodiscard]] int exit_code() const { return exit_code_; }
-  /// Where its main flow's stack may be used again once the program is given up.
-  [[nodiscard]] void* stack_mark() const { return stack_mark_; }
 
   /// The robot of the calling flow; null when it is none's.
   static Robot* current();
@@ -63,7 +61,6 @@ class Robot : public Runner {
   std::shared_ptr<hal::SharedWorld> world_;
   std::unique_ptr<ProgramImage> image_;
   Session* session_ = nullptr;
-  void* stack_mark_ = nullptr;
   std::atomic<bool> ended_ = false;
   bool is_abandoned_ = false;  ///< The calling flow will never leave its call.
   int exit_code_ = 0;

@@ -1,5 +1,6 @@
 #include "robot_calls.hpp"
 
+#include "crash_handler.hpp"
 #include "flow.hpp"
 #include "robot.hpp"
 #include "session.hpp"
@@ -36,7 +37,11 @@ eyebridge_robot_calls robot_calls(Strands* given) {
   };
   if (given == nullptr) {
     calls.robot = []() -> void* { return Session::here(); };
-    calls.begin_thread = [](void* robot) { Session::set_here(static_cast<Session*>(robot)); };
+    calls.begin_thread = [](void* robot) {
+      static thread_local const CrashStack stack;
+      Session::set_here(static_cast<Session*>(robot));
+      flow.stack_mark = __builtin_frame_address(0);
+    };
     return calls;
   }
   calls.turns = turns;

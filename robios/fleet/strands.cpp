@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <iterator>
 
+#include "flow.hpp"
 #include "robot.hpp"
 
 namespace eyebridge::robios {
@@ -15,6 +16,7 @@ unsigned long Strands::create(Start start, void* argument) {
   Session* const session = Session::here();
   Strand& strand = lockstep_.add_strand([this, session, start, argument] {
     Session::set_here(session);
+    flow.stack_mark = __builtin_frame_address(0);
     finish(start(argument));
   });
   threads_[number] = {&strand, strand.robot};

@@ -10,6 +10,8 @@ struct Flow {
   bool in_timer = false;        ///< It runs the function of a timer.
   int kernel_calls = 0;         ///< Of classic RoBIOS's multitasking.
   void* kernel_task = nullptr;  ///< Likewise: which task it is.
+  void* stack_mark = nullptr;   ///< Of one of several robots': from where down its stack may be
+                                ///< used again once the program is given up.
 };
 
 inline thread_local Flow flow;

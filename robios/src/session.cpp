@@ -135,12 +135,12 @@ std::function<void()> Session::bound(void (*function)()) {
   };
 }
 
-OwnPart& Session::own_part(std::type_index type, std::unique_ptr<OwnPart> (*make)()) {
+OwnPart& Session::own_part(std::type_index type, std::unique_ptr<OwnPart> (*make)(Session&)) {
   const std::lock_guard lock(impl_->own_mutex);
   for (const auto& [present, part] : impl_->own) {
     if (present == type) return *part;
   }
-  return *impl_->own.emplace_back(type, make()).second;
+  return *impl_->own.emplace_back(type, make(*this)).second;
 }
 
 void Session::leave(int code) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <typeindex>
 
 #include "costs.hpp"
@@ -82,14 +83,24 @@ class Session {
   /// forked process with a message: a robot has one program.
   [[nodiscard]] bool may_call(std::string_view call) const;
 
-  /// What this robot has of a family's: made at the first use, never destroyed before the session.
+  /// What this robot has of a family's: made at the first use, of this session where its
+  /// constructor takes one; never destroyed before the session.
   template <class Value>
   Value& own() {
     struct Part : OwnPart {
-      Value value{};
+      explicit Part(Session& session) : value(made(session)) {}
+      static Value made([[maybe_unused]] Session& session) {
+        if constexpr (std::is_constructible_v<Value, Session&>) {
+          return Value(session);
+        } else {
+          return Value{};
+        }
+      }
+      Value value;
     };
-    OwnPart& part = own_part(typeid(Value),
-                             []() -> std::unique_ptr<OwnPart> { return std::make_unique<Part>(); });
+    OwnPart& part = own_part(typeid(Value), [](Session& session) -> std::unique_ptr<OwnPart> {
+      return std::make_unique<Part>(session);
+    });
     return static_cast<Part&>(part).value;
   }
   /// Where this robot's program has its copy of the variable `name` of ours; null when the
@@ -128,7 +139,7 @@ class Session {
   explicit Session(std::unique_ptr<Impl> impl);
   ~Session();
   static Session& only();
-  OwnPart& own_part(std::type_index type, std::unique_ptr<OwnPart> (*make)());
+  OwnPart& own_part(std::type_index type, std::unique_ptr<OwnPart> (*make)(Session&));
   void check_limit();
   void look_around();
   void go_on_without_calls();

@@ -1,0 +1,144 @@
+// Several robots that run programs of classic RoBIOS in one process.
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "named_program.hpp"
+
+namespace eyebridge {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::ProgramRun;
+
+using Settings = std::map<std::string, std::string>;
+
+constexpr char kSeveral[] = EYEBRIDGE_TEST_PROGRAMS "/several_c 2";
+constexpr char kTasks[] = EYEBRIDGE_TEST_PROGRAMS "/several_tasks_c";
+
+std::vector<std::string> sorted_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  std::ranges::sort(lines);
+  return lines;
+}
+
+/// "state 0123456789abcdef" of the run's last message.
+std::string state_of(const std::string& messages) {
+  const std::size_t at = messages.find("state ");
+  return at == std::string::npos ? "" : messages.substr(at, 22);
+}
+
+/// The program runs for each of `count` robots, and gets their number as argument.
+ProgramRun run_several(const std::string& program, const std::string& count, Settings more) {
+  more.emplace("EYEBRIDGE_ROBOTS", count);
+  more.emplace("EYEBRIDGE_WORLD", EYEBRIDGE_TEST_WORLDS "/rooms.wld");
+  return testing::run_program({{EYEBRIDGE_TEST_PROGRAMS "/" + program, count}, more, ""});
+}
+
+/// What is to be the same in every run.
+std::string result_of(const ProgramRun& run) { return run.out + state_of(run.err); }
+
+/// A world whose two robots run these programs, started without naming any.
+ProgramRun run_scenario(const std::string& first, const std::string& second) {
+  const testing::ScratchFolder folder;
+  const std::string scenario = folder.write(
+      "two.sim", fmt::format("world {}/soccer-field.wld\nS4 700 760 0 {}\nS4 2400 760 180 {}\n",
+                             EYEBRIDGE_TEST_WORLDS, first, second));
+  return testing::run_program(
+      {{EYEBRIDGE_TEST_COMMAND, "run", "--fast", "--world", scenario}, {}, ""});
+}
+
+TEST(SeveralClassicRobots, EachHasItsOwnDevicesTimersAndVariables) {
+  for (const auto& clock : testing::kClocks) {
+    const ProgramRun r = run_several("several_c", "3", clock);
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    EXPECT_THAT(sorted_lines(r.out),
+                ElementsAre("1: drives 3 psd 1, latch 1 port 10 var 101 date 1.1.1991 name B, "
+                            "timers 16 ticked 0, radio 1 heard 7",
+                            "2: drives 1 psd 1, latch 2 port 20 var 102 date 2.2.1992 name C, "
+                            "timers 15 ticked 1, radio 2 heard 7",
+                            "3: drives 3 psd 1, latch 3 port 30 var 103 date 3.3.1993 name D, "
+                            "timers 16 ticked 0, radio 3 heard 7"))
+        << r.err;
+  }
+}
+
+TEST(SeveralClassicRobots, EachHasItsOwnTasks) {
+  for (const auto& clock : testing::kClocks) {
+    const ProgramRun r = run_several("several_tasks_c", "3", clock);
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    EXPECT_THAT(sorted_lines(r.out),
+                ElementsAre("1: mode 1 got 4 4, computed 1", "2: mode 0 got 4 4, computed 0",
+                            "3: mode 1 got 4 4, computed 1"))
+        << r.err;
+  }
+}
+
+TEST(SeveralClassicRobots, ARunRepeatsToTheBit) {
+  const auto run = [](const char* program) {
+    const ProgramRun r = run_several(program, "4", testing::kClocks[0]);
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    return result_of(r);
+  };
+  for (const char* program : {"several_c", "several_tasks_c"}) {
+    const std::string first = run(program);
+    ASSERT_THAT(first, HasSubstr("state "));
+    for (int i = 0; i < 5; ++i) EXPECT_EQ(run(program), first);
+  }
+}
+
+TEST(SeveralClassicRobots, AnEndOfAnyKindIsThatRobotsOwn) {
+  for (const auto& clock : testing::kClocks) {
+    const ProgramRun r = run_several("several_ends_c", "7", clock);
+    EXPECT_EQ(r.exit_code, 5) << r.err;  // the first robot's
+    EXPECT_THAT(sorted_lines(r.out), ElementsAre("robot 6 is left", "robot 7 is left"));
+    EXPECT_THAT(
+        r.err,
+        AllOf(HasSubstr("robot 2: error: all tasks wait for each other or are suspended"),
+              HasSubstr("robot 3: error: OSPanic: no way"),
+              HasSubstr("robot 4: error: the program crashed: Segmentation fault at address 0x8;"),
+              HasSubstr("robot 5: error: the program crashed: Segmentation fault"),
+              Not(HasSubstr("robot 1: error")), Not(HasSubstr("robot 6: error"))));
+  }
+}
+
+TEST(SeveralClassicRobots, AWorldNamesTheirPrograms) {
+  const ProgramRun r = run_scenario(kTasks, kSeveral);
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(sorted_lines(r.out),
+              ElementsAre("1: mode 1 got 4 4, computed 1",
+                          "2: drives 1 psd 1, latch 2 port 20 var 102 date 2.2.1992 name C, "
+                          "timers 15 ticked 1, radio 2 heard 2"))
+      << r.err;
+  EXPECT_EQ(result_of(run_scenario(kTasks, kSeveral)), result_of(r));
+}
+
+TEST(SeveralClassicRobots, AProgramOfTheOtherGenerationIsRefusedAndTheOthersGoOn) {
+  const auto expect_refused = [](const ProgramRun& r, const char* refused) {
+    EXPECT_EQ(r.exit_code, 126) << r.err;
+    EXPECT_THAT(r.err, HasSubstr(fmt::format("robot 2: error: {}: found a program for another "
+                                             "generation of RoBIOS than the first robot's; "
+                                             "expected all programs of a world to be of one",
+                                             refused)));
+    EXPECT_THAT(r.err, Not(HasSubstr("robot 1: error")));
+  };
+  const ProgramRun classic_first = run_scenario(kTasks, EYEBRIDGE_TEST_OTHER_PROGRAM);
+  expect_refused(classic_first, EYEBRIDGE_TEST_OTHER_PROGRAM);
+  EXPECT_EQ(classic_first.out, "1: mode 1 got 4 4, computed 1\n");
+  const ProgramRun classic_second = run_scenario(EYEBRIDGE_TEST_OTHER_PROGRAM, kTasks);
+  expect_refused(classic_second, kTasks);
+  EXPECT_EQ(classic_second.out, "1: counted 6 calls 6 mine 3 camera 160 x 10 at 600 alone\n");
+}
+
+}  // namespace
+}  // namespace eyebridge
