@@ -67,6 +67,12 @@ void Episode::reset(std::uint64_t seed) {
 
 void Episode::set_reward(Reward reward) { reward_ = std::move(reward); }
 
+void Episode::step() {
+  simulation_->step();
+  tally_.add_step(*simulation_);
+  if (reward_) total_reward_ += reward_(*this);
+}
+
 bool Episode::step_until(const Condition& done, double seconds) {
   if (!(seconds >= 0 && seconds <= 1e9)) {
     throw std::invalid_argument("found " + std::to_string(seconds) +
@@ -74,9 +80,7 @@ bool Episode::step_until(const Condition& done, double seconds) {
   }
   long long left = std::max(std::llround(seconds / settings_.step), 1LL);
   do {
-    simulation_->step();
-    tally_.add_step(*simulation_);
-    if (reward_) total_reward_ += reward_(*this);
+    step();
     if (done && done(*this)) return true;
   } while (--left > 0);
   return false;

@@ -47,6 +47,8 @@ class Episode {
   /// What one step of the simulation is worth, asked after each of them. Without it: 0.
   void set_reward(Reward reward);
 
+  /// One step of the simulation.
+  void step();
   /// Steps until `done` holds, asked after each step, and says whether it does; or for the whole
   /// number of steps next to `seconds`, at least one. A null condition never holds. `seconds`
   /// 0 … 1e9, else std::invalid_argument.
