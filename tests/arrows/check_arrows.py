@@ -47,7 +47,7 @@ ALLOWED = {
     "python": [*CORE, "camera", "robios"],
     "apps": [*CORE, "hal", "hal/replay", "camera", "robios", "bridges", *FIRMWARE],
     "examples": ["robios:eyebot.h", "robios:eyebot++.h"],
-    "examples/training": CORE,
+    "examples/training": [*CORE, "robios:eyebot.h"],
     "tests": EVERYTHING,
     "bench": EVERYTHING,
 }
