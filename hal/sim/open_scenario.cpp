@@ -56,6 +56,13 @@ std::unique_ptr<Backend> open_scenario(files::Scenario scenario, const SourceLoc
   } catch (const std::invalid_argument& error) {
     throw ConfigError(where, error.what());
   }
+  if (context.config.is_set("report")) {
+    try {
+      world->report_to(RunReport(context.config.path("report")));
+    } catch (const ConfigError& error) {
+      throw error_in(context.config.value("report"), error);
+    }
+  }
   auto clock = make_clock(context.config, from_seconds(settings.step), *world);
   return std::make_unique<SimBackend>(std::move(world), std::move(clock), 0,
                                       context.config.number("supply_voltage"));

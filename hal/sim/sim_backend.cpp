@@ -87,6 +87,7 @@ std::vector<DeviceFacts> SimBackend::facts_of(std::string_view kind) {
 
 void SimBackend::stop() noexcept {
   world_->locked([&](auto& sim) { sim.stop(robot_); });
+  world_->end_report();
 }
 
 }  // namespace eyebridge::hal

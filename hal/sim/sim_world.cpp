@@ -23,8 +23,9 @@ SimWorld::SimWorld(files::Scenario scenario, const robot::SimulationSettings& se
   for (const files::RobotPlacement& placement : scenario.robots) {
     simulation_.add_robot(scenario.models.at(placement.model), placement.pose);
   }
-  simulation_.on_collision([&log](const robot::CollisionEvent& event) {
+  simulation_.on_collision([this, &log](const robot::CollisionEvent& event) {
     log.write(Severity::Warning, describe(event));
+    if (report_) report_->collision(event);
   });
 }
 
@@ -33,6 +34,17 @@ void SimWorld::step() {
   simulation_.step();
   ++steps_;
   if (sink_ != nullptr) trace();
+  if (report_) report_->step(simulation_);
+}
+
+void SimWorld::report_to(RunReport report) {
+  const std::lock_guard lock(mutex_);
+  report_.emplace(std::move(report));
+}
+
+void SimWorld::end_report() noexcept {
+  const std::lock_guard lock(mutex_);
+  if (report_) report_->end(simulation_);
 }
 
 void SimWorld::trace_to(TraceSink* sink, robot::RobotIndex robot) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "eyebridge/files/scenario.hpp"
 #include "eyebridge/hal/trace.hpp"
 #include "eyebridge/robot/simulation.hpp"
+#include "sim/run_report.hpp"
 
 namespace eyebridge::hal {
 
@@ -36,6 +38,11 @@ class SimWorld {
   /// Tells `sink` of `robot` after every step from now on; null ends it.
   void trace_to(TraceSink* sink, robot::RobotIndex robot);
 
+  /// Keeps a report of the run from now on.
+  void report_to(RunReport report);
+  /// The program has ended: the report says so.
+  void end_report() noexcept;
+
   /// Never changes; needs no lock.
   [[nodiscard]] const robot::RobotModel& model(robot::RobotIndex robot) const;
   [[nodiscard]] const std::string& directory() const { return directory_; }
@@ -52,6 +59,7 @@ class SimWorld {
   robot::RobotIndex traced_ = 0;
   std::vector<std::size_t> traced_sensors_;  ///< In order of id.
   std::vector<double> ranges_;
+  std::optional<RunReport> report_;
 };
 
 }  // namespace eyebridge::hal
