@@ -9,9 +9,11 @@
 
 #include "command.hpp"
 #include "eyebridge/base/config_error.hpp"
+#include "own_files.hpp"
 #include "stop_signals.hpp"
 #include "sweep/plot.hpp"
 #include "sweep/progress.hpp"
+#include "sweep/ranks.hpp"
 #include "sweep/results.hpp"
 #include "sweep/summary.hpp"
 #include "sweep_plan.hpp"
@@ -54,37 +56,77 @@ std::vector<std::size_t> missing(const std::vector<Cell>& cells,
   return out;
 }
 
-int sweep(SweepPlan plan, const ShowFlags& flags) {
-  RunSettings settings = prepare(plan);
-  settings.keep_files = flags.keep;
-  const std::vector<Cell> cells = cells_of(plan);
-  ResultsFile results(plan.results);
-  note_inputs(results, plan);
+/// All that can be wrong before the first run is in `problem`, so that ranks can tell each other.
+struct Prepared {
+  std::vector<Cell> cells;
+  RunSettings settings;
+  std::string problem;
+};
+
+Prepared prepare_all(SweepPlan& plan, const ShowFlags& flags) {
+  Prepared out;
+  try {
+    out.settings = prepare(plan);
+    out.settings.keep_files = flags.keep;
+    out.cells = cells_of(plan);
+  } catch (const ConfigError& error) {
+    out.problem = error.what();
+  }
+  return out;
+}
+
+/// Runs what is missing, here or on the other ranks of `link`.
+int run_missing(const SweepPlan& plan, const ShowFlags& flags, const Prepared& prepared,
+                ResultsFile& results, RankLink* link) {
+  const std::vector<Cell>& cells = prepared.cells;
   const std::vector<std::size_t> todo = missing(cells, results.keys(flags.retry));
-  stop_on_signals();
   const auto began = std::chrono::steady_clock::now();
   Progress progress(stderr, isatty(STDERR_FILENO) == 1, cells.size(), cells.size() - todo.size());
   std::size_t done = 0;
-  const bool all = run_cells(
-      cells, todo, settings,
-      [&](std::size_t cell, const Outcome& outcome) {
-        results.add(cells[cell], outcome);
-        ++done;
-        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - began;
-        progress.ended(cells[cell], outcome, elapsed.count());
-      },
-      stop_asked);
+  const auto ended = [&](std::size_t cell, const Outcome& outcome) {
+    results.add(cells[cell], outcome);
+    ++done;
+    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - began;
+    progress.ended(cells[cell], outcome, elapsed.count());
+  };
+  const bool all = link != nullptr ? run_on_ranks(*link, todo, ended, stop_asked)
+                                   : run_cells(cells, todo, prepared.settings, ended, stop_asked);
   progress.finish();
   std::error_code still_in_use;  // by files of runs that went wrong, which may tell why
-  std::filesystem::remove(settings.folder, still_in_use);
-  if (!all) {
-    fmt::print(stderr,
-               "eyebridge: interrupted with {} of {} runs in {}; the same command goes on\n",
-               cells.size() - todo.size() + done, cells.size(), plan.results);
-    return kFailed;
+  std::filesystem::remove(prepared.settings.folder, still_in_use);
+  if (all) return kFine;
+  fmt::print(stderr, "eyebridge: interrupted with {} of {} runs in {}; the same command goes on\n",
+             cells.size() - todo.size() + done, cells.size(), plan.results);
+  return kFailed;
+}
+
+int sweep(SweepPlan plan, const ShowFlags& flags) {
+  std::unique_ptr<RankLink> link =
+      open_rank_link((own_files().library.parent_path() / "libeyebridge_mpi.so").string());
+  if (link && link->size() == 1) link.reset();
+  Prepared prepared = prepare_all(plan, flags);
+  stop_on_signals();
+  if (link && link->rank() > 0) {
+    prepared.settings.jobs = 1;
+    serve_rank(*link, prepared.cells, prepared.settings, prepared.problem);
+    return prepared.problem.empty() ? kFine : kBadInput;
   }
-  show(plan.results, flags);
-  return kFine;
+  // Only one process opens the results.
+  std::unique_ptr<ResultsFile> results;
+  if (prepared.problem.empty()) {
+    try {
+      results = std::make_unique<ResultsFile>(plan.results);
+      note_inputs(*results, plan);
+    } catch (const ConfigError& error) {
+      prepared.problem = error.what();
+    }
+  }
+  if (link) greet_ranks(*link, prepared.cells, prepared.problem);
+  if (!prepared.problem.empty()) throw ConfigError({}, prepared.problem);
+  const int code = run_missing(plan, flags, prepared, *results, link.get());
+  results.reset();
+  if (code == kFine) show(plan.results, flags);
+  return code;
 }
 
 }  // namespace
