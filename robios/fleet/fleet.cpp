@@ -174,6 +174,7 @@ int Fleet::run() {
 
 void Fleet::end() {
   for (const auto& robot : robots_) robot->session().end();
+  world_->end();
 }
 
 int Fleet::exit_code() const {
