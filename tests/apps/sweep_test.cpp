@@ -71,9 +71,10 @@ TEST_F(Sweep, RunsTheWholeMatrixAndKeepsWhatCameOfIt) {
   EXPECT_FALSE(fs::exists(folder_.path() + "/sweep.db.runs")) << "nothing went wrong";
   EXPECT_EQ(select("SELECT count(*), count(DISTINCT key), min(exit_code), max(exit_code) FROM run"),
             std::vector<std::string>{"8|8|0|0"});
-  EXPECT_EQ(select("SELECT count(*) FROM run WHERE time >= 0.5 AND distance > 0.05 AND wall > 0 AND "
-                   "cpu > 0 AND length(state_hash) = 16 AND collisions = 0"),
-            std::vector<std::string>{"8"});
+  EXPECT_EQ(
+      select("SELECT count(*) FROM run WHERE time >= 0.5 AND distance > 0.05 AND wall > 0 AND "
+             "cpu > 0 AND length(state_hash) = 16 AND collisions = 0"),
+      std::vector<std::string>{"8"});
   EXPECT_EQ(select("SELECT count(DISTINCT state_hash) FROM run JOIN coordinate ON run = id WHERE "
                    "name = 'ms' AND value = '500'"),
             std::vector<std::string>{"2"})

@@ -16,8 +16,8 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using ::testing::StartsWith;
 using testing::run_named;
+using ::testing::StartsWith;
 
 using Settings = std::map<std::string, std::string>;
 
