@@ -1,11 +1,15 @@
 // Several robots that run programs in one process.
 #include <algorithm>
+#include <atomic>
+#include <set>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sched.h>
 
 #include "named_program.hpp"
 
@@ -85,12 +89,47 @@ TEST(SeveralRobots, ARobotWhoseProgramEndedKeepsItsLastCommand) {
   EXPECT_EQ(r.out, "1 said gone at 1500; went on 200 mm\n") << r.err;
 }
 
-TEST(SeveralRobots, ARunRepeatsToTheBit) {
-  const std::string first = state_of(run_named("several", several("5")).err);
-  ASSERT_NE(first, "");
-  for (int i = 0; i < 5; ++i) {
-    EXPECT_EQ(state_of(run_named("several", several("5")).err), first);
+/// Lets this process, and what it starts, run on the first processor only while it lives.
+class OneProcessor {
+ public:
+  OneProcessor() {
+    sched_getaffinity(0, sizeof before_, &before_);
+    cpu_set_t first;
+    CPU_ZERO(&first);
+    for (int cpu = 0; cpu < CPU_SETSIZE && CPU_COUNT(&first) == 0; ++cpu) {
+      if (CPU_ISSET(cpu, &before_)) CPU_SET(cpu, &first);
+    }
+    sched_setaffinity(0, sizeof first, &first);
   }
+  ~OneProcessor() { sched_setaffinity(0, sizeof before_, &before_); }
+  OneProcessor(const OneProcessor&) = delete;
+  OneProcessor& operator=(const OneProcessor&) = delete;
+
+ private:
+  cpu_set_t before_{};
+};
+
+/// Fifty runs of `program`, half of them on one processor beside a busy thread: their one state.
+std::string state_of_fifty(const std::string& program) {
+  std::set<std::string> states;
+  for (int i = 0; i < 25; ++i) states.insert(state_of(run_named(program, several("5")).err));
+  const OneProcessor one;
+  std::atomic<bool> stop = false;
+  std::thread busy([&] {
+    while (!stop) {
+    }
+  });
+  for (int i = 0; i < 25; ++i) states.insert(state_of(run_named(program, several("5")).err));
+  stop = true;
+  busy.join();
+  EXPECT_EQ(states.size(), 1U);
+  return *states.begin();
+}
+
+// Whatever the build: these states are the same in debug, release and sanitized ones.
+TEST(SeveralRobots, AHundredRunsAreOneRun) {
+  EXPECT_EQ(state_of_fifty("several"), "state PINNED_A");
+  EXPECT_EQ(state_of_fifty("several_crew"), "state PINNED_B");
 }
 
 TEST(SeveralRobots, ThreadsOfProgramsTakeTurns) {
