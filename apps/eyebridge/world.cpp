@@ -61,9 +61,8 @@ world::Scene scene_of(const files::Scenario& scenario) {
                             model.height, Rgb{60, 120, 200}});
   }
   for (const world::ObjectSpec& object : scenario.world.objects) {
-    const auto shape =
-        object.kind == world::ObjectKind::Ball ? world::BodyShape::Ball : world::BodyShape::Can;
-    scene.bodies.push_back({id++, shape, object.pose, object.radius, object.height, object.colour});
+    scene.bodies.push_back({id++, world::shape_of(object.kind), object.pose, object.outer_radius(),
+                            object.height, object.colour, object.size});
   }
   return scene;
 }

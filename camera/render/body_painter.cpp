@@ -13,7 +13,7 @@ layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in float mark;
 layout(location = 3) in vec4 place;
-layout(location = 4) in vec2 size;
+layout(location = 4) in vec3 size;
 layout(location = 5) in vec4 body_colour;
 layout(location = 6) in vec4 mark_colour;
 uniform mat4 clip_from_world;
@@ -21,7 +21,7 @@ uniform float light;
 out vec3 colour;
 vec2 turned(vec2 v) { return vec2(place.z * v.x - place.w * v.y, place.w * v.x + place.z * v.y); }
 void main() {
-  vec3 world = vec3(place.xy + turned(position.xy * size.x), position.z * size.y);
+  vec3 world = vec3(place.xy + turned(position.xy * size.xy), position.z * size.z);
   gl_Position = clip_from_world * vec4(world, 1.0);
   float shade = 0.72 + 0.28 * dot(vec3(turned(normal.xy), normal.z), vec3(0.30, 0.52, 0.80));
   colour = light * shade * mix(body_colour.rgb, mark_colour.rgb, mark);
@@ -38,6 +38,8 @@ BodyMesh mesh_of(world::BodyShape shape) {
       return robot_mesh();
     case world::BodyShape::Ball:
       return ball_mesh();
+    case world::BodyShape::Box:
+      return box_mesh();
     case world::BodyShape::Can:
       break;
   }
@@ -69,7 +71,7 @@ BodyPainter::BodyPainter(const GlFunctions& gl)
     shape.instances = make_buffer(gl_);
     describe(gl_, shape.instances, sizeof(Instance),
              {{3, 4, GL_FLOAT, offsetof(Instance, x), 1},
-              {4, 2, GL_FLOAT, offsetof(Instance, radius), 1},
+              {4, 3, GL_FLOAT, offsetof(Instance, length), 1},
               {5, 4, GL_UNSIGNED_BYTE, offsetof(Instance, colour), 1},
               {6, 4, GL_UNSIGNED_BYTE, offsetof(Instance, mark), 1}});
   }
@@ -78,12 +80,14 @@ BodyPainter::BodyPainter(const GlFunctions& gl)
 BodyPainter::Instance BodyPainter::instance_of(const world::BodyView& body) {
   const Heading heading = Heading::from_angle(body.pose.theta);
   const bool ball = body.shape == world::BodyShape::Ball;
+  const bool box = body.shape == world::BodyShape::Box;
   const std::uint8_t mark = is_dark(body.colour) ? 240 : 40;
   return {static_cast<float>(body.pose.x),
           static_cast<float>(body.pose.y),
           static_cast<float>(heading.cos),
           static_cast<float>(heading.sin),
-          static_cast<float>(body.radius),
+          static_cast<float>(box ? body.size.x / 2 : body.radius),
+          static_cast<float>(box ? body.size.y / 2 : body.radius),
           static_cast<float>(ball ? body.radius : body.height),
           {body.colour.r, body.colour.g, body.colour.b, 255},
           {mark, mark, mark, 255}};

@@ -12,7 +12,7 @@
 
 namespace eyebridge::camera {
 
-/// Draws robots, balls and cans: one mesh for each shape, one draw call for all bodies of a shape.
+/// Draws robots and objects: one mesh for each shape, one draw call for all bodies of a shape.
 class BodyPainter {
  public:
   /// `gl` is lent for its life; its context must be current here and in draw().
@@ -26,7 +26,7 @@ class BodyPainter {
  private:
   struct Instance {
     float x, y, cos, sin;
-    float radius, height;  ///< Scale of the mesh.
+    float length, width, height;  ///< Scale of the mesh.
     std::uint8_t colour[4];
     std::uint8_t mark[4];
   };
@@ -43,7 +43,7 @@ class BodyPainter {
   GLuint program_;
   GLint clip_from_world_;
   GLint light_;
-  std::array<Shape, 3> shapes_;  ///< By world::BodyShape.
+  std::array<Shape, 4> shapes_;  ///< By world::BodyShape.
 };
 
 }  // namespace eyebridge::camera

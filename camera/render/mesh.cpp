@@ -199,4 +199,25 @@ BodyMesh ball_mesh() {
   return mesh;
 }
 
+BodyMesh box_mesh() {
+  BodyMesh mesh;
+  const auto add_face = [&](std::array<std::array<float, 3>, 4> corners,
+                            std::array<float, 3> normal) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (const auto& [x, y, z] : corners) {
+      mesh.vertices.push_back({x, y, z, normal[0], normal[1], normal[2], normal[2]});
+    }
+    for (const std::uint32_t i : {0U, 1U, 2U, 0U, 2U, 3U}) mesh.indices.push_back(first + i);
+  };
+  Vec2 n{1, 0};
+  for (int side = 0; side < 4; ++side, n = {-n.y, n.x}) {
+    const auto x = static_cast<float>(n.x);
+    const auto y = static_cast<float>(n.y);
+    add_face({{{x + y, y - x, 0}, {x - y, y + x, 0}, {x - y, y + x, 1}, {x + y, y - x, 1}}},
+             {x, y, 0});
+  }
+  add_face({{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}}, {0, 0, 1});
+  return mesh;
+}
+
 }  // namespace eyebridge::camera

@@ -86,5 +86,7 @@ BodyMesh robot_mesh();
 BodyMesh can_mesh();
 /// A ball of radius 1 about (0, 0, 1).
 BodyMesh ball_mesh();
+/// A box, 2 long and 2 wide, with a marked lid.
+BodyMesh box_mesh();
 
 }  // namespace eyebridge::camera

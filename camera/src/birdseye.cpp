@@ -58,7 +58,19 @@ void draw_walls(Canvas& canvas, const world::WorldModel& model) {
   }
 }
 
+void draw_box(Canvas& canvas, const world::BodyView& body) {
+  const Heading heading = Heading::from_angle(body.pose.theta);
+  const auto corner = [&](double x, double y) {
+    return body.pose.position() + heading.rotate({x * body.size.x / 2, y * body.size.y / 2});
+  };
+  const Vec2 corners[] = {corner(1, 1), corner(-1, 1), corner(-1, -1), corner(1, -1)};
+  const double width = std::max(canvas.to_pixels(body.size.y), Canvas::kThinLine);
+  canvas.line(corner(-1, 0), corner(1, 0), width, body.colour);
+  for (std::size_t i = 0; i < 4; ++i) canvas.line(corners[i], corners[(i + 1) % 4], 1.0, kInk);
+}
+
 void draw_body(Canvas& canvas, const world::BodyView& body) {
+  if (body.shape == world::BodyShape::Box) return draw_box(canvas, body);
   const Vec2 at = body.pose.position();
   const double radius = std::max(body.radius, 2.5 / canvas.to_pixels(1.0));
   canvas.disc(at, radius, body.colour);

@@ -92,8 +92,10 @@ std::shared_ptr<SharedWorld> open_shared_world(const Config& config, LogSink& lo
   files::Scenario scenario = scenario_for_all(config);
   report_scenario(scenario, log);
   try {
-    return std::make_shared<SharedSim>(std::move(scenario), simulation_settings(config),
-                                       config.number("factor"), turns, log);
+    auto shared = std::make_shared<SharedSim>(std::move(scenario), simulation_settings(config),
+                                              config.number("factor"), turns, log);
+    begin_report(config, *shared->world());
+    return shared;
   } catch (const std::invalid_argument& error) {
     throw ConfigError(config.value("world").where, error.what());
   }

@@ -60,6 +60,9 @@ SimBackend::SimBackend(std::shared_ptr<SimWorld> world, std::shared_ptr<Clock> c
       analog_(supply_voltage) {
   if (world_->model(robot).lidar) lidar_.emplace(*world_, robot);
   if (world_->model(robot).camera) view_.emplace(*world_, robot);
+  if (const auto& kicker = world_->model(robot).kicker) {
+    servos_.try_emplace(static_cast<int>(kicker->servo) + 1, *world_, robot, kicker->servo);
+  }
 }
 
 RangeSensor* SimBackend::range_sensor(int id) { return find(range_sensors_, id); }
@@ -88,7 +91,9 @@ std::vector<DeviceFacts> SimBackend::facts_of(std::string_view kind) {
 }
 
 void SimBackend::stop() noexcept {
-  if (at_end_ == AtEnd::Stop) world_->locked([&](auto& sim) { sim.stop(robot_); });
+  if (at_end_ == AtEnd::KeepDriving) return;
+  world_->locked([&](auto& sim) { sim.stop(robot_); });
+  world_->end_report();
 }
 
 }  // namespace eyebridge::hal

@@ -30,9 +30,9 @@ enum class AtEnd {
 class SimBackend final : public Backend {
  public:
   /// `clock` steps `world`. The robot has the devices of its model, a compass, two motors with
-  /// encoders (1 left, 2 right), two servos (1 pan, 2 tilt), digital lines, and analog inputs with
-  /// a battery of `supply_voltage` volts. It has no I/O board and nothing of a computer.
-  /// Both may be shared with other robots.
+  /// encoders (1 left, 2 right), two servos (1 pan, 2 tilt; and a kicker's), digital lines, and
+  /// analog inputs with a battery of `supply_voltage` volts. It has no I/O board and nothing of a
+  /// computer. World and clock may be shared with other robots.
   SimBackend(std::shared_ptr<SimWorld> world, std::shared_ptr<Clock> clock, robot::RobotIndex robot,
              double supply_voltage, AtEnd at_end = AtEnd::Stop);
 

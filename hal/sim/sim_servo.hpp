@@ -5,10 +5,10 @@
 
 namespace eyebridge::hal {
 
-/// One servo of the camera of a simulated robot.
+/// One servo of a simulated robot: of its camera or of its kicker.
 class SimServo final : public Servo, private SimDevice {
  public:
-  /// `index`: 0 is pan, 1 is tilt.
+  /// `index`: 0 is pan, 1 is tilt, others as the robot's model says.
   SimServo(SimWorld& world, robot::RobotIndex robot, unsigned index);
   Result<void> set(double position) override;
 

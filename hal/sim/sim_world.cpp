@@ -7,10 +7,10 @@
 namespace eyebridge::hal {
 namespace {
 
-std::string describe(const robot::CollisionEvent& event) {
-  return fmt::format("robot {} hit {} at x={:.3f} y={:.3f}", event.robot + 1,
-                     event.with_wall ? "a wall" : fmt::format("body {}", event.with_body + 1),
-                     event.pose.x, event.pose.y);
+/// By the numbers that programs use.
+std::string name_of(world::BodyId body, std::optional<robot::RobotIndex> robot) {
+  if (body == world::kNoBody) return "wall";
+  return robot ? fmt::format("robot {}", *robot + 1) : fmt::format("object {}", body + 1);
 }
 
 }  // namespace
@@ -23,9 +23,27 @@ SimWorld::SimWorld(files::Scenario scenario, const robot::SimulationSettings& se
   for (const files::RobotPlacement& placement : scenario.robots) {
     simulation_.add_robot(scenario.models.at(placement.model), placement.pose);
   }
-  simulation_.on_collision([&log](const robot::CollisionEvent& event) {
-    log.write(Severity::Warning, describe(event));
-  });
+  simulation_.on_collision([this, &log](const robot::CollisionEvent& event) { tell(event, log); });
+}
+
+void SimWorld::tell(const robot::CollisionEvent& event, LogSink& log) const {
+  if (!event.robot && !event.with_robot) return;  // things among themselves
+  const std::string who = name_of(event.body, event.robot);
+  const std::string with = name_of(event.with_body, event.with_robot);
+  // To push a ball, or be met by one, is what a program wants; to run into what stands is not.
+  const world::World& world = simulation_.world();
+  const bool pushed =
+      world.gives_way(event.body) || (!event.with_wall() && world.gives_way(event.with_body));
+  log.write(pushed ? Severity::Info : Severity::Warning,
+            fmt::format("{} hit {} at x={:.3f} y={:.3f}", who, event.with_wall() ? "a wall" : with,
+                        event.pose.x, event.pose.y));
+  if (report_) report_->collision(event);
+  // The steps are counted when one is over.
+  const Time time = static_cast<Time::rep>(steps_ + 1) * step_length_;
+  for (const auto& [robot, traced] : traced_) {
+    if (event.robot == robot) traced.sink->contact({time, who, with, event.place});
+    if (event.with_robot == robot) traced.sink->contact({time, with, who, event.place});
+  }
 }
 
 void SimWorld::step() {
@@ -33,6 +51,17 @@ void SimWorld::step() {
   simulation_.step();
   ++steps_;
   if (!traced_.empty()) trace();
+  if (report_) report_->step(simulation_);
+}
+
+void SimWorld::report_to(RunReport report) {
+  const std::lock_guard lock(mutex_);
+  report_.emplace(std::move(report));
+}
+
+void SimWorld::end_report() noexcept {
+  const std::lock_guard lock(mutex_);
+  if (report_) report_->end(simulation_);
 }
 
 void SimWorld::trace_to(TraceSink* sink, robot::RobotIndex robot) {

@@ -1,8 +1,8 @@
 #include "fiber.hpp"
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstdint>
+#include <cstdlib>
 #include <new>
 #include <utility>
 
@@ -50,23 +50,23 @@ std::size_t page_size() {
   return size;
 }
 
-/// Memory that takes none until it is touched, above a page that nothing may touch.
+/// Memory that takes none until it is touched, above a guard that nothing may touch.
 class Stack {
  public:
   explicit Stack(std::size_t size)
-      : size_((size + page_size() - 1) / page_size() * page_size() + page_size()) {
+      : size_((size + page_size() - 1) / page_size() * page_size() + Fiber::kGuardSize) {
     constexpr int kKind = MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_STACK;
     base_ = mmap(nullptr, size_, PROT_READ | PROT_WRITE, kKind, -1, 0);
     if (base_ == MAP_FAILED) throw std::bad_alloc();
-    mprotect(base_, page_size(), PROT_NONE);
+    mprotect(base_, Fiber::kGuardSize, PROT_NONE);
   }
   ~Stack() { munmap(base_, size_); }
   Stack(const Stack&) = delete;
   Stack& operator=(const Stack&) = delete;
 
-  [[nodiscard]] char* bottom() const { return static_cast<char*>(base_) + page_size(); }
+  [[nodiscard]] char* bottom() const { return static_cast<char*>(base_) + Fiber::kGuardSize; }
   [[nodiscard]] char* top() const { return static_cast<char*>(base_) + size_; }
-  [[nodiscard]] std::size_t usable() const { return size_ - page_size(); }
+  [[nodiscard]] std::size_t usable() const { return size_ - Fiber::kGuardSize; }
   [[nodiscard]] bool owns(const void* address) const {
     const auto at = reinterpret_cast<std::uintptr_t>(address);
     const auto base = reinterpret_cast<std::uintptr_t>(base_);

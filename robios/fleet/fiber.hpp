@@ -9,13 +9,16 @@ namespace eyebridge::robios {
 /// A flow of control with a stack of its own, in the thread that resumes it: what a robot program
 /// runs as in virtual time.
 ///
-/// The stack is mapped as it is used, with a guard page below. What libraries keep for each thread
+/// The stack is mapped as it is used, with a guard below. What libraries keep for each thread
 /// and robot programs notice (errno, exceptions being handled, whose robot it is) is kept for each
 /// fiber. One thread for the life of the object.
 class Fiber {
  public:
   /// Programs put big images on the stack: as much as a process's main thread has.
   static constexpr std::size_t kStackSize = 8U << 20U;
+  /// Below it nothing can be touched. More than a page: a function with big variables would step
+  /// over one, into the next robot's stack.
+  static constexpr std::size_t kGuardSize = 1U << 20U;
 
   /// `body` runs at the first resume() and must return or suspend() for ever. Throws
   /// std::bad_alloc when there is no address space for the stack.
@@ -36,7 +39,7 @@ class Fiber {
   static Fiber* current();
   [[nodiscard]] bool is_done() const;
 
-  /// Highest address of the stack, and whether `address` lies in the stack or its guard page.
+  /// Highest address of the stack, and whether `address` lies in the stack or its guard.
   [[nodiscard]] void* stack_top() const;
   [[nodiscard]] bool owns(const void* address) const;
 

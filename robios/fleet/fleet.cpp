@@ -160,18 +160,21 @@ int Fleet::run() {
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   Time simulated{0};
   for (const auto& robot : robots_) simulated = std::max(simulated, robot->session().clock().now());
-  fmt::print(stderr, "eyebridge: {} robots, {:.2f} s on their clock in {:.2f} s ({:.0f}x), state {:016x}{}{}\n",
-             robots_.size(), to_seconds(simulated), wall.count(),
-             to_seconds(simulated) / wall.count(), world_->hash().value(),
-             config_.is_set("out") ? "; results in " + config_.path("out").string() : "",
-             world_->overruns() == 0
-                 ? ""
-                 : fmt::format("; the computer was too slow {} times", world_->overruns()));
+  fmt::print(
+      stderr,
+      "eyebridge: {} robots, {:.2f} s on their clock in {:.2f} s ({:.0f}x), state {:016x}{}{}\n",
+      robots_.size(), to_seconds(simulated), wall.count(), to_seconds(simulated) / wall.count(),
+      world_->hash().value(),
+      config_.is_set("out") ? "; results in " + config_.path("out").string() : "",
+      world_->overruns() == 0
+          ? ""
+          : fmt::format("; the computer was too slow {} times", world_->overruns()));
   return exit_code();
 }
 
 void Fleet::end() {
   for (const auto& robot : robots_) robot->session().end();
+  world_->end();
 }
 
 int Fleet::exit_code() const {

@@ -1,15 +1,17 @@
-/* eyebridge-robots [PROGRAM [ARGUMENTS]]: runs the programs of several robots in this process. Started by
-   `eyebridge run` and by programs themselves, not by people.
+/* eyebridge-robots [PROGRAM [ARGUMENTS]]: runs the programs of several robots in this process.
+   Started by `eyebridge run` and by programs themselves, not by people.
 
-   The program's copies and all libraries find the functions here and in launcher_threads.c and launcher_time.c
-   before those of the C library: where they would have ended the process they end a robot. */
+   The program's copies and all libraries find the functions here and in launcher_threads.c and
+   launcher_time.c before those of the C library: where they would have ended the process they end a
+   robot. */
 #include "launcher.h"
 
 #include <stdlib.h>
 
 #include "launcher_next.h"
 
-EXPORTED struct eyebridge_robot_calls eyebridge_calls; /* by which the library knows the launcher, too */
+EXPORTED struct eyebridge_robot_calls
+    eyebridge_calls; /* by which the library knows the launcher, too */
 
 EXPORTED void exit(int code) {
   NEXT(void, exit, (int));

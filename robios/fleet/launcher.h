@@ -7,10 +7,11 @@ extern "C" {
 #endif
 
 enum {
-  EYEBRIDGE_NO_TURNS = 0,      /* no robot's, or real time */
-  EYEBRIDGE_IN_PROGRAM = 1,    /* in a robot's program */
-  EYEBRIDGE_IN_LIBRARY = 2     /* in a call of it, and some robot has several threads: what a library waits for may be a
-                                  thread of the process, but what it locks another robot's thread may have locked */
+  EYEBRIDGE_NO_TURNS = 0,   /* no robot's, or real time */
+  EYEBRIDGE_IN_PROGRAM = 1, /* in a robot's program */
+  EYEBRIDGE_IN_LIBRARY =
+      2 /* in a call of it, and some robot has several threads: what a library waits for may be a
+           thread of the process, but what it locks another robot's thread may have locked */
 };
 
 /* What the launcher asks when somebody calls the C library. */
@@ -18,7 +19,8 @@ struct eyebridge_robot_calls {
   /* End the caller's robot; return when the caller is no robot's program. */
   void (*leave)(int code);
   void (*abort)(void);
-  /* Whether the caller's threads take turns, in virtual time: EYEBRIDGE_… below. The following are asked then only. */
+  /* Whether the caller's threads take turns, in virtual time: EYEBRIDGE_… below. The following are
+   * asked then only. */
   int (*turns)(void);
   /* Nanoseconds on the clock of the caller's robot. */
   long long (*now)(void);
@@ -31,16 +33,18 @@ struct eyebridge_robot_calls {
   /* 0, or the error code of pthread_join(). */
   int (*join)(unsigned long thread, void** result);
   int (*detach)(unsigned long thread);
-  /* Lays the caller down until somebody wakes `what`, or until `deadline` (ns on its clock; -1: none). 1 when
-     that came first. */
+  /* Lays the caller down until somebody wakes `what`, or until `deadline` (ns on its clock; -1:
+     none). 1 when that came first. */
   int (*park)(const void* what, long long deadline);
   void (*wake)(const void* what, int all);
   /* A lock that knows its owner: 1 when the caller has it now, else 0. */
   int (*own)(const void* lock);
-  /* The owner's count of it: how often the caller has it still after this; -1 when it is not the caller's. */
+  /* The owner's count of it: how often the caller has it still after this; -1 when it is not the
+   * caller's. */
   int (*disown)(const void* lock);
   int (*owns)(const void* lock);
-  /* In real time: what a new thread of the caller's robot begins with, given to begin_thread there. */
+  /* In real time: what a new thread of the caller's robot begins with, given to begin_thread there.
+   */
   void* (*robot)(void);
   void (*begin_thread)(void* robot);
 };
@@ -48,8 +52,8 @@ struct eyebridge_robot_calls {
 /* Set by the library before the first program runs; all null before. */
 extern struct eyebridge_robot_calls eyebridge_calls;
 
-/* Runs the robots that the settings want. `argv`: PROGRAM and its arguments; without them the scenario names
-   programs. Returns the exit code. Exported by the libraries. */
+/* Runs the robots that the settings want. `argv`: PROGRAM and its arguments; without them the
+   scenario names programs. Returns the exit code. Exported by the libraries. */
 int EYEBRIDGERobotsMain(int argc, char** argv, struct eyebridge_robot_calls* calls);
 
 #ifdef __cplusplus

@@ -1,6 +1,6 @@
-/* What threads of robots' programs wait for each other with, in virtual time: mutexes, conditions, semaphores. Mutexes and
-   semaphores keep their state where the C library has it, but for a mutex that knows its owner: the C library would take all
-   flows of a thread for one. */
+/* What threads of robots' programs wait for each other with, in virtual time: mutexes, conditions,
+   semaphores. Mutexes and semaphores keep their state where the C library has it, but for a mutex
+   that knows its owner: the C library would take all flows of a thread for one. */
 #include <errno.h>
 #include <pthread.h>
 #include <semaphore.h>
@@ -114,8 +114,8 @@ EXPORTED int pthread_cond_timedwait(pthread_cond_t* condition, pthread_mutex_t* 
   return wait_for(condition, mutex, deadline_of(CLOCK_REALTIME, until));
 }
 
-EXPORTED int pthread_cond_clockwait(pthread_cond_t* condition, pthread_mutex_t* mutex, clockid_t clock,
-                                    const struct timespec* until) {
+EXPORTED int pthread_cond_clockwait(pthread_cond_t* condition, pthread_mutex_t* mutex,
+                                    clockid_t clock, const struct timespec* until) {
   NEXT(int, pthread_cond_clockwait,
        (pthread_cond_t*, pthread_mutex_t*, clockid_t, const struct timespec*));
   if (!TAKES_TURNS()) return next_pthread_cond_clockwait(condition, mutex, clock, until);

@@ -23,9 +23,9 @@ static inline void* eyebridge_next(const char* name, void** known) {
 }
 
 /* NEXT(int, pthread_join, (pthread_t, void**)) names a pointer `next_pthread_join` of that type. */
-#define NEXT(RESULT, NAME, ARGUMENTS)                   \
-  static void* known_##NAME;                            \
-  RESULT(*next_##NAME) ARGUMENTS;                       \
+#define NEXT(RESULT, NAME, ARGUMENTS) \
+  static void* known_##NAME;          \
+  RESULT(*next_##NAME) ARGUMENTS;     \
   *(void**)&next_##NAME = eyebridge_next(#NAME, &known_##NAME)
 
 #define TURNS() (eyebridge_calls.turns != NULL ? eyebridge_calls.turns() : EYEBRIDGE_NO_TURNS)

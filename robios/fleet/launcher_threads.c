@@ -1,5 +1,6 @@
-/* Threads of robots' programs. In virtual time they take turns in one thread of the process (robios/fleet/strands): what
-   would block it lays down the caller instead. In real time a new thread only learns whose robot it is. */
+/* Threads of robots' programs. In virtual time they take turns in one thread of the process
+   (robios/fleet/strands): what would block it lays down the caller instead. In real time a new
+   thread only learns whose robot it is. */
 #include <errno.h>
 #include <pthread.h>
 #include <sched.h>
@@ -23,8 +24,8 @@ static void* begin(void* given) {
   return beginning.start(beginning.argument);
 }
 
-EXPORTED int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*start)(void*),
-                            void* argument) {
+EXPORTED int pthread_create(pthread_t* thread, const pthread_attr_t* attributes,
+                            void* (*start)(void*), void* argument) {
   NEXT(int, pthread_create, (pthread_t*, const pthread_attr_t*, void* (*)(void*), void*));
   if (TAKES_TURNS()) {
     int detached = PTHREAD_CREATE_JOINABLE;

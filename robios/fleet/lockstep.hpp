@@ -65,7 +65,7 @@ class Lockstep final : public hal::Turns {
  private:
   struct Place {
     std::vector<std::unique_ptr<Strand>> strands;  ///< In the order they were made.
-    Time limit{0};  ///< How far the one that runs may go by itself.
+    Time limit{0};                                 ///< How far the one that runs may go by itself.
     bool has_dropped = false;
   };
 

@@ -41,8 +41,8 @@ constexpr const char* kExpected =
 void unmark(const std::filesystem::path& program, Bytes& file) {
   const auto* header = at<ElfW(Ehdr)>(file, 0);
   if (header == nullptr || std::memcmp(header->e_ident, ELFMAG, SELFMAG) != 0) {
-    refuse(program, std::string("found a file that is no program, as several robots need one") +
-                        kExpected);
+    refuse(program,
+           std::string("found a file that is no program, as several robots need one") + kExpected);
   }
   if (header->e_ident[EI_CLASS] != ELFCLASS64 || header->e_machine != EM_X86_64) {
 #if defined(__x86_64__)
@@ -160,7 +160,7 @@ void* ProgramImage::variable(const std::string& name) const {
   constexpr std::uint32_t kCopy = R_X86_64_COPY;
 #endif
   const ElfW(Rela)* const end = relocations + size / sizeof(ElfW(Rela));
-  const auto* found = std::find_if(relocations, end, [&](const ElfW(Rela)& relocation) {
+  const auto* found = std::find_if(relocations, end, [&](const ElfW(Rela) & relocation) {
     return ELF64_R_TYPE(relocation.r_info) == kCopy &&
            name == names + symbols[ELF64_R_SYM(relocation.r_info)].st_name;
   });

@@ -8,11 +8,11 @@
 
 namespace eyebridge::robios {
 
-/// What each of `robots` runs: `words` (a program's file and its arguments) when there are any, else
-/// what the scenario `where` names for it. A program that the scenario names is looked for beside
-/// the scenario, then in the working folder; `explorer.x` may also be called `explorer`. An empty
-/// file means that the robot has none: it stands still. Throws ConfigError when none has one, and
-/// when `words` name no file.
+/// What each of `robots` runs: `words` (a program's file and its arguments) when there are any,
+/// else what the scenario `where` names for it. A program that the scenario names is looked for
+/// beside the scenario, then in the working folder; `explorer.x` may also be called `explorer`. An
+/// empty file means that the robot has none: it stands still. Throws ConfigError when none has one,
+/// and when `words` name no file.
 std::vector<RobotProgram> programs_of(const std::vector<hal::SharedRobot>& robots,
                                       const std::vector<std::string>& words,
                                       const std::filesystem::path& scenario);

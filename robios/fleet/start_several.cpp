@@ -1,5 +1,5 @@
-// `./prog` with --robots (EYEBRIDGE_ROBOTS, eyebridge.toml): before its main() the program becomes the
-// launcher, which runs it once for each robot.
+// `./prog` with --robots (EYEBRIDGE_ROBOTS, eyebridge.toml): before its main() the program becomes
+// the launcher, which runs it once for each robot.
 
 #include <array>
 #include <cerrno>

@@ -25,7 +25,8 @@ std::size_t Barrier::awaited() {
 void ThreadRobot::start() {
   pthread_attr_t attributes;
   pthread_attr_init(&attributes);
-  pthread_attr_setstacksize(&attributes, Fiber::kStackSize);
+  pthread_attr_setstacksize(&attributes, Fiber::kStackSize + Fiber::kGuardSize);
+  pthread_attr_setguardsize(&attributes, Fiber::kGuardSize);
   pthread_t thread{};
   const int error = pthread_create(
       &thread, &attributes,

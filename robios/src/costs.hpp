@@ -67,7 +67,8 @@ struct Call {
   Time cost;
 
   template <std::size_t Size>
-  consteval Call(const char (&literal)[Size])  // NOLINT(google-explicit-constructor): names are calls
+  consteval Call(
+      const char (&literal)[Size])  // NOLINT(google-explicit-constructor): names are calls
       : name(literal, Size - 1), cost(cost_of(name)) {}
 };
 

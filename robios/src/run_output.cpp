@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <fstream>
 #include <stdexcept>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -44,12 +43,11 @@ std::vector<camera::Trail> fading(const std::vector<Vec2>& points) {
 RunOutput::RunOutput(std::filesystem::path directory, long long frames_to_keep) try
     : directory_(std::move(directory)),
       frames_left_(frames_to_keep),
-      trace_((std::filesystem::create_directories(directory_), directory_ / "trace.csv")) {
+      trace_((std::filesystem::create_directories(directory_), directory_ / "trace.csv")),
+      collisions_(directory_ / "collisions.csv") {
 } catch (const std::filesystem::filesystem_error& error) {
   throw ConfigError({}, fmt::format("cannot make the folder {}: {}", error.path1().string(),
                                     error.code().message()));
-} catch (const std::system_error& error) {
-  throw ConfigError({}, fmt::format("cannot write trace.csv: {}", error.code().message()));
 }
 
 RunOutput::~RunOutput() = default;
@@ -59,6 +57,11 @@ void RunOutput::point(const hal::TracePoint& p) noexcept {
   const Vec2 here = p.pose.position();
   if (trail_.empty() || norm(here - trail_.back()) >= kTrailStep) trail_.push_back(here);
   trace_.add(p);
+}
+
+void RunOutput::contact(const hal::TraceContact& contact) noexcept {
+  const std::lock_guard lock(mutex_);
+  collisions_.add(contact);
 }
 
 void RunOutput::frame(const camera::Frame& frame) {
@@ -88,7 +91,8 @@ void RunOutput::note_failure(const std::string& failure) {
 
 void RunOutput::before_fork() {
   mutex_.lock();
-  trace_.flush();
+  trace_.file().flush();
+  collisions_.file().flush();
 }
 
 void RunOutput::after_fork() { mutex_.unlock(); }
@@ -98,10 +102,9 @@ void RunOutput::finish(const world::Scene* scene, const camera::Frame& lcd,
   std::vector<camera::Trail> trail;
   {
     const std::lock_guard lock(mutex_);
-    trace_.flush();
-    if (trace_.failure() != 0 && failure_.empty()) {
-      failure_ = (directory_ / "trace.csv").string() + ": " +
-                 std::generic_category().message(trace_.failure());
+    for (RowFile* file : {&trace_.file(), &collisions_.file()}) {
+      file->flush();
+      if (failure_.empty()) failure_ = file->failure();
     }
     trail = fading(trail_);
   }

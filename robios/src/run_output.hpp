@@ -12,8 +12,8 @@
 
 namespace eyebridge::robios {
 
-/// What `--out DIR` gets: trace.csv while the program runs; the trail on the map, the last LCD and
-/// the camera's frames as PNG; the LCD's text. Any thread.
+/// What `--out DIR` gets: trace.csv and collisions.csv while the program runs; the trail on the
+/// map, the last LCD and the camera's frames as PNG; the LCD's text. Any thread.
 class RunOutput final : public hal::TraceSink {
  public:
   /// Makes `directory`. Throws ConfigError, without a place, when it cannot be written.
@@ -21,6 +21,7 @@ class RunOutput final : public hal::TraceSink {
   ~RunOutput() override;
 
   void point(const hal::TracePoint& point) noexcept override;
+  void contact(const hal::TraceContact& contact) noexcept override;
   /// Keeps the first frames as frames/0000.png … One that cannot be written fails finish(), not the
   /// program.
   void frame(const camera::Frame& frame);
@@ -41,6 +42,7 @@ class RunOutput final : public hal::TraceSink {
   long long frames_left_;
   int frames_taken_ = 0;
   TraceFile trace_;
+  CollisionFile collisions_;
   std::vector<Vec2> trail_;
   std::string failure_;  ///< "" while everything could be written.
 };

@@ -49,9 +49,8 @@ Session::Impl::Impl(SessionStart* start, hal::Config configuration)
   check_camera(config, {&clock, backend->camera_view(), &log});
   if (config.is_set("time_limit")) limit = from_seconds(config.number("time_limit"));
   if (!out.empty()) {
-    from_setting(config, "out", [&](const std::string&) {
-      output.emplace(out, config.integer("save_frames"));
-    });
+    from_setting(config, "out",
+                 [&](const std::string&) { output.emplace(out, config.integer("save_frames")); });
     backend->trace_to(&*output);
   }
   camera.on_frame([this, sink = backend->frame_sink()](const camera::Frame& frame) {
@@ -75,9 +74,9 @@ void Session::Impl::finish() {
   output->finish(scene ? &*scene : nullptr, screen->snapshot(), text_of(*screen));
   if (runner != nullptr) return;  // who runs them tells of all together
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_start;
-  fmt::print(stderr, "eyebridge: {:.2f} s on the robot's clock in {:.2f} s ({:.0f}x); results in {}\n",
-             to_seconds(simulated), wall.count(), to_seconds(simulated) / wall.count(),
-             out.string());
+  fmt::print(
+      stderr, "eyebridge: {:.2f} s on the robot's clock in {:.2f} s ({:.0f}x); results in {}\n",
+      to_seconds(simulated), wall.count(), to_seconds(simulated) / wall.count(), out.string());
 }
 
 }  // namespace eyebridge::robios

@@ -28,9 +28,9 @@ class Runner {
 struct SessionStart {
   hal::Config config;
   hal::Seat seat;
-  Runner* runner = nullptr;       ///< Lent.
-  std::string name;               ///< Before its messages: "robot 2".
-  std::filesystem::path out = {}; ///< Of its results; empty when none are wanted.
+  Runner* runner = nullptr;        ///< Lent.
+  std::string name;                ///< Before its messages: "robot 2".
+  std::filesystem::path out = {};  ///< Of its results; empty when none are wanted.
 };
 
 }  // namespace eyebridge::robios

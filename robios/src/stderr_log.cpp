@@ -16,8 +16,8 @@ void StderrLog::write(Severity severity, std::string_view message) {
   // Info speaks for itself; what went wrong says how bad it is.
   const bool plain = severity == Severity::Info;
   const std::string_view name = plain ? "" : kNames[static_cast<std::size_t>(severity)];
-  std::fprintf(stderr, "eyebridge: %s%.*s%s%.*s\n", who_.c_str(), static_cast<int>(name.size()), name.data(),
-               plain ? "" : ": ", static_cast<int>(message.size()), message.data());
+  std::fprintf(stderr, "eyebridge: %s%.*s%s%.*s\n", who_.c_str(), static_cast<int>(name.size()),
+               name.data(), plain ? "" : ": ", static_cast<int>(message.size()), message.data());
 }
 
 bool parse_severity(std::string_view text, Severity& out) {

@@ -1,8 +1,6 @@
 #include "trace_file.hpp"
 
-#include <cerrno>
 #include <iterator>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -19,12 +17,8 @@ void append_header(std::string& row, std::size_t ranges) {
 
 }  // namespace
 
-TraceFile::TraceFile(const std::filesystem::path& path) : file_(std::fopen(path.c_str(), "w")) {
-  if (!file_) throw std::system_error(errno, std::generic_category(), "cannot write");
-}
-
 void TraceFile::add(const hal::TracePoint& p) noexcept {
-  if (failure_ != 0 || p.time < next_row_) return;
+  if (file_.failed() || p.time < next_row_) return;
   row_.clear();
   if (next_row_ == Time{0}) append_header(row_, p.ranges.size());
   next_row_ = p.time + kRowPeriod;
@@ -34,15 +28,18 @@ void TraceFile::add(const hal::TracePoint& p) noexcept {
                  p.twist.angular, p.odometry.x, p.odometry.y, p.odometry.theta);
   for (const double range : p.ranges) fmt::format_to(out, ",{:.4f}", range);
   row_ += '\n';
-  if (std::fwrite(row_.data(), 1, row_.size(), file_.get()) != row_.size()) note_failure();
+  file_.add(row_);
 }
 
-void TraceFile::flush() noexcept {
-  if (std::fflush(file_.get()) != 0) note_failure();
+CollisionFile::CollisionFile(const std::filesystem::path& path) : file_(path) {
+  file_.add("t,robot,with,x,y\n");
 }
 
-void TraceFile::note_failure() noexcept {
-  if (failure_ == 0) failure_ = errno;
+void CollisionFile::add(const hal::TraceContact& c) noexcept {
+  row_.clear();
+  fmt::format_to(std::back_inserter(row_), "{:.3f},{},{},{:.6f},{:.6f}\n", to_seconds(c.time),
+                 c.robot, c.with, c.place.x, c.place.y);
+  file_.add(row_);
 }
 
 }  // namespace eyebridge::robios

@@ -1,40 +1,41 @@
 #pragma once
 
-#include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <string>
 
 #include "eyebridge/hal/trace.hpp"
+#include "row_file.hpp"
 
 namespace eyebridge::robios {
 
-/// trace.csv: one row every 50 ms of the robot's time. One thread at a time.
-///
-/// A disk that is full must not stop a robot that drives: the first failure is kept, and nothing is
-/// written any more.
+/// trace.csv: one row every 50 ms of the robot's time. One thread at a time; failures as a RowFile
+/// keeps them.
 class TraceFile {
  public:
-  /// Throws std::system_error when the file cannot be opened.
-  explicit TraceFile(const std::filesystem::path& path);
+  /// Throws ConfigError, without a place, when the file cannot be opened.
+  explicit TraceFile(const std::filesystem::path& path) : file_(path) {}
 
   void add(const hal::TracePoint& point) noexcept;
-  /// Hands all rows to the system.
-  void flush() noexcept;
-  /// errno of the first failure, or 0.
-  [[nodiscard]] int failure() const { return failure_; }
+  [[nodiscard]] RowFile& file() { return file_; }
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-
-  void note_failure() noexcept;
-
-  std::unique_ptr<std::FILE, Close> file_;
+  RowFile file_;
   std::string row_;
   Time next_row_{0};
-  int failure_ = 0;
+};
+
+/// collisions.csv: one row for each time that the robot ran into something, or something into it.
+class CollisionFile {
+ public:
+  /// Throws as TraceFile does.
+  explicit CollisionFile(const std::filesystem::path& path);
+
+  void add(const hal::TraceContact& contact) noexcept;
+  [[nodiscard]] RowFile& file() { return file_; }
+
+ private:
+  RowFile file_;
+  std::string row_;
 };
 
 }  // namespace eyebridge::robios

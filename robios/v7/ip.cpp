@@ -64,8 +64,7 @@ int processing(const robios::Call& call, int failure, Work&& work, const Pointer
     const Image image{{width, height}};
     if (image.size.width < 1 || image.size.height < 1) {
       return fail(Errc::OutOfRange, "IP_WIDTH or IP_HEIGHT was overwritten with " +
-                                        std::to_string(width) + " x " +
-                                        std::to_string(height));
+                                        std::to_string(width) + " x " + std::to_string(height));
     }
     return work(image);
   });

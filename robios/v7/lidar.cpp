@@ -43,7 +43,8 @@ Result<void> scan(hal::Lidar& lidar, std::vector<int>& out) {
 }  // namespace
 
 void eyebridge::robios::publish_globals(Session& session) {
-  if (const hal::Lidar* lidar = session.backend().lidar()) EYEBRIDGE_VARIABLE(LIDAR_RESOLUTION) = lidar->points();
+  if (const hal::Lidar* lidar = session.backend().lidar())
+    EYEBRIDGE_VARIABLE(LIDAR_RESOLUTION) = lidar->points();
 }
 
 int LIDARSet(int range, int tilt, int points) {

@@ -1,7 +1,6 @@
 // Worlds whose robots name their programs: `eyebridge run --world FILE.sim`.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
 #include <sys/stat.h>
 
 #include "command.hpp"
@@ -15,7 +14,8 @@ using testing::run_command;
 using testing::run_shell;
 using testing::ScratchFolder;
 
-constexpr const char* kFleetRoom = "floor 3000 3000\n0 0 3000 0\n3000 0 3000 3000\n3000 3000 0 3000\n0 3000 0 0\n";
+constexpr const char* kFleetRoom =
+    "floor 3000 3000\n0 0 3000 0\n3000 0 3000 3000\n3000 3000 0 3000\n0 3000 0 0\n";
 
 /// A room, and a program that tells its robot's number and words.
 class Scenario : public ::testing::Test {
@@ -70,8 +70,9 @@ TEST_F(Scenario, TwoRobotsOnOnePlaceAreAnErrorAtTheirLine) {
 }
 
 TEST_F(Scenario, ProgramsThatCannotBeLoadedTwiceSayWhy) {
-  folder_.write("own.c", "#include <eyebot.h>\nstatic __thread int mine;\n"
-                         "int main(void) { return mine + OSWait(10); }\n");
+  folder_.write("own.c",
+                "#include <eyebot.h>\nstatic __thread int mine;\n"
+                "int main(void) { return mine + OSWait(10); }\n");
   compile("own.c -o own");
   EXPECT_THAT(run("S4 500 500 0 own\nS4 1500 500 90 prog\n").err,
               HasSubstr("found a program with thread_local variables"));

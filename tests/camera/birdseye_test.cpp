@@ -87,6 +87,16 @@ TEST(Birdseye, TheHeadingMarkTurnsWithTheRobot) {
   EXPECT_EQ(at(frame, 3.0, 0.86), kGreen);
 }
 
+TEST(Birdseye, ABoxIsARectangleThatLiesAsItIsTurned) {
+  world::Scene scene = scene_of(empty_room());
+  scene.bodies = {
+      {0, world::BodyShape::Box, {3.0, 1.0, 1.5707963267948966}, 0.5, 0.1, kGreen, {0.8, 0.2}}};
+  const Frame frame = draw_birdseye(scene, {}, kOptions);
+  for (const double y : {0.65, 1.0, 1.35}) EXPECT_EQ(at(frame, 3.0, y), kGreen) << y;
+  EXPECT_NE(at(frame, 3.2, 1.0), kGreen);
+  EXPECT_NE(at(frame, 2.8, 1.0), kGreen);
+}
+
 TEST(Birdseye, StartsAreLettered) {
   world::WorldModel model = empty_room();
   const Frame without = draw_birdseye(scene_of(model), {}, kOptions);

@@ -207,6 +207,19 @@ TEST_P(Projection, ABallIsADiscOfTheRightSizeAtTheRightPlace) {
   }
 }
 
+TEST_P(Projection, ABoxIsAsWideAndHighAsTheSideThatItShows) {
+  constexpr double kEyeHeight = 0.05;
+  shot_.eye = {1.0, 1.0, kEyeHeight, 0.0, 0.0, 1.0};
+  shot_.scene.bodies = {
+      {3, world::BodyShape::Box, {1.8, 1.0, kPi / 2}, 0.2, 0.1, kRed, {0.3, 0.2}}};
+  const Extent seen = extent(draw(), is_red);
+  // Turned by a quarter it shows its length, 0.7 m away: 0.8 m less half its width.
+  EXPECT_NEAR(seen.left, column(std::atan2(0.15, 0.7)), 1.0);
+  EXPECT_NEAR(seen.right, column(-std::atan2(0.15, 0.7)), 1.0);
+  EXPECT_NEAR(seen.top, row(std::atan2(0.1 - kEyeHeight, 0.7)), 1.0);
+  EXPECT_NEAR(seen.bottom, row(-std::atan2(kEyeHeight, 0.7)), 1.0);
+}
+
 TEST_P(Projection, AnotherRobotIsDrawnAndTheCarrierIsNot) {
   shot_.eye = {1.0, 1.0, 0.12, 0.0, 0.0, 1.0};
   shot_.carrier = 4;

@@ -99,6 +99,38 @@ TEST(SimBackend, WarnsOfACollisionOnceAContact) {
               ElementsAre(HasSubstr("robot 1 hit a wall at x=2.907 y=1.000")));
 }
 
+/// Keeps the contacts of a run, as text.
+class KeepingContacts final : public TraceSink {
+ public:
+  void point(const TracePoint&) noexcept override {}
+  void contact(const TraceContact& c) noexcept override {
+    rows.push_back(std::string(c.robot) + " " + std::string(c.with));
+    times.push_back(c.time);
+  }
+  std::vector<std::string> rows;
+  std::vector<Time> times;
+};
+
+TEST(SimBackend, TellsItsTraceOfItsOwnContactsAndTheLogOfPushesAsInfo) {
+  files::Scenario scenario = rig_scenario(0.5);
+  world::ObjectSpec can;
+  can.kind = world::ObjectKind::Can;
+  can.pose = {scenario.robots[0].pose.x + 0.2, scenario.robots[0].pose.y, 0};
+  scenario.world.objects.insert(scenario.world.objects.begin(), can);
+  const Rig rig = open({{"fast", "true"}}, std::move(scenario));
+  KeepingContacts contacts;
+  rig.backend->trace_to(&contacts);
+  ASSERT_TRUE(rig.backend->drive()->set_speed({0.3, 0.0}));
+  rig.wait(1.0);
+  rig.backend->trace_to(nullptr);
+  ASSERT_THAT(contacts.rows, ElementsAre("robot 1 object 1"));
+  EXPECT_GT(contacts.times[0], Time{0});
+  EXPECT_LT(contacts.times[0], from_seconds(1.0));
+  EXPECT_THAT(rig.log->messages(Severity::Info),
+              testing::Contains(HasSubstr("robot 1 hit object 1")));
+  EXPECT_THAT(rig.log->messages(Severity::Warning), testing::IsEmpty());
+}
+
 TEST(SimBackend, SaysThatItDrivesTheFirstOfSeveralRobots) {
   const Rig rig = open({{"fast", "true"}}, rig_scenario(0.5));
   EXPECT_THAT(rig.log->messages(Severity::Info),

@@ -3,13 +3,14 @@
 #include <cmath>
 
 #include "eyebridge/files/readers.hpp"
+#include "object_lines.hpp"
 #include "text.hpp"
 
 namespace eyebridge::files {
 namespace {
 
-constexpr std::array<std::string_view, 10> kObjectKeywords = {
-    "obj", "name", "scale", "mass", "collider", "capsule", "sphere", "box", "buoyancy", "fixed"};
+constexpr std::array<std::string_view, 8> kObjectKeywords = {
+    "obj", "name", "scale", "collider", "capsule", "sphere", "box", "buoyancy"};
 constexpr double kMaxValue = 1e9;  // model units, before `scale`
 
 struct Extent {
@@ -17,6 +18,8 @@ struct Extent {
   double top = 0;
   bool sphere = true;  ///< Spheres only.
   bool metres = false;
+  int shapes = 0;
+  Vec2 box;  ///< Length along z, which is ahead, and width of the last box about the centre.
 };
 
 /// The shape whose numbers start at token `first`: the centre, then the size (EyeSim's order).
@@ -27,6 +30,7 @@ void add_shape(const Statement& s, const std::string& shape, std::size_t first, 
   const double x = value(0);
   const double y = value(1);
   const double z = value(2);
+  ++extent.shapes;
   const double centre = std::sqrt(x * x + z * z);
   if (shape == "sphere") {
     s.expect_arguments(first + 3, "sphere cx cy cz r");
@@ -39,6 +43,7 @@ void add_shape(const Statement& s, const std::string& shape, std::size_t first, 
     s.expect_arguments(first + 5, "box cx cy cz sx sy sz");
     extent.reach = std::max(extent.reach, centre + std::max(value(3), value(5)) / 2);
     extent.top = std::max(extent.top, y + value(4) / 2);
+    if (centre == 0) extent.box = {value(5), value(3)};
     return;
   }
   s.expect_arguments(first + 5, "capsule cx cy cz r h x|y|z");
@@ -79,6 +84,18 @@ world::ObjectSpec read_object(std::string_view text, const std::string& file,
     } else if (keyword == "box" || keyword == "sphere" || keyword == "capsule") {
       extent.metres = true;  // the form without `collider` counts in metres
       add_shape(s, keyword, 1, extent);
+    } else if (keyword == "mass" && s.size() > 2) {  // EyeSim's form has the centre of mass, too
+      s.expect_arguments(4, "mass KG x y z");
+      const double mass = s.number(1, "the mass in kilograms", 0, 1e6);
+      if (mass > 0) {
+        out.matter.mass = mass;
+      } else {
+        warnings.add(s.line(), s.token(1).column, "mass 0 is ignored: expected more");
+      }
+    } else if (is_object_trait(keyword) && keyword != "path") {  // which is of a place
+      ObjectTraits traits;
+      read_object_trait(s, traits);
+      apply(traits, out);
     } else if (std::find(kObjectKeywords.begin(), kObjectKeywords.end(), keyword) ==
                kObjectKeywords.end()) {
       warnings.add(s.line(), s.token(0).column,
@@ -94,6 +111,11 @@ world::ObjectSpec read_object(std::string_view text, const std::string& file,
                       "mm to 10 m");
   }
   out.kind = extent.sphere ? world::ObjectKind::Ball : world::ObjectKind::Can;
+  if (extent.shapes == 1 && unit * std::min(extent.box.x, extent.box.y) >= 0.001) {
+    out.kind = world::ObjectKind::Box;
+    out.size = unit * extent.box;
+    out.radius = out.outer_radius();
+  }
   out.colour = {160, 160, 160};
   return out;
 }

@@ -24,6 +24,12 @@ std::string at(Vec2 p) {
   return std::string("(").append(mm(p.x)) + ", " + mm(p.y) + ") mm";
 }
 
+}  // namespace
+
+std::string in_words(const world::Wall& wall) { return "from " + at(wall.a) + " to " + at(wall.b); }
+
+namespace {
+
 /// Places to try: the centres of a maze's cells, or a raster of at most about 10,000 points.
 std::vector<Vec2> candidates(const world::WorldModel& world, double radius) {
   std::vector<Vec2> out;
@@ -88,7 +94,7 @@ std::string Placer::obstacle_at(Vec2 centre, double radius) const {
     return "the " + scenario_.models[robot->model].name + " at " + at(robot->pose.position());
   }
   for (const world::ObjectSpec& object : scenario_.world.objects) {
-    if (norm(centre - object.pose.position()) < radius + object.radius - kSlack) {
+    if (world::rim_distance(object, centre) < radius - kSlack) {
       return "the " + object.name + " at " + at(object.pose.position());
     }
   }
@@ -102,7 +108,7 @@ std::string Placer::obstacle_at(Vec2 centre, double radius) const {
     }
   }
   if (nearest == nullptr) return "something";
-  return "the wall from " + at(nearest->a) + " to " + at(nearest->b);
+  return "the wall " + in_words(*nearest);
 }
 
 void Placer::record(std::size_t model, const Pose& pose, const SourceLocation& where) {

@@ -7,6 +7,9 @@
 
 namespace eyebridge::files {
 
+/// "from (0, 0) mm to (100, 0) mm"
+std::string in_words(const world::Wall& wall);
+
 /// Puts robots into a scenario whose walls and objects are complete.
 ///
 /// A place is free where world::World takes the robot: rims may touch.

@@ -81,12 +81,26 @@ bool RobotBuilder::read_extension(const Statement& s) {
     model_.drive.angular_acceleration = deg_to_rad(s.number(2, "the angular acceleration", 1, 1e6));
   } else if (keyword == "psd_table") {
     read_table(s);
+  } else if (keyword == "kicker") {
+    read_kicker(s);
   } else if (keyword == "error") {
     read_error(s);
   } else {
     return false;
   }
   return true;
+}
+
+void RobotBuilder::read_kicker(const Statement& s) {
+  s.expect_arguments({3, 4}, "kicker servo mm_per_second reach_mm [half_angle]");
+  if (model_.kicker) s.fail(0, "a second kicker: expected one");
+  robot::KickerModel kicker;
+  kicker.servo =
+      static_cast<unsigned>(s.integer(1, "the servo (1 and 2 are the camera's)", 3, 16) - 1);
+  kicker.speed = s.millimetres(2, "the ball's speed", 1, 20000);
+  kicker.reach = s.millimetres(3, "the reach", 0, 1000);
+  if (s.size() == 5) kicker.half_angle = deg_to_rad(s.number(4, "the half angle", 1, 90));
+  model_.kicker = kicker;
 }
 
 void RobotBuilder::read_error(const Statement& s) {

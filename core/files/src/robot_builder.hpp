@@ -26,7 +26,8 @@ class RobotBuilder {
   void add_ir(const Statement& s, const Pose& pose, std::optional<std::size_t> threshold_token);
   /// "bump NAME id start end"
   void add_bump(const Statement& s);
-  /// Our extensions: true when the line was one of "psd_range", "psd_table", "accel" and "error".
+  /// Our extensions: true when the line was one of "psd_range", "psd_table", "accel", "kicker"
+  /// and "error".
   bool read_extension(const Statement& s);
 
   /// Numbers the sensors, applies errors and ranges. Throws ConfigError for an id met twice.
@@ -43,6 +44,7 @@ class RobotBuilder {
   Id read_id(const Statement& s, std::size_t token) const;
   void read_error(const Statement& s);
   void read_table(const Statement& s);
+  void read_kicker(const Statement& s);
   template <class Sensor>
   void number_sensors(std::vector<Sensor>& sensors, const std::vector<Id>& ids,
                       std::string_view kind);

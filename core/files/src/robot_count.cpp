@@ -20,8 +20,10 @@ void set_robot_count(Scenario& scenario, std::size_t count, const SourceLocation
     scenario.robots[i].arguments = like.arguments;
   }
   if (present + placed == count) return;
-  throw ConfigError(where, "found " + std::to_string(count) + " robots, but this world has room for " +
-                               std::to_string(present + placed) + " of them: expected fewer, or a "
+  throw ConfigError(where, "found " + std::to_string(count) +
+                               " robots, but this world has room for " +
+                               std::to_string(present + placed) +
+                               " of them: expected fewer, or a "
                                "bigger world");
 }
 

@@ -7,6 +7,7 @@
 #include "builtin.hpp"
 #include "eyebridge/files/readers.hpp"
 #include "ground.hpp"
+#include "object_lines.hpp"
 #include "placement.hpp"
 #include "search.hpp"
 #include "text.hpp"
@@ -27,6 +28,7 @@ class SimLoader {
     scenario_.world.markers = sim_.markers;
     scenario_.world.objects.insert(scenario_.world.objects.end(), sim_.objects.begin(),
                                    sim_.objects.end());
+    path_places_ = sim_.path_places;
     load_robot_files();
     load_object_files();
     // Custom objects look like robot lines; they are there before any robot is placed.
@@ -34,6 +36,7 @@ class SimLoader {
     for (const SimRobot& line : sim_.robots) {
       if (!place_object(line)) robots.push_back(&line);
     }
+    check_paths();
     placer_.emplace(scenario_);
     taken_.assign(scenario_.world.starts.size(), false);
     for (const SimRobot* line : robots) place_robot(*line);
@@ -98,8 +101,30 @@ class SimLoader {
     }
     world::ObjectSpec object = found->second;
     object.pose = *line.pose;
+    apply(line.traits, object);
     scenario_.world.objects.push_back(object);
+    path_places_.push_back(line.traits.path_where);
     return true;
+  }
+
+  /// An obstacle that could not go its way would stand there for good and look like a wall.
+  void check_paths() const {
+    const world::WorldModel& world = scenario_.world;
+    const std::size_t first = world.objects.size() - path_places_.size();  // a maze's own: none
+    for (std::size_t i = 0; i < path_places_.size(); ++i) {
+      const world::ObjectSpec& object = world.objects[first + i];
+      if (!object.path) continue;
+      if (object.path->points.size() == 1 &&
+          object.path->points.front() == object.pose.position()) {
+        throw ConfigError(path_places_[i], "the only way-point is where the " + object.name +
+                                               " stands: expected another place");
+      }
+      const auto wall = world::wall_on_path(world, object);
+      if (!wall) continue;
+      throw ConfigError(path_places_[i], "the path leads the " + object.name + " into the wall " +
+                                             in_words(world.walls[*wall]) +
+                                             ": expected a free way");
+    }
   }
 
   std::size_t model_of(const SimRobot& line) {
@@ -135,6 +160,11 @@ class SimLoader {
   }
 
   void place_robot(const SimRobot& line) {
+    if (line.traits.any) {
+      throw ConfigError(line.traits.where,
+                        "a robot stands before this: expected the line of an "
+                        "object, whose mass, friction, ... it says");
+    }
     const std::size_t model = model_of(line);
     if (line.start) {
       placer_->place(model, start_pose(line), line.where);
@@ -164,6 +194,7 @@ class SimLoader {
   Scenario& scenario_;
   std::map<std::string, std::size_t> models_;
   std::map<std::string, world::ObjectSpec> objects_;
+  std::vector<SourceLocation> path_places_;  ///< Of the objects that are not the maze's own.
   std::vector<bool> taken_;
   std::optional<Placer> placer_;  ///< Once walls and objects are there.
 };

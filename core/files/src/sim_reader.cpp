@@ -5,14 +5,16 @@
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/files/readers.hpp"
 #include "object_kinds.hpp"
+#include "object_lines.hpp"
 #include "text.hpp"
 
 namespace eyebridge::files {
 namespace {
 
 constexpr std::size_t kMaxThings = 100000;
-constexpr std::array<std::string_view, 9> kSimKeywords = {
-    "world", "maze", "robi", "robot", "obj", "object", "settings", "marker", "error"};
+constexpr std::array<std::string_view, 15> kSimKeywords = {
+    "world", "maze", "robi",  "robot",    "obj",         "object", "settings", "marker",
+    "box",   "mass", "fixed", "friction", "restitution", "path",   "error"};
 constexpr std::string_view kRobotForm = "NAME x y phi [program]' or 'NAME S [phi] [program]";
 
 bool is_start_letter(std::string_view word) {
@@ -69,13 +71,41 @@ class SimReader {
       read_marker(s);
     } else if (keyword == "error") {
       read_error(s);
+    } else if (is_object_trait(keyword)) {
+      read_trait(s);
     } else if (auto object = builtin_object(keyword)) {
       s.expect_arguments(3, std::string(s.text(0)) + " x y phi");
       object->pose = pose(s, 1);
-      out_.objects.push_back(*object);
+      add(*object);
+    } else if (keyword == "box" &&
+               s.size() != 4) {  // with x y phi alone: one that a file describes
+      s.expect_arguments({5, 6, 9}, "box x y phi length width [height [red green blue]]");
+      add(read_box(s, pose(s, 1)));
     } else {
       read_robot(s, keyword);
     }
+  }
+
+  void add(const world::ObjectSpec& object) {
+    out_.objects.push_back(object);
+    out_.path_places.emplace_back();
+    last_ = Last::Object;
+  }
+  void add(const SimRobot& robot) {
+    out_.robots.push_back(robot);
+    last_ = Last::Robot;
+  }
+
+  /// Whether a line that places something by its name places an object shows when its file is read.
+  void read_trait(const Statement& s) {
+    if (last_ == Last::Nothing) {
+      s.fail(0, in_quotes(s.text(0)) + " before any object: expected the line of an object first");
+    }
+    if (last_ == Last::Robot) return read_object_trait(s, out_.robots.back().traits);
+    ObjectTraits traits;
+    read_object_trait(s, traits);
+    apply(traits, out_.objects.back());
+    if (traits.path) out_.path_places.back() = traits.path_where;
   }
 
   static std::string path(const Statement& s, std::size_t i) {
@@ -106,7 +136,7 @@ class SimReader {
       s.expect_arguments(5, "robi FILE PROGRAM x y phi");
       robot.pose = pose(s, 3);
     }
-    out_.robots.push_back(robot);
+    add(robot);
   }
 
   /// "object FILE", or the old "object x y phi friction PICTURE", which places one.
@@ -122,7 +152,7 @@ class SimReader {
       }
       object->pose = pose(s, 1);
       static_cast<void>(s.number(4, "the friction", -1000, 1000));
-      out_.objects.push_back(*object);
+      add(*object);
       return;
     }
     s.expect_arguments(1, std::string(s.text(0)) + " FILE");
@@ -179,7 +209,7 @@ class SimReader {
     robot.where = s.where(0);
     robot.pose = pose(s, 1);
     take_program(s, 4, robot);
-    out_.robots.push_back(robot);
+    add(robot);
   }
 
   void place_at_letter(const Statement& s) {
@@ -193,13 +223,17 @@ class SimReader {
       next = 3;
     }
     take_program(s, next, robot);
-    out_.robots.push_back(robot);
+    add(robot);
   }
+
+  /// What the last line placed that placed something.
+  enum class Last { Nothing, Object, Robot };
 
   StatementReader statements_;
   const std::string& file_;
   Warnings warnings_;
   SimFile out_;
+  Last last_ = Last::Nothing;
 };
 
 }  // namespace

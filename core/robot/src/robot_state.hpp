@@ -38,7 +38,6 @@ struct RobotState {
 
   world::BodyId body;
   bool by_motors = false;
-  bool touching = false;  ///< In the contact that was reported last.
   unsigned stalled = kStallNone;
   std::uint32_t stalled_steps = 0;
   double wheel_base;

@@ -30,6 +30,8 @@ void check(const RobotModel& model) {
         "robot: the top speeds must not be negative");
   check(drive.linear_acceleration >= 0.0 && drive.angular_acceleration >= 0.0,
         "robot: the accelerations must not be negative");
+  check(!model.kicker || (model.kicker->speed >= 0.0 && model.kicker->servo < kServoCount),
+        "robot: a kicker needs a servo and a speed that is not negative");
   check(drive.motor_time_constant >= 0.0, "robot: the motor time constant must not be negative");
 }
 
@@ -88,6 +90,7 @@ void Simulation::step() {
   for (RobotIndex robot = 0; robot < count; ++robot) impl_->step_robot(robot);
   impl_->world.step_objects(impl_->settings.step);
   ++impl_->steps;
+  if (!impl_->world.bumps().empty()) impl_->report_collisions();
 }
 
 double Simulation::time() const { return static_cast<double>(impl_->steps) * impl_->settings.step; }
@@ -102,7 +105,6 @@ void Simulation::set_pose(RobotIndex robot, const Pose& pose) {
   state.controller.hold({});
   state.driven = {};
   state.measured = {};
-  state.touching = false;
   state.clear_stall();
 }
 
@@ -174,7 +176,13 @@ void Simulation::reset_encoder(RobotIndex robot, unsigned motor) {
 }
 
 void Simulation::set_servo(RobotIndex robot, unsigned servo, double position) {
-  impl_->devices_of(robot).servos.at(servo) = std::clamp(position, 0.0, 1.0);
+  RobotDevices& devices = impl_->devices_of(robot);
+  const double before = devices.servos.at(servo);
+  devices.servos[servo] = std::clamp(position, 0.0, 1.0);
+  const std::optional<KickerModel>& kicker = devices.model.kicker;
+  if (kicker && strikes(*kicker, servo, before, devices.servos[servo])) {
+    impl_->strike(robot, *kicker);
+  }
 }
 
 double Simulation::servo(RobotIndex robot, unsigned servo) const {
@@ -183,10 +191,6 @@ double Simulation::servo(RobotIndex robot, unsigned servo) const {
 
 std::uint64_t Simulation::camera_noise_seed(RobotIndex robot) const {
   return noise_stream(impl_->settings.seed, robot, NoiseSource::Camera, 0).bits();
-}
-
-void Simulation::on_collision(std::function<void(const CollisionEvent&)> listener) {
-  impl_->listener = std::move(listener);
 }
 
 const world::World& Simulation::world() const { return impl_->world; }

@@ -5,6 +5,9 @@
 
 namespace eyebridge::robot {
 
+/// Whether `servo`, turned from `before` to `after`, lets the kicker strike.
+bool strikes(const KickerModel& kicker, unsigned servo, double before, double after);
+
 struct Simulation::Impl {
   Impl(std::shared_ptr<const world::WorldModel> model, const SimulationSettings& given);
 
@@ -15,8 +18,13 @@ struct Simulation::Impl {
   [[nodiscard]] double look(RobotIndex robot, const Sight& device, double reach) const;
   /// One step of one robot: from command to pose.
   void step_robot(RobotIndex robot);
-  /// Keeps account of stalls and contacts after a move.
-  void account(RobotIndex robot, RobotState& state, const world::MoveResult& result);
+  /// Keeps account of stalls after a move that an obstacle `held`, or not.
+  void account(RobotState& state, bool held);
+  /// Kicks the ball that is nearest to the kicker, if one is in its reach.
+  void strike(RobotIndex robot, const KickerModel& kicker);
+  /// Tells of the contacts that began in the step that has just ended.
+  void report_collisions();
+  [[nodiscard]] std::optional<RobotIndex> robot_of(world::BodyId body) const;
 
   SimulationSettings settings;
   world::World world;
@@ -25,6 +33,8 @@ struct Simulation::Impl {
   std::vector<RobotState> states;
   std::vector<RobotDevices> devices;
   std::function<void(const CollisionEvent&)> listener;
+  std::vector<CollisionEvent> collisions;
+  std::uint64_t collisions_dropped = 0;
   std::vector<Vec2> contacts;  // of the reading at hand; kept for its memory
 };
 

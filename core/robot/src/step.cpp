@@ -5,8 +5,7 @@
 namespace eyebridge::robot {
 namespace {
 
-constexpr double kStanding = 1e-9;    // metres per second: a lagging motor has run down
-constexpr double kReleaseGap = 1e-3;  // metres: free again after a contact
+constexpr double kStanding = 1e-9;  // metres per second: a lagging motor has run down
 
 bool nothing_to_do(RobotState& state) {
   const bool commanded = state.by_motors
@@ -105,17 +104,12 @@ void Simulation::Impl::step_robot(RobotIndex robot) {
       state.controller.advance(measured);
     }
   }
-  account(robot, state, result);
+  account(state, held);
 }
 
-void Simulation::Impl::account(RobotIndex robot, RobotState& state,
-                               const world::MoveResult& result) {
-  if (!result.blocked()) {
+void Simulation::Impl::account(RobotState& state, bool held) {
+  if (!held) {
     state.clear_stall();
-    if (state.touching) {
-      const double clear = world.radius(state.body) + kReleaseGap;
-      state.touching = !world.is_free(world.position(state.body), clear, state.body);
-    }
     return;
   }
   state.stalled = kStallBoth;
@@ -123,12 +117,6 @@ void Simulation::Impl::account(RobotIndex robot, RobotState& state,
   if (!state.by_motors && state.controller.state() == DriveState::Driving &&
       state.stalled_steps >= stall_timeout_steps) {
     state.controller.fail();
-  }
-  if (state.touching) return;
-  state.touching = true;
-  if (listener) {
-    listener({static_cast<double>(steps + 1) * settings.step, robot, result.hit_wall,
-              result.hit_body, world.pose(state.body)});
   }
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "boxes.hpp"
 #include "eyebridge/base/colour.hpp"
 #include "eyebridge/base/pose.hpp"
 #include "eyebridge/world/scene.hpp"
@@ -19,7 +20,17 @@ struct Hold {
   std::uint32_t segment = 0;  ///< Of the wall.
 };
 
-/// The discs of a world, struct-of-arrays, and who is near a place.
+/// How a body answers to pushes and hits: what an object's Matter comes to. Robots give no way.
+struct Response {
+  bool gives_way = false;  ///< To robots, and to what they push.
+  bool slides = false;     ///< Goes on by itself when it was hit; implies `gives_way`.
+  double mass = 1.0;
+  double deceleration = 0.0;  ///< Of what slides, metres per second squared.
+  double bounce = 0.0;        ///< Restitution when it meets something,
+  double kick = 0.0;          ///< and when something that is driven hits it.
+};
+
+/// The bodies of a world, struct-of-arrays, and who is near a place.
 ///
 /// From kGridFrom bodies on, a uniform grid of linked lists answers instead of a loop over all.
 /// Both visit a superset of what is near; callers pick by value and id, never by order of visits,
@@ -105,6 +116,17 @@ class Bodies {
   std::vector<Hold> hold_;         ///< What holds the body.
   std::vector<BodyShape> shape_;
   std::vector<Rgb> colour_;
+  std::vector<Response> response_;
+  std::vector<Vec2> half_;  ///< Half the size of a box, metres; null for discs.
+  bool any_box_ = false;    ///< Without boxes nothing else than discs needs to be thought of.
+
+  /// Whether one of them is a box.
+  [[nodiscard]] bool box_among(BodyId a, BodyId b) const {
+    return any_box_ && (shape_[a] == BodyShape::Box || shape_[b] == BodyShape::Box);
+  }
+  [[nodiscard]] Rectangle rectangle(BodyId id) const {
+    return {position(id), {cos_[id], sin_[id]}, half_[id]};
+  }
 
  private:
   static constexpr double kEndless = std::numeric_limits<double>::infinity();

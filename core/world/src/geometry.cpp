@@ -3,11 +3,6 @@
 namespace eyebridge::world {
 namespace {
 
-/// A motion at a smaller angle to a touching surface than this (radians) counts as parallel to it:
-/// more than rounding makes of a parallel one (about 1e-13), and so little that a robot would have
-/// to drive 10 km along a wall to use up kContactGap.
-constexpr double kParallelAngle = 1e-11;
-
 /// Who is this near to the reach (metres) has arrived: more than the rounding of a position, so
 /// that a body that was stopped is stopped for good.
 constexpr double kArrived = 1e-12;

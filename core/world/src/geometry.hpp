@@ -81,6 +81,11 @@ inline Vec2 closest_point(const Segment& wall, Vec2 p) {
   return wall.a + s * wall.u;
 }
 
+/// A motion at a smaller angle to a touching surface than this (radians) counts as parallel to it:
+/// more than rounding makes of a parallel one (about 1e-13), and so little that a robot would have
+/// to drive 10 km along a wall to use up kContactGap.
+inline constexpr double kParallelAngle = 1e-11;
+
 /// Returned by the contact functions when there is no contact on the way; > 1.
 inline constexpr double kNoContact = 2.0;
 

@@ -19,12 +19,10 @@ constexpr double kLookAhead = 1.0;
 /// the wall's normal is less than this: friction holds it then.
 constexpr double kJamSine = 0.2;
 
-/// A ball leaves what hits it at this fraction of the speed of approach.
-constexpr double kKickRestitution = 0.5;
-
 }  // namespace
 
 World::Impl::Obstacle World::Impl::first_wall(BodyId id, Vec2 motion) {
+  if (bodies.shape_[id] == BodyShape::Box) return first_wall_of_box(id, motion);
   const double length = norm(motion);
   double& clearance = bodies.clearance_[id];
   if (length < clearance) return {};
@@ -53,19 +51,18 @@ void World::Impl::travel(BodyId id, Vec2 motion) {
 }
 
 Vec2 World::Impl::towards(const Obstacle& obstacle, BodyId id) const {
+  if (bodies.box_among(id, obstacle.wall ? id : obstacle.body)) return box_towards(obstacle, id);
   const Vec2 p = bodies.position(id);
-  const Vec2 target = obstacle.wall ? closest_point(walls.segments()[obstacle.segment], p)
-                                    : bodies.position(obstacle.body);
-  const Vec2 way = target - p;
-  const double distance = norm(way);
-  return distance > 0.0 ? Vec2{way.x / distance, way.y / distance} : Vec2{};
+  return direction_to(obstacle.wall ? closest_point(walls.segments()[obstacle.segment], p)
+                                    : bodies.position(obstacle.body),
+                      p);
 }
 
-void World::Impl::kick(BodyId ball, Vec2 velocity, Vec2 normal) {
-  const Vec2 own = bodies.velocity(ball);
+void World::Impl::kick(BodyId id, Vec2 velocity, Vec2 normal) {
+  const Vec2 own = bodies.velocity(id);
   const double approach = dot(velocity - own, normal);
   if (approach > 0.0) {
-    bodies.set_velocity(ball, own + (1.0 + kKickRestitution) * approach * normal);
+    bodies.set_velocity(id, own + (1.0 + bodies.response_[id].kick) * approach * normal);
   }
 }
 
@@ -88,6 +85,7 @@ double World::Impl::shift(BodyId id, Vec2 motion, double dt, int depth) {
   }
   const double before = first.fraction;
   travel(id, before * motion);
+  note(id, first);
   if (first.wall || !gives_way(first.body)) {
     return slip(id, (1.0 - before) * motion, towards(first, id)) ? 1.0 : before;
   }
@@ -96,7 +94,7 @@ double World::Impl::shift(BodyId id, Vec2 motion, double dt, int depth) {
   const Vec2 rest = (1.0 - before) * motion;
   const Vec2 normal = towards(first, id);
   const double push = dot(rest, normal);
-  if (bodies.shape_[first.body] == BodyShape::Ball && dt > 0.0) {
+  if (bodies.response_[first.body].slides && dt > 0.0) {
     kick(first.body, (1.0 / dt) * motion, normal);
   }
   if (shift(first.body, (push + kPushLead) * normal, dt, depth - 1) < 1.0) return before;
@@ -130,8 +128,9 @@ MoveResult World::Impl::drive(BodyId id, Vec2 motion, double dt) {
       travel(id, pushed.fraction * rest);
       done += pushed.fraction * (1.0 - done);
       rest = (1.0 - pushed.fraction) * rest;
+      note(id, pushed);
       const Vec2 normal = towards(pushed, id);
-      if (bodies.shape_[pushed.body] == BodyShape::Ball && dt > 0.0) {
+      if (bodies.response_[pushed.body].slides && dt > 0.0) {
         kick(pushed.body, (1.0 / dt) * motion, normal);
       }
       const double push = dot(push_motion, normal) + kPushLead;
@@ -148,7 +147,8 @@ MoveResult World::Impl::drive(BodyId id, Vec2 motion, double dt) {
   }
 }
 
-MoveResult World::Impl::stopped(BodyId id, double fraction, const Obstacle& end) const {
+MoveResult World::Impl::stopped(BodyId id, double fraction, const Obstacle& end) {
+  note(id, end);
   return {fraction, end.wall, end.body, towards(end, id)};
 }
 

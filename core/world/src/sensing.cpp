@@ -37,6 +37,13 @@ void World::cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_r
     const double radius = bodies.radius_[id];
     const double reach = farthest + radius;
     if (id == ignore || norm_squared(centre - origin) >= reach * reach) return;
+    if (bodies.box_among(id, id)) {
+      const Rectangle box = bodies.rectangle(id);
+      for (std::size_t i = 0; i < directions.size(); ++i) {
+        ranges[i] = nearer_box_hit(box, origin, directions[i], ranges[i]);
+      }
+      return;
+    }
     for (std::size_t i = 0; i < directions.size(); ++i) {
       ranges[i] = nearer_disc_hit(centre, radius, origin, directions[i], ranges[i]);
     }
@@ -66,6 +73,7 @@ void World::contacts(BodyId id, double reach, std::vector<Vec2>& out) const {
   const std::size_t walls = touches.size();
   bodies.each_on_way(p, {}, limit, [&](BodyId other) {
     if (other == id || norm(bodies.position(other) - p) >= limit + bodies.radius_[other]) return;
+    if (bodies.box_among(other, other) && impl_->gap_to_point(other, p) >= limit) return;
     touches.push_back({other, {0.0, false, 0, other}});
   });
   // The grids do not promise an order.
@@ -87,6 +95,7 @@ bool World::is_free(Vec2 centre, double radius, BodyId ignore) const {
   bool free = true;
   impl_->bodies.each_on_way(centre, {}, radius, [&](BodyId id) {
     const double touching = radius + impl_->bodies.radius_[id];
+    if (impl_->bodies.box_among(id, id) && impl_->gap_to_point(id, centre) > radius) return;
     if (id != ignore && norm_squared(impl_->bodies.position(id) - centre) <= touching * touching) {
       free = false;
     }

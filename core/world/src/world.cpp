@@ -14,11 +14,7 @@ World::Impl::Impl(std::shared_ptr<const WorldModel> world_model)
       walls(model->walls),
       rays(*model),
       bodies(model->width, model->height) {
-  for (const ObjectSpec& object : model->objects) {
-    bodies.add(object.kind == ObjectKind::Ball ? BodyShape::Ball : BodyShape::Can,
-               object.pose.position(), Heading::from_angle(object.pose.theta), object.radius,
-               object.height, object.colour);
-  }
+  for (const ObjectSpec& object : model->objects) add_object(object);
 }
 
 World::World(std::shared_ptr<const WorldModel> model)
@@ -41,7 +37,10 @@ BodyId World::add_robot(const Pose& pose, double radius, double height, Rgb colo
                     radius, centre.x, centre.y, depth));
   }
   for (BodyId other = 0; other < bodies.size(); ++other) {
-    const double overlap = radius + bodies.radius_[other] - norm(centre - bodies.position(other));
+    const double overlap =
+        bodies.box_among(other, other)
+            ? radius - impl_->gap_to_point(other, centre)
+            : radius + bodies.radius_[other] - norm(centre - bodies.position(other));
     if (overlap > kTouch) {
       throw std::invalid_argument(fmt::format(
           "robot of radius {:.3f} m at ({:.3f}, {:.3f}) overlaps body {} at ({:.3f}, {:.3f}) by "
@@ -64,6 +63,12 @@ Pose World::pose(BodyId id) const {
 Vec2 World::position(BodyId id) const { return impl_->bodies.position(id); }
 Heading World::heading(BodyId id) const { return {impl_->bodies.cos_[id], impl_->bodies.sin_[id]}; }
 double World::radius(BodyId id) const { return impl_->bodies.radius_[id]; }
+bool World::gives_way(BodyId id) const { return impl_->gives_way(id); }
+Vec2 World::velocity(BodyId id) const { return impl_->bodies.velocity(id); }
+
+void World::set_velocity(BodyId id, Vec2 velocity) {
+  if (impl_->bodies.response_[id].slides) impl_->bodies.set_velocity(id, velocity);
+}
 
 void World::set_pose(BodyId id, const Pose& pose) {
   Bodies& bodies = impl_->bodies;
@@ -73,6 +78,7 @@ void World::set_pose(BodyId id, const Pose& pose) {
   bodies.sin_[id] = heading.sin;
   bodies.set_velocity(id, {});
   bodies.clearance_[id] = 0.0;
+  impl_->contacts.forget(id);
 }
 
 const WorldModel& World::model() const { return *impl_->model; }
@@ -82,7 +88,8 @@ Scene World::scene(double time) const {
   scene.bodies.reserve(body_count());
   for (BodyId id = 0; id < body_count(); ++id) {
     scene.bodies.push_back({id, impl_->bodies.shape_[id], pose(id), impl_->bodies.radius_[id],
-                            impl_->bodies.height_[id], impl_->bodies.colour_[id]});
+                            impl_->bodies.height_[id], impl_->bodies.colour_[id],
+                            2.0 * impl_->bodies.half_[id]});
   }
   return scene;
 }
@@ -93,6 +100,10 @@ void World::add_to(StateHash& hash) const {
     const Vec2 v = impl_->bodies.velocity(id);
     const Heading h = heading(id);
     for (const double value : {p.x, p.y, h.cos, h.sin, v.x, v.y}) hash.add(value);
+  }
+  for (const Mover& mover : impl_->movers) {
+    hash.add(std::uint64_t{mover.target});
+    hash.add(std::uint64_t{mover.forward});
   }
 }
 

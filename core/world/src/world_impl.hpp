@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "bodies.hpp"
+#include "contacts.hpp"
 #include "eyebridge/world/world.hpp"
+#include "paths.hpp"
 #include "wall_index.hpp"
 
 namespace eyebridge::world {
@@ -22,10 +24,13 @@ struct World::Impl {
     [[nodiscard]] bool met() const { return fraction <= 1.0; }
   };
 
+  // matter.cpp
+  void add_object(const ObjectSpec& object);
+
   // motion.cpp
   MoveResult drive(BodyId id, Vec2 motion, double dt);
   /// The result of a drive that ended at `end` after `fraction` of the motion.
-  [[nodiscard]] MoveResult stopped(BodyId id, double fraction, const Obstacle& end) const;
+  MoveResult stopped(BodyId id, double fraction, const Obstacle& end);
   /// First wall on the way of `id` along `motion`. Keeps the clearance; the caller must go on to
   /// travelled() for the way that the body really goes.
   Obstacle first_wall(BodyId id, Vec2 motion);
@@ -38,27 +43,55 @@ struct World::Impl {
   Obstacle first_obstacle(BodyId id, Vec2 motion);
   /// Moves `id`, and takes the way off its clearance.
   void travel(BodyId id, Vec2 motion);
-  /// Shifts a ball or can by `motion`, and what it pushes before it; how much of it was possible.
+  /// Shifts what gives way by `motion`, and what it pushes before it; how much of it was possible.
   double shift(BodyId id, Vec2 motion, double dt, int depth);
-  /// Moves a ball or can that is squeezed against something in the direction of `normal` aside, so
+  /// Moves what is squeezed against something in the direction of `normal` aside, so
   /// far that its pusher can go on by `motion`; false when it jams.
   bool slip(BodyId id, Vec2 motion, Vec2 normal);
   /// Unit vector from `id` to the obstacle that it touches.
   [[nodiscard]] Vec2 towards(const Obstacle& obstacle, BodyId id) const;
-  /// Gives a ball the speed that a hit by something moving at `velocity` along `normal` gives.
-  void kick(BodyId ball, Vec2 velocity, Vec2 normal);
+  /// Gives what slides the speed that a hit by something driven at `velocity` along `normal` gives.
+  void kick(BodyId id, Vec2 velocity, Vec2 normal);
+
+  // paths.cpp
+  void add_mover(BodyId id, const ObjectSpec& object);
+  /// Moves it for `dt` seconds, or up to what stops it.
+  void follow(Mover& mover, double dt);
+
+  // contacts.cpp
+  /// Remembers that `id` ran into `end`.
+  void note(BodyId id, const Obstacle& end);
+  /// Between the rims of two bodies, or of a body and the walls (kNoBody), metres.
+  [[nodiscard]] double gap(BodyId id, BodyId other) const;
+  [[nodiscard]] double wall_gap(BodyId id) const;
 
   // balls.cpp
-  void roll(BodyId ball, double dt);
-  void bounce_off(BodyId ball, const Obstacle& end);
+  void roll(BodyId id, double dt);
+  void bounce_off(BodyId id, const Obstacle& end);
 
-  [[nodiscard]] bool gives_way(BodyId id) const { return bodies.shape_[id] != BodyShape::Robot; }
+  // box_contacts.cpp: the same questions where a box is among those that meet
+  [[nodiscard]] double box_pair_contact(BodyId id, BodyId other, Vec2 motion) const;
+  Obstacle first_wall_of_box(BodyId id, Vec2 motion);
+  [[nodiscard]] Vec2 box_towards(const Obstacle& obstacle, BodyId id) const;
+  /// Distance from `p` to the rim of `id`, metres; less than 0 within it.
+  [[nodiscard]] double gap_to_point(BodyId id, Vec2 p) const;
+
+  [[nodiscard]] bool gives_way(BodyId id) const { return bodies.response_[id].gives_way; }
 
   std::shared_ptr<const WorldModel> model;
   WallIndex walls;
   RayCaster rays;
   Bodies bodies;
+  std::vector<Mover> movers;
+  ContactBook contacts;
 };
+
+/// Unit vector from `from` to `to`; null where they are one.
+inline Vec2 direction_to(Vec2 to, Vec2 from) {
+  const Vec2 way = to - from;
+  const double distance = norm(way);
+  return distance > 0.0 ? Vec2{way.x / distance, way.y / distance} : Vec2{};
+}
 
 template <class Blocks>
 std::pair<World::Impl::Obstacle, World::Impl::Obstacle> World::Impl::first_bodies(
@@ -69,7 +102,9 @@ std::pair<World::Impl::Obstacle, World::Impl::Obstacle> World::Impl::first_bodie
   bodies.each_on_way(from, motion, reach, [&](BodyId other) {
     if (other == id) return;
     const double fraction =
-        disc_contact(from - bodies.position(other), motion, reach + bodies.radius_[other]);
+        bodies.box_among(id, other)
+            ? box_pair_contact(id, other, motion)
+            : disc_contact(from - bodies.position(other), motion, reach + bodies.radius_[other]);
     if (fraction > 1.0) return;
     Obstacle& first = blocks(other) ? best.first : best.second;
     if (fraction < first.fraction || (fraction == first.fraction && other < first.body)) {

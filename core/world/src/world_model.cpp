@@ -1,5 +1,7 @@
 #include "eyebridge/world/world_model.hpp"
 
+#include "boxes.hpp"
+
 namespace eyebridge::world {
 
 std::vector<Wall> walls_of(const MazeGrid& maze) {
@@ -25,6 +27,16 @@ std::vector<Wall> walls_of(const MazeGrid& maze) {
     }
   }
   return walls;
+}
+
+double ObjectSpec::outer_radius() const {
+  return kind == ObjectKind::Box ? norm(size) / 2 : radius;
+}
+
+double rim_distance(const ObjectSpec& object, Vec2 p) {
+  if (object.kind != ObjectKind::Box) return norm(p - object.pose.position()) - object.radius;
+  const Heading heading = Heading::from_angle(object.pose.theta);
+  return distance_to({object.pose.position(), heading.forward(), 0.5 * object.size}, p);
 }
 
 }  // namespace eyebridge::world

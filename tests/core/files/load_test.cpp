@@ -162,6 +162,54 @@ TEST(Load, CustomObjectsArePlacedLikeRobots) {
   EXPECT_EQ(scenario.robots.size(), 1u);
 }
 
+TEST(Load, AnObjectOfOneBoxIsABoxAndBehavesAsItsFileAndItsLinesSay) {
+  const Folder folder;
+  folder.write("bin.esObj",
+               "obj bin.obj\nmass 2 0 0 0\nfriction 0.3\nfixed\n"
+               "collider box 0 100 0 300 200 500\n");
+  folder.write("a.wld", kRoom);
+  const auto scenario = load_scenario(folder.write(
+      "a.sim", "world a.wld\nobject bin.esObj\nS4 500 500 0\nBin 1500 1500 90\nfriction 0.7\n"));
+  ASSERT_EQ(scenario.world.objects.size(), 1u);
+  const world::ObjectSpec& bin = scenario.world.objects[0];
+  EXPECT_EQ(bin.kind, world::ObjectKind::Box);
+  EXPECT_DOUBLE_EQ(bin.size.x, 0.5) << "z is ahead";
+  EXPECT_DOUBLE_EQ(bin.size.y, 0.3);
+  EXPECT_EQ(bin.matter, (world::Matter{2.0, 0.7, std::nullopt, true}));
+}
+
+TEST(Load, APathMustBeFreeOfWalls) {
+  const Folder folder;
+  const std::string room = "world empty-room.wld\nS4 1800 1800 0\n";
+  const auto error = [&](const std::string& lines) {
+    return load_error(folder.write("a.sim", room + lines));
+  };
+  EXPECT_THAT(error("Can 500 500 0\npath 100 loop 500 1000 -500 1000\n"),
+              HasSubstr("a.sim:4:1: the path leads the can into the wall from (0, "));
+  EXPECT_THAT(error("box 500 500 45 200 100\npath 100 back 95 500\n"),
+              HasSubstr("the path leads the box into the wall"));
+  EXPECT_THAT(error("Can 500 500 0\npath 100 loop 500 500\n"),
+              HasSubstr("a.sim:4:1: the only way-point is where the can stands"));
+  const auto good = load_scenario(folder.write(
+      "b.sim", room + "box 500 500 0 200 100\npath 100 back 105 500\nCan 900 900 0\n"));
+  EXPECT_TRUE(good.world.objects[0].path);
+}
+
+TEST(Load, WhatIsSaidOfObjectsIsNotSaidOfRobots) {
+  const Folder folder;
+  EXPECT_THAT(
+      load_error(folder.write("a.sim", "world empty-room.wld\nS4 500 500 0\nfriction 0.3\n")),
+      HasSubstr("a.sim:3:1: a robot stands before this: expected the line of an object"));
+}
+
+TEST(Load, ARobotBesideABoxStandsFreeAndOneInItDoesNot) {
+  const Folder folder;
+  const std::string room = "world empty-room.wld\nbox 1000 1000 0 400 100\n";
+  EXPECT_EQ(load_scenario(folder.write("a.sim", room + "S4 1000 850 0\n")).robots.size(), 1u);
+  EXPECT_THAT(load_error(folder.write("b.sim", room + "S4 1000 900 0\n")),
+              HasSubstr("stands in the box at (1000, 1000) mm"));
+}
+
 TEST(Load, FilesAreSearchedBesideInTheHomeAndAmongOurWorlds) {
   const Folder folder;
   folder.write("sim/worlds/room.wld", kRoom);

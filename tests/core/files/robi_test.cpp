@@ -116,6 +116,24 @@ TEST(Robi, ReadsOurExtensionsAndAppliesThemToEarlierLines) {
   EXPECT_EQ(robot.lidar->error.sigma_relative, 0.1);
 }
 
+TEST(Robi, ReadsAKicker) {
+  const auto robot = robi_of("diameter 100\nkicker 3 1500 30 25\n");
+  EXPECT_EQ(robot.kicker, (robot::KickerModel{2, 1.5, 0.03, deg_to_rad(25)}));
+  EXPECT_EQ(robi_of("diameter 100\nkicker 16 1 0\n").kicker->half_angle, deg_to_rad(20));
+  EXPECT_FALSE(robi_of("diameter 100\n").kicker);
+}
+
+TEST(Robi, MistakesAboutAKickerAreNamed) {
+  EXPECT_EQ(robi_error("kicker 3 1500"),
+            "r.robi:1:14: 'kicker' with 2 arguments: expected 'kicker servo mm_per_second reach_mm "
+            "[half_angle]'");
+  EXPECT_EQ(robi_error("kicker 2 1500 30"),
+            "r.robi:1:8: the servo (1 and 2 are the camera's) is 2: expected 3 to 16");
+  EXPECT_EQ(robi_error("kicker 3 0 30"), "r.robi:1:10: the ball's speed is 0: expected 1 to 20000");
+  EXPECT_EQ(robi_error("kicker 3 1 30\nkicker 4 1 30"),
+            "r.robi:2:1: a second kicker: expected one");
+}
+
 TEST(Robi, ErrorsAreOffUnlessAskedFor) {
   const auto robot = robi_of("diameter 99\npsd A 1 0 0 0 0\n");
   EXPECT_TRUE(robot.range_sensors[0].error.perfect());

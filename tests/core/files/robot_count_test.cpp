@@ -54,7 +54,8 @@ TEST(RobotCount, SaysHowManyThereIsRoomFor) {
     set_robot_count(scenario, 1000, {"--robots"});
     FAIL() << "1000 robots stand in 2 m x 2 m";
   } catch (const ConfigError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("--robots: found 1000 robots, but this world has room for "));
+    EXPECT_THAT(error.what(),
+                HasSubstr("--robots: found 1000 robots, but this world has room for "));
   }
 }
 

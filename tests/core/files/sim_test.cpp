@@ -68,6 +68,75 @@ TEST(Sim, ReadsObjectsAndMarkers) {
   EXPECT_EQ(sim.markers[2].colour, (Rgb{3, 4, 5}));
 }
 
+TEST(Sim, ReadsBoxesOfAnySizeAndColour) {
+  const auto sim = sim_of("box 1000 2000 90 300 200\nBOX 1 2 0 30 20 150\nbox 1 2 0 3 4 5 6 7 8\n");
+  ASSERT_EQ(sim.objects.size(), 3u);
+  const world::ObjectSpec& box = sim.objects[0];
+  EXPECT_EQ(box.kind, world::ObjectKind::Box);
+  EXPECT_EQ(box.pose, (Pose{1, 2, kPi / 2}));
+  EXPECT_EQ(box.size, (Vec2{0.3, 0.2}));
+  EXPECT_EQ(box.height, 0.2);
+  EXPECT_EQ(box.radius, box.outer_radius());
+  EXPECT_EQ(sim.objects[1].height, 0.15);
+  EXPECT_EQ(sim.objects[2].colour, (Rgb{6, 7, 8}));
+}
+
+TEST(Sim, LinesAfterAnObjectSayHowItBehaves) {
+  const auto sim = sim_of(
+      "Can 1 2 0\nGolf 3 4 0\nmass 0.2\nFriction 0\nrestitution 0.9\nbox 1 2 0 3 4\nfixed\n"
+      "Cone 1 2 0\nfriction 0.4\n");
+  ASSERT_EQ(sim.objects.size(), 3u);
+  EXPECT_EQ(sim.objects[0].matter.friction, std::nullopt);
+  EXPECT_EQ(sim.objects[1].matter, (world::Matter{0.2, 0.0, 0.9, false}));
+  EXPECT_TRUE(sim.objects[2].matter.fixed);
+  EXPECT_TRUE(sim.robots[0].traits.any);
+  EXPECT_EQ(sim.robots[0].traits.friction, 0.4);
+}
+
+TEST(Sim, ReadsPathsOfObjects) {
+  const auto sim = sim_of(
+      "Can 100 200 0\npath 150 loop 300 400\nbox 1 2 0 3 4\npath 0.5 BACK 1 2 3 4 1 2\nGolf 5 6 "
+      "7\n");
+  ASSERT_EQ(sim.objects.size(), 3u);
+  EXPECT_EQ(sim.objects[0].path, (world::Path{0.15, true, {{0.3, 0.4}}}));
+  EXPECT_EQ(sim.objects[1].path->loop, false);
+  EXPECT_EQ(sim.objects[1].path->points.size(), 3u);
+  EXPECT_EQ(sim.objects[2].path, std::nullopt);
+  ASSERT_EQ(sim.path_places.size(), 3u);
+  EXPECT_EQ(sim.path_places[1], (SourceLocation{"s.sim", 4, 1}));
+}
+
+TEST(Sim, MistakesAboutPathsAreNamed) {
+  const auto error = [](const std::string& line) {
+    return error_of([&] { sim_of("Can 1 2 0\n" + line); });
+  };
+  const std::string form = "expected 'path MM_PER_SECOND loop|back x1 y1 [x2 y2 ...]'";
+  EXPECT_EQ(error("path"), "s.sim:2:5: 'path' with 0 arguments: " + form);
+  EXPECT_EQ(error("path 100 loop 1 2 3"), "s.sim:2:20: 'path' with 5 arguments: " + form);
+  EXPECT_EQ(error("path 0 loop 1 2"), "s.sim:2:6: the speed is 0: expected 0.1 to 100000");
+  EXPECT_EQ(error("path 100 round 1 2"), "s.sim:2:10: 'round' found: expected 'loop' or 'back'");
+  EXPECT_EQ(error("path 100 loop 1 2 1 2"),
+            "s.sim:2:19: a way-point where the one before it is: expected another place");
+}
+
+TEST(Sim, MistakesAboutObjectsAreNamed) {
+  const auto error = [](const std::string& text) { return error_of([&] { sim_of(text); }); };
+  EXPECT_EQ(error("fixed\n"),
+            "s.sim:1:1: 'fixed' before any object: expected the line of an object first");
+  EXPECT_EQ(error("Can 1 2 0\nfriction -1"),
+            "s.sim:2:10: the coefficient of friction is -1: expected 0 to 100");
+  EXPECT_EQ(error("Can 1 2 0\nrestitution 1.5"),
+            "s.sim:2:13: the restitution is 1.5: expected 0 to 1");
+  EXPECT_EQ(error("Can 1 2 0\nmass 0"),
+            "s.sim:2:6: the mass in kilograms is 0: expected 0.001 to 10000");
+  EXPECT_EQ(error("Can 1 2 0\nfixed yes"), "s.sim:2:7: 'fixed' with 1 argument: expected 'fixed'");
+  EXPECT_EQ(error("box 1 2 0 0 4"), "s.sim:1:11: the length is 0: expected 1 to 10000");
+  EXPECT_EQ(error("box 1 2 0 3"),
+            "s.sim:1:12: 'box' with 4 arguments: expected 'box x y phi length width [height [red "
+            "green blue]]'");
+  EXPECT_EQ(error("Can 1 2 0\nfixd"), "s.sim:2:1: unknown keyword 'fixd': expected 'fixed'?");
+}
+
 TEST(Sim, EveryMistakeIsNamed) {
   const auto error = [](const std::string& text) { return error_of([&] { sim_of(text); }); };
   EXPECT_EQ(error(""), "s.sim:1:1: nothing in the file: expected 'world FILE' and robots");

@@ -1,8 +1,10 @@
-// What each of several robots has for itself: variables, time, LCD, number, the library's variables.
-#include <eyebot.h>
+// What each of several robots has for itself: variables, time, LCD, number, the library's
+// variables.
 #include <stdio.h>
 
-int counted;                    // zero at first
+#include <eyebot.h>
+
+int counted;                     // zero at first
 static int mine[3] = {1, 2, 3};  // with values at first
 
 int main(int argc, char** argv) {

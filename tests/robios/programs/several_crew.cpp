@@ -1,6 +1,4 @@
 // Several robots whose programs have threads: they wait for each other in every way that C++ has.
-#include <eyebot++.h>
-
 #include <chrono>
 #include <condition_variable>
 #include <cstdio>
@@ -11,6 +9,8 @@
 
 #include <semaphore.h>
 #include <unistd.h>
+
+#include <eyebot++.h>
 
 namespace {
 

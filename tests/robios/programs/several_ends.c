@@ -1,9 +1,10 @@
 // Robots that end in every way there is, while the last one goes on.
-#include <eyebot.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include <eyebot.h>
 
 static int fill(int depth) {
   volatile char room[4096];

@@ -1,8 +1,9 @@
 // Robot 1 sets off and its program ends; robot 2 watches it go on, by radio and by its own eyes.
-#include <eyebot.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+
+#include <eyebot.h>
 
 int main(void) {
   RADIOInit();

@@ -1,6 +1,7 @@
 // The second of several robots computes for ever; the others count to ten.
-#include <eyebot.h>
 #include <stdio.h>
+
+#include <eyebot.h>
 
 int main(void) {
   volatile unsigned long counter = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 
 #include "eyebridge/base/clock.hpp"
 #include "eyebridge/base/pose.hpp"
@@ -17,6 +18,14 @@ struct TracePoint {
       ranges;  ///< Of all distance sensors in order of id, metres; lent for the call.
 };
 
+/// Something that the robot ran into, or that ran into it: told of once, when they began to touch.
+struct TraceContact {
+  Time time{0};            ///< Of the robot's clock.
+  std::string_view robot;  ///< "robot 1": as the log calls it.
+  std::string_view with;   ///< "wall", "robot 2" or "object 3".
+  Vec2 place;              ///< In the world, metres.
+};
+
 /// Takes the trace of a run. Called from the thread that steps the world, which may be another one
 /// each time, but never two at once; must not call the backend.
 class TraceSink {
@@ -25,6 +34,8 @@ class TraceSink {
   /// One step. Whoever cannot take it (a full disk) keeps that to himself until he is asked: a
   /// step has no one to tell.
   virtual void point(const TracePoint& point) noexcept = 0;
+  /// A contact, before the point of its step. Who does not care lets it pass.
+  virtual void contact(const TraceContact&) noexcept {}
 };
 
 }  // namespace eyebridge::hal

@@ -16,7 +16,7 @@ class WorldControl {
   virtual ~WorldControl() = default;
 
   [[nodiscard]] virtual int robot_count() const = 0;
-  /// Of what robots can push: balls and cans.
+  /// Of balls, cans and boxes.
   [[nodiscard]] virtual int object_count() const = 0;
   // Ids from 1, in the order of the scenario; robot 0 is the caller's own. An id that is not there
   // and a pose that is not finite are OutOfRange.

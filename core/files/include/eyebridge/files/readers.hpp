@@ -42,8 +42,9 @@ world::WorldModel read_maze(std::string_view text, const std::string& file,
 robot::RobotModel read_robi(std::string_view text, const std::string& file,
                             std::vector<Warning>& warnings);
 
-/// EyeSim's description of an object (`.esObj`): a disc that covers its colliders from above. One
-/// that is a single sphere is a ball. `name` is what it is called when the file gives no name.
+/// EyeSim's description of an object (`.esObj`). A single sphere is a ball, a single box about the
+/// object's centre a box; all else a disc that covers the colliders from above. `name` is what it
+/// is called when the file gives no name.
 world::ObjectSpec read_object(std::string_view text, const std::string& file,
                               const std::string& name, std::vector<Warning>& warnings);
 
@@ -59,6 +60,18 @@ struct ParameterFile {
 ParameterFile read_parameter_file(std::string_view text, const std::string& file,
                                   std::vector<Warning>& warnings);
 
+/// What lines after that of an object say of it. What is not set stays as the object has it.
+struct ObjectTraits {
+  bool any = false;                     ///< Whether there was such a line;
+  SourceLocation where;                 ///< the first one.
+  std::optional<double> mass{};         ///< Kilograms.
+  std::optional<double> friction{};     ///< Coefficient.
+  std::optional<double> restitution{};  ///< 0 ... 1.
+  bool fixed = false;
+  std::optional<world::Path> path{};
+  SourceLocation path_where;
+};
+
 /// One robot line of a `.sim`, before its model and its start letter are looked up.
 struct SimRobot {
   std::string model;          ///< Name as written.
@@ -67,6 +80,7 @@ struct SimRobot {
   std::string program;
   std::vector<std::string> arguments;
   SourceLocation where;
+  ObjectTraits traits;  ///< Only an object that a file describes may have some.
 };
 /// Simulation description (`.sim`), without the files it names.
 struct SimFile {
@@ -76,6 +90,8 @@ struct SimFile {
   std::vector<std::pair<std::string, SourceLocation>> object_files;
   std::vector<SimRobot> robots;
   std::vector<world::ObjectSpec> objects;
+  std::vector<SourceLocation>
+      path_places;  ///< Of each of `objects`; of those without a path: none.
   std::vector<world::Marker> markers;
   std::vector<ErrorRule> errors;
   bool show_sensors = false;

@@ -81,6 +81,17 @@ struct CameraModel {
   friend bool operator==(const CameraModel&, const CameraModel&) = default;
 };
 
+/// A servo with a lever that kicks a ball which lies in front of the robot: straight ahead, each
+/// time that it is set from below to above three quarters of its throw.
+struct KickerModel {
+  unsigned servo = 2;   ///< Index: programs call it servo + 1. Not 0, 1: the camera's.
+  double speed = 1.5;   ///< Of the ball, beyond the robot's own, metres per second.
+  double reach = 0.03;  ///< Between robot and ball, metres.
+  double half_angle = deg_to_rad(20);  ///< The ball's centre lies at most this far off the front.
+
+  friend bool operator==(const KickerModel&, const KickerModel&) = default;
+};
+
 enum class DriveKind { Differential, Ackermann, Omni };
 
 /// Two driven wheels (or what stands for them) and the controller over them.
@@ -111,6 +122,7 @@ struct RobotModel {
   std::vector<BumperModel> bumpers;
   std::optional<LidarModel> lidar;
   std::optional<CameraModel> camera;
+  std::optional<KickerModel> kicker;
   CompassError compass_error;
   RadioError radio_error;
 

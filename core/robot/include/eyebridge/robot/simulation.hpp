@@ -29,14 +29,21 @@ enum class DriveState {
 /// Which wheels are held by an obstacle: bit 0 left, bit 1 right.
 enum StallMask : unsigned { kStallNone = 0, kStallLeft = 1, kStallRight = 2, kStallBoth = 3 };
 
-/// Something the environment reports, once a contact.
+/// Something that ran into something: what the environment reports, once a contact.
 struct CollisionEvent {
-  double time = 0.0;  ///< Seconds since start.
-  RobotIndex robot = 0;
-  bool with_wall = true;
-  world::BodyId with_body = world::kNoBody;
-  Pose pose;  ///< Of the robot.
+  double time = 0.0;                         ///< Seconds since start, of the step's end.
+  world::BodyId body = 0;                    ///< Who ran into it.
+  std::optional<RobotIndex> robot{};         ///< If that is a robot.
+  world::BodyId with_body = world::kNoBody;  ///< kNoBody: a wall.
+  std::optional<RobotIndex> with_robot{};    ///< If that is a robot.
+  Vec2 place{};                              ///< Of the contact, in the world, metres.
+  Pose pose{};                               ///< Of `body`, at the step's end.
+
+  [[nodiscard]] bool with_wall() const { return with_body == world::kNoBody; }
 };
+
+/// How many collisions a simulation keeps at least, if there were so many.
+inline constexpr std::size_t kCollisionsKept = 10000;
 
 /// How many servos a robot has room for.
 inline constexpr unsigned kServoCount = 16;
@@ -142,12 +149,17 @@ class Simulation {
   [[nodiscard]] std::uint64_t camera_noise_seed(RobotIndex robot) const;
 
   /// Turns a servo at once. `position` 0 … 1, clamped without an error; 0.5 is the middle and the
-  /// start. Servo 0 is pan (1 = left), 1 is tilt (1 = up). Throws std::out_of_range unless
-  /// `servo` < kServoCount.
+  /// start. Servo 0 is pan (1 = left), 1 is tilt (1 = up); that of the model's kicker kicks. Throws
+  /// std::out_of_range unless `servo` < kServoCount.
   void set_servo(RobotIndex robot, unsigned servo, double position);
   /// Where a servo stands, 0 … 1. Throws as set_servo() does.
   [[nodiscard]] double servo(RobotIndex robot, unsigned servo) const;
 
+  /// What ran into what, the oldest first: the last kCollisionsKept at least. Robots, obstacles and
+  /// all things that move; lent until the next step.
+  [[nodiscard]] std::span<const CollisionEvent> collisions() const;
+  /// How many there have been since the start.
+  [[nodiscard]] std::uint64_t collision_count() const;
   /// Called from step() once for each new contact. Replaces the previous listener.
   void on_collision(std::function<void(const CollisionEvent&)> listener);
 

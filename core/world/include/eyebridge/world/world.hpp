@@ -38,14 +38,23 @@ struct MoveResult {
   [[nodiscard]] bool blocked() const { return hit_wall || hit_body != kNoBody; }
 };
 
+/// A body that ran into something.
+struct Bump {
+  BodyId body = 0;         ///< The one that moved.
+  BodyId other = kNoBody;  ///< What it met; kNoBody: a wall.
+  Vec2 place;              ///< On the rim of `body`, in the world, metres.
+};
+
 /// Walls and bodies: who is where, who touches whom, how far a ray goes.
 ///
-/// Bodies are discs; state is struct-of-arrays. A driven body stops at the contact without sliding,
-/// as in EyeSim; balls and cans give way. Same calls, same bits: nothing here depends on addresses,
-/// threads or libm. Not thread-safe.
+/// Robots, balls and cans are discs, boxes rectangles that do not turn; state is struct-of-arrays.
+/// A driven body stops at the contact without sliding, as in EyeSim; objects give way unless they
+/// are fixed. Same calls, same bits: nothing here depends on addresses, threads or libm. Not
+/// thread-safe.
 class World {
  public:
-  /// Adds the model's objects as the first bodies, in order.
+  /// Adds the model's objects as the first bodies, in order. Throws std::invalid_argument for one
+  /// that cannot be: without size or mass, with a negative friction or a restitution above 1.
   explicit World(std::shared_ptr<const WorldModel> model);
   ~World();
   World(World&&) noexcept;
@@ -61,20 +70,29 @@ class World {
   [[nodiscard]] Pose pose(BodyId id) const;
   [[nodiscard]] Vec2 position(BodyId id) const;
   [[nodiscard]] Heading heading(BodyId id) const;
+  /// Metres; of a box, that of the disc that covers it.
   [[nodiscard]] double radius(BodyId id) const;
-  /// Puts a body somewhere, at rest. No check: a person may put it into a wall.
+  /// Whether robots push it away: objects, unless they are fixed or on a path.
+  [[nodiscard]] bool gives_way(BodyId id) const;
+  /// Metres per second, of what rolls or slides by itself; null for all others.
+  [[nodiscard]] Vec2 velocity(BodyId id) const;
+  /// Kicks what rolls or slides by itself; does nothing to others. `velocity` is finite.
+  void set_velocity(BodyId id, Vec2 velocity);
+  /// Puts a body somewhere, at rest. No check: a person may put it into a wall. One on a path goes
+  /// on from there to the point that it was heading for.
   void set_pose(BodyId id, const Pose& pose);
 
   /// Drives `id` along the chord of `arc`, up to the first contact that does not give way.
   ///
   /// A motion away from what the body touches, or parallel to it, is free; so is a turn on the
   /// spot. The heading turns by the fraction of `arc.turn` that was driven. Within a wall (a person
-  /// put it there) only motions that lead out are possible. Balls and cans on the way are pushed
-  /// along the line of centres, and slip aside when they are squeezed against a wall or a robot not
-  /// too steeply; `dt` is the duration of the step in seconds, from which balls get
-  /// their speed. `arc` is finite.
+  /// put it there) only motions that lead out are possible. Objects on the way are pushed along the
+  /// normal of the contact (of discs: the line of centres), and slip aside when they are squeezed
+  /// against a wall or a robot not too steeply; `dt` is the duration of the step in seconds, from
+  /// which what rolls or slides gets its speed. `arc` is finite.
   MoveResult move(BodyId id, const Arc& arc, double dt);
-  /// Rolls balls and settles cans for `dt` seconds; called once a step, after the robots moved.
+  /// Moves what is on a path, rolls balls, and lets slide what slides, for `dt` seconds; called
+  /// once a step, after the robots moved.
   void step_objects(double dt);
 
   /// Range from `origin` along the unit vector `direction` to the nearest wall or body other than
@@ -88,6 +106,11 @@ class World {
   /// nearer than `reach` metres to its rim. What stopped it counts even with `reach` 0. Walls come
   /// first, then bodies in order of id; each direction once.
   void contacts(BodyId id, double reach, std::vector<Vec2>& out) const;
+
+  /// The contacts that began in the last step, which step_objects() ended, in the order in which
+  /// they happened: each once, until the two have been a millimetre apart. What a person puts
+  /// together counts from the first motion against each other. Lent until the next step.
+  [[nodiscard]] std::span<const Bump> bumps() const;
 
   /// True when a disc of `radius` at `centre` touches neither wall nor body (other than `ignore`).
   [[nodiscard]] bool is_free(Vec2 centre, double radius, BodyId ignore = kNoBody) const;

@@ -23,20 +23,55 @@ struct Wall {
   friend bool operator==(const Wall&, const Wall&) = default;
 };
 
-/// What kind of loose thing lies about.
+/// What kind of thing lies about.
 enum class ObjectKind {
-  Ball,  ///< Rolls when pushed, bounces off walls.
-  Can,   ///< Slides while pushed, then stands still.
+  Ball,  ///< A disc that rolls when pushed, and bounces off walls.
+  Can,   ///< A disc that slides while pushed, then stands still.
+  Box,   ///< A rectangle that slides as a can does, without turning.
 };
 
-/// A loose thing: a disc seen from above.
+/// Acceleration of a falling body, metres per second squared.
+inline constexpr double kGravity = 9.81;
+
+/// How a thing answers to pushes and hits.
+struct Matter {
+  double mass = 0.046;  ///< Kilograms, > 0: of two things that roll or slide, how they share a hit.
+  /// Coefficient, >= 0, of rolling (balls) or sliding: what moves slows down by friction *
+  /// kGravity. Without: a ball slows down by 0.3 m/s^2; a can or a box stops with its pusher, and
+  /// no ball moves it.
+  std::optional<double> friction{};
+  /// Share of the speed of approach that it leaves with, 0 ... 1; when two meet that move, the
+  /// larger one counts. Without: 0.6 for a ball, 0.5 when a robot hits it, and 0 for others.
+  std::optional<double> restitution{};
+  bool fixed = false;  ///< Nothing pushes it away.
+
+  friend bool operator==(const Matter&, const Matter&) = default;
+};
+
+/// A way on which an object moves by itself: straight from its place to the first point, and so on.
+/// It keeps its heading, pushes what gives way, and waits where a robot or a wall stops it.
+struct Path {
+  double speed = 0.1;  ///< Metres per second, > 0.
+  bool loop = true;    ///< From the last point to its first place; else it comes back as it went.
+  std::vector<Vec2> points;  ///< In the world, metres; one at least.
+
+  friend bool operator==(const Path&, const Path&) = default;
+};
+
+/// A thing that robots meet, and push unless it is fixed or on a path.
 struct ObjectSpec {
   ObjectKind kind = ObjectKind::Ball;
   std::string name = "ball";  ///< As the file calls it, lower case: "golf", "soccer", "can".
   Pose pose;                  ///< Of its centre in the world.
-  double radius = 0.02;       ///< Metres.
+  double radius = 0.02;       ///< Metres; a box has a `size` instead.
   double height = 0.04;       ///< Metres; a ball's is its diameter.
   Rgb colour{255, 140, 0};
+  Vec2 size{};  ///< Of a box: length along its heading and width, metres, > 0.
+  Matter matter;
+  std::optional<Path> path{};
+
+  /// Of the disc about its centre that covers it, metres.
+  [[nodiscard]] double outer_radius() const;
 
   friend bool operator==(const ObjectSpec&, const ObjectSpec&) = default;
 };
@@ -88,5 +123,12 @@ struct WorldModel {
 
 /// The walls of `maze`, in row order, one per edge: what `walls` of a maze's model holds.
 std::vector<Wall> walls_of(const MazeGrid& maze);
+
+/// Distance from `p` to the rim of `object`, metres; less than 0, or 0, within it.
+double rim_distance(const ObjectSpec& object, Vec2 p);
+
+/// Index of a wall of `model` that `object` would meet on its path, which it has; nothing when
+/// there is none.
+std::optional<std::size_t> wall_on_path(const WorldModel& model, const ObjectSpec& object);
 
 }  // namespace eyebridge::world

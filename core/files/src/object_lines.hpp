@@ -1,0 +1,21 @@
+#pragma once
+
+#include "eyebridge/files/readers.hpp"
+#include "text.hpp"
+
+namespace eyebridge::files {
+
+/// The keywords of lines that say how the object of the line before them behaves.
+bool is_object_trait(std::string_view keyword);
+
+/// Reads "mass KG", "friction MU", "restitution E", "fixed" or "path MM_PER_SECOND loop|back x1 y1
+/// [x2 y2 ...]" into `traits`. Throws ConfigError for numbers that cannot be.
+void read_object_trait(const Statement& s, ObjectTraits& traits);
+
+/// What `traits` say, said of `object`.
+void apply(const ObjectTraits& traits, world::ObjectSpec& object);
+
+/// Our own "box x y phi length width [height [red green blue]]". Throws ConfigError.
+world::ObjectSpec read_box(const Statement& s, const Pose& pose);
+
+}  // namespace eyebridge::files

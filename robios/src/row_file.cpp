@@ -1,0 +1,35 @@
+#include "row_file.hpp"
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include "eyebridge/base/config_error.hpp"
+
+namespace eyebridge::robios {
+
+RowFile::RowFile(std::filesystem::path path)
+    : path_(std::move(path)), file_(std::fopen(path_.c_str(), "w")) {
+  if (file_) return;
+  throw ConfigError({}, "cannot write " + path_.filename().string() + ": " +
+                            std::generic_category().message(errno));
+}
+
+void RowFile::add(std::string_view row) noexcept {
+  if (failure_ != 0) return;
+  if (std::fwrite(row.data(), 1, row.size(), file_.get()) != row.size()) note_failure();
+}
+
+void RowFile::flush() noexcept {
+  if (std::fflush(file_.get()) != 0) note_failure();
+}
+
+std::string RowFile::failure() const {
+  return failed() ? path_.string() + ": " + std::generic_category().message(failure_) : "";
+}
+
+void RowFile::note_failure() noexcept {
+  if (failure_ == 0) failure_ = errno;
+}
+
+}  // namespace eyebridge::robios
