@@ -16,6 +16,8 @@ constexpr auto kSettings = std::to_array<Setting>({
     {"robot", Kind::Text, "S4", "type of the robot where the world places none"},
     {"robots", Kind::Text, "1",
      "how many robots of the world run programs: a number, or all that it places"},
+    {"shared_globals", Kind::Boolean, "false",
+     "several robots of one program share its variables, as in EyeSim"},
     {"hdt", Kind::Path, "",
      "hardware description of a real board; unset: that of an S4. In simulation: the tables of "
      "PSDs"},

@@ -16,6 +16,9 @@ std::unique_ptr<Backend> open_sim(const BackendUrl& url, const BackendContext& c
 /// The scenario that the configuration names, or an empty room; with the errors that it sets.
 files::Scenario configured_scenario(const Config& config);
 
+/// The same without the errors that it sets, which are rules for the robots that there are.
+files::Scenario named_scenario(const Config& config);
+
 /// How the configuration wants it simulated.
 robot::SimulationSettings simulation_settings(const Config& config);
 

@@ -26,7 +26,7 @@ SimWorld::SimWorld(files::Scenario scenario, const robot::SimulationSettings& se
   simulation_.on_collision([this, &log](const robot::CollisionEvent& event) { tell(event, log); });
 }
 
-void SimWorld::tell(const robot::CollisionEvent& event, LogSink& log) const {
+void SimWorld::tell(const robot::CollisionEvent& event, LogSink& log) {
   if (!event.robot && !event.with_robot) return;  // things among themselves
   const std::string who = name_of(event.body, event.robot);
   const std::string with = name_of(event.with_body, event.with_robot);

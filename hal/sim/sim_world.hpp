@@ -56,7 +56,7 @@ class SimWorld {
  private:
   void trace();  ///< mutex_ is held.
   /// Called from a step: mutex_ is held.
-  void tell(const robot::CollisionEvent& event, LogSink& log) const;
+  void tell(const robot::CollisionEvent& event, LogSink& log);
 
   const std::string directory_;
   const Time step_length_;

@@ -31,7 +31,9 @@ void Robot::run() {
   Session::set_here(session_);
   flow.stack_mark = __builtin_frame_address(0);
   try {
-    image_ = ProgramImage::load(program_.file);  // runs constructors: the robot's first code
+    // Runs constructors: the robot's first code.
+    image_ = session_->config().boolean("shared_globals") ? ProgramImage::load_shared(program_.file)
+                                                          : ProgramImage::load(program_.file);
   } catch (const ConfigError& error) {
     fail(error.what(), kCannotRun);
   }

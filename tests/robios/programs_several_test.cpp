@@ -56,6 +56,13 @@ TEST(SeveralRobots, EachHasItsOwnVariablesTimeAndNumber) {
   EXPECT_THAT(r.err, HasSubstr("eyebridge: 3 robots, "));
 }
 
+TEST(SeveralRobots, VariablesAreSharedWhenAskedFor) {
+  const auto r = run_named("several", several("3", {{"EYEBRIDGE_SHARED_GLOBALS", "true"}}));
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  // 6 + 7 + 8 rounds on one counter; the first robots have ended when the last one has counted all.
+  EXPECT_THAT(r.out, HasSubstr("3: counted 21 calls 21 mine "));
+}
+
 TEST(SeveralRobots, InRealTimeTheyAreTheSame) {
   const auto r = run_named("several", several("3", testing::kClocks[1]));
   EXPECT_EQ(r.exit_code, 0) << r.err;
