@@ -71,9 +71,10 @@ TEST_F(Sweep, RunsTheWholeMatrixAndKeepsWhatCameOfIt) {
   EXPECT_FALSE(fs::exists(folder_.path() + "/sweep.db.runs")) << "nothing went wrong";
   EXPECT_EQ(select("SELECT count(*), count(DISTINCT key), min(exit_code), max(exit_code) FROM run"),
             std::vector<std::string>{"8|8|0|0"});
-  EXPECT_EQ(select("SELECT count(*) FROM run WHERE time >= 0.5 AND distance > 0.05 AND wall > 0 AND "
-                   "cpu > 0 AND length(state_hash) = 16 AND collisions = 0"),
-            std::vector<std::string>{"8"});
+  EXPECT_EQ(
+      select("SELECT count(*) FROM run WHERE time >= 0.5 AND distance > 0.05 AND wall > 0 AND "
+             "cpu > 0 AND length(state_hash) = 16 AND collisions = 0"),
+      std::vector<std::string>{"8"});
   EXPECT_EQ(select("SELECT count(DISTINCT state_hash) FROM run JOIN coordinate ON run = id WHERE "
                    "name = 'ms' AND value = '500'"),
             std::vector<std::string>{"2"})
@@ -109,7 +110,7 @@ TEST_F(Sweep, GivesTheProgramItsEnvironment) {
 
 TEST_F(Sweep, WhatGoesWrongIsARowAndTheRestGoesOn) {
   const ProgramRun r =
-      sweep({"--wall-limit", "1s", "--parameter", "what=crash", "--parameter", "what=exit",
+      sweep({"--wall-limit", "8s", "--parameter", "what=crash", "--parameter", "what=exit",
              "--parameter", "what=hang", "--parameter", "what=nothing", cell_, "{what}", "3"});
   ASSERT_EQ(r.exit_code, 0) << r.err;
   const auto rows = select(
@@ -118,7 +119,7 @@ TEST_F(Sweep, WhatGoesWrongIsARowAndTheRestGoesOn) {
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[0], "crash|crashed|SIGSEGV|-|11|2|1") << "its report is at most a second old";
   EXPECT_EQ(rows[1], "exit|failed|exit code 3: I give up|3|-|2|0");
-  EXPECT_THAT(rows[2], HasSubstr("hang|hung|no end after 1 s of real time"));
+  EXPECT_THAT(rows[2], HasSubstr("hang|hung|no end after 8 s of real time"));
   EXPECT_EQ(rows[3], "nothing|ended||0|-|-|1") << "it used no robot: nothing is invented";
   EXPECT_TRUE(fs::exists(folder_.path() + "/sweep.db.runs/1/err.txt")) << "it may tell why";
 }
