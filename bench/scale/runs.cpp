@@ -102,7 +102,7 @@ class Run {
     if (cell_.workload == Workload::Lidar) {
       sim_.read_lidar(robot, 2 * kPi, ranges_);
     } else {
-      for (std::size_t i = 0; i < kPsds; ++i) ranges_[i] = sim_.read_range(robot, i);
+      sim_.read_ranges(robot, ranges_);
     }
     if (!counts_) return;
     const double reach = cell_.workload == Workload::Lidar ? kLidarReach : kPsdReach;

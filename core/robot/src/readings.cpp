@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <stdexcept>
 
 #include "simulation_impl.hpp"
 
@@ -6,6 +7,7 @@ namespace eyebridge::robot {
 namespace {
 
 constexpr double kBumperReach = 2e-3;  // metres: the play of a bumper plate
+constexpr std::size_t kTogether = 16;  // range sensors whose rays are cast at once
 
 }  // namespace
 
@@ -20,6 +22,37 @@ double Simulation::read_range(RobotIndex robot, std::size_t sensor) {
   RayDevice& device = devices.ranges.at(sensor);
   const RangeSensorModel& model = devices.model.range_sensors[sensor];
   return range_reading(impl_->look(robot, device.sight, model.max_range), model, device.noise);
+}
+
+void Simulation::read_ranges(RobotIndex robot, std::span<double> ranges) {
+  RobotDevices& devices = impl_->devices_of(robot);
+  const std::vector<RangeSensorModel>& models = devices.model.range_sensors;
+  if (ranges.size() != models.size()) throw std::out_of_range("read_ranges: one range a sensor");
+  const world::World& world = impl_->world;
+  const world::BodyId self = body(robot);
+  const Vec2 position = world.position(self);
+  const Heading heading = world.heading(self);
+  // Neighbours that look from one place, equally far, look together.
+  for (std::size_t first = 0; first < models.size();) {
+    const Sight sight = devices.ranges[first].sight.in_world(position, heading);
+    Vec2 directions[kTogether];
+    std::size_t count = 0;
+    std::size_t i = first;
+    for (; i < models.size() && count < kTogether &&
+           devices.ranges[i].sight.origin == devices.ranges[first].sight.origin &&
+           models[i].max_range == models[first].max_range;
+         ++i) {
+      directions[count++] = heading.turned(devices.ranges[i].sight.heading).forward();
+    }
+    const std::span<double> found = ranges.subspan(first, count);
+    world.cast_fan(sight.origin, {directions, count}, models[first].max_range, self, found);
+    for (std::size_t k = first; k < i; ++k) {
+      ranges[k] = models[k].error.perfect()
+                      ? range_reading(ranges[k], models[k])
+                      : range_reading(ranges[k], models[k], devices.ranges[k].noise);
+    }
+    first = i;
+  }
 }
 
 double Simulation::true_range(RobotIndex robot, std::size_t sensor) const {
@@ -73,7 +106,8 @@ void Simulation::read_lidar(RobotIndex robot, double field_of_view, double tilt,
   std::transform(bearings.begin(), bearings.end(), devices.scan_directions.begin(),
                  [&](Vec2 bearing) { return sight.heading.rotate(bearing); });
   const SlantedBeam beam(model, tilt);
-  world.cast_fan(sight.origin, devices.scan_directions, beam.level_reach(), self, ranges);
+  world.cast_sweep(sight.origin, devices.scan_directions, devices.scan.gap(), beam.level_reach(),
+                   self, ranges);
   for (double& range : ranges) {
     range = beam.range(range);
     if (model.error.perfect() || range >= model.max_range) continue;

@@ -7,6 +7,7 @@ namespace eyebridge::world {
 BodyId Bodies::add(BodyShape shape, Vec2 position, Heading heading, double radius, double height,
                    Rgb colour) {
   const BodyId id = static_cast<BodyId>(size());
+  ++version_;
   x_.push_back(position.x);
   y_.push_back(position.y);
   vx_.push_back(0.0);
@@ -33,6 +34,7 @@ BodyId Bodies::add(BodyShape shape, Vec2 position, Heading heading, double radiu
 }
 
 void Bodies::move_to(BodyId id, Vec2 position) {
+  ++version_;
   x_[id] = position.x;
   y_[id] = position.y;
   if (heads_.empty()) return;

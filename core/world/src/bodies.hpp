@@ -36,6 +36,9 @@ class Bodies {
   void move_to(BodyId id, Vec2 position);
 
   [[nodiscard]] std::size_t size() const { return x_.size(); }
+  [[nodiscard]] double largest_radius() const { return largest_radius_; }  ///< Metres.
+  /// Another number after each change of a place; never 0 once there is a body.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
   [[nodiscard]] Vec2 position(BodyId id) const { return {x_[id], y_[id]}; }
   [[nodiscard]] Vec2 velocity(BodyId id) const { return {vx_[id], vy_[id]}; }
   void set_velocity(BodyId id, Vec2 v) {
@@ -126,6 +129,7 @@ class Bodies {
   std::vector<double> vx_, vy_;  ///< Metres per second; balls only.
   Vec2 extent_;
   double largest_radius_ = 0.0;
+  std::uint64_t version_ = 0;
   double per_cell_ = 1.0;
   std::size_t columns_ = 1;
   std::size_t rows_ = 1;

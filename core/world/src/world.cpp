@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "ray_grid.hpp"
 #include "world_impl.hpp"
 
 namespace eyebridge::world {
@@ -13,7 +14,11 @@ World::Impl::Impl(std::shared_ptr<const WorldModel> world_model)
     : model(std::move(world_model)),
       walls(model->walls),
       rays(*model),
-      bodies(model->width, model->height) {
+      by_sweep(rays.method() != RayMethod::EdgeBits),
+      has_avx2(RayGrid::has_avx2()),
+      near_walls(by_sweep ? outlines_of(model->walls) : std::vector<Segment>{}),
+      bodies(model->width, model->height),
+      body_map(model->width, model->height) {
   for (const ObjectSpec& object : model->objects) {
     bodies.add(object.kind == ObjectKind::Ball ? BodyShape::Ball : BodyShape::Can,
                object.pose.position(), Heading::from_angle(object.pose.theta), object.radius,

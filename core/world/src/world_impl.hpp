@@ -4,7 +4,10 @@
 #include <utility>
 
 #include "bodies.hpp"
+#include "body_map.hpp"
 #include "eyebridge/world/world.hpp"
+#include "near_walls.hpp"
+#include "sweep.hpp"
 #include "wall_index.hpp"
 
 namespace eyebridge::world {
@@ -48,6 +51,11 @@ struct World::Impl {
   /// Gives a ball the speed that a hit by something moving at `velocity` along `normal` gives.
   void kick(BodyId ball, Vec2 velocity, Vec2 normal);
 
+  // sensing.cpp
+  /// World::cast_sweep(), for at most Sweep::kMost rays; without a `gap` in any directions.
+  void cast_around(Vec2 origin, std::span<const Vec2> directions, double gap, double max_range,
+                   BodyId ignore, std::span<double> ranges);
+
   // balls.cpp
   void roll(BodyId ball, double dt);
   void bounce_off(BodyId ball, const Obstacle& end);
@@ -57,7 +65,11 @@ struct World::Impl {
   std::shared_ptr<const WorldModel> model;
   WallIndex walls;
   RayCaster rays;
+  bool by_sweep;  ///< Walls of rays by `near_walls` where few are near; else by `rays` alone.
+  bool has_avx2;
+  NearWalls near_walls;
   Bodies bodies;
+  BodyMap body_map;
 };
 
 template <class Blocks>
