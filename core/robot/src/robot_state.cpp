@@ -95,6 +95,11 @@ void RobotState::use_controller() {
   by_motors = false;
 }
 
+bool RobotState::repeats(const std::array<double, 2>& speeds) const {
+  return (by_motors || controller.settled()) && wheels[0].settled(speeds[0]) &&
+         wheels[1].settled(speeds[1]) && error.linear_sigma == 0.0 && error.angular_sigma == 0.0;
+}
+
 void RobotState::clear_stall() {
   stalled = kStallNone;
   stalled_steps = 0;

@@ -17,6 +17,13 @@ struct MotorCommand {
   bool controlled = false;  ///< By PID; else as duty.
 };
 
+/// What a step wants to do, before the world says how much of it is possible.
+struct StepPlan {
+  WheelTravel wheels;
+  PathStep path;   ///< What the ground makes of them.
+  world::Arc arc;  ///< Of `path`.
+};
+
 /// Everything about a robot that step() touches: one block of memory a robot.
 struct RobotState {
   RobotState(const RobotModel& model, const SimulationSettings& settings, world::BodyId body_id,
@@ -31,12 +38,17 @@ struct RobotState {
   /// Gives the robot back to v-omega control, and forgets a stall: a new command came.
   void use_controller();
   void clear_stall();
+  /// True when the next step, unless a command comes or something is in the way, makes the same
+  /// plan again and changes nothing by making it. `speeds` are the wheels' before the last plan.
+  [[nodiscard]] bool repeats(const std::array<double, 2>& speeds) const;
 
   world::BodyId body;
+  bool steady = false;  ///< `plan` holds for the next step, too.
   bool by_motors = false;
   bool touching = false;  ///< In the contact that was reported last.
   unsigned stalled = kStallNone;
   std::uint32_t stalled_steps = 0;
+  StepPlan plan;  ///< Of the last step.
   double wheel_base;
   MotorModel motor;
   DriveController controller;

@@ -86,7 +86,7 @@ const SimulationSettings& Simulation::settings() const { return impl_->settings;
 Pose Simulation::pose(RobotIndex robot) const { return impl_->world.pose(body(robot)); }
 
 void Simulation::set_pose(RobotIndex robot, const Pose& pose) {
-  RobotState& state = impl_->at(robot);
+  RobotState& state = impl_->command(robot);
   impl_->world.set_pose(state.body, pose);
   for (Wheel& wheel : state.wheels) wheel.halt();
   state.controller.hold({});
@@ -101,12 +101,15 @@ Twist Simulation::twist(RobotIndex robot) const { return impl_->at(robot).driven
 void Simulation::set_speed(RobotIndex robot, const Twist& twist) {
   RobotState& state = impl_->at(robot);
   const Twist present = state.present();
+  // The same speed as before changes nothing.
+  const bool steady = state.steady && !state.by_motors && state.controller.target() == present;
   state.use_controller();
   state.controller.set_speed(twist, present);
+  state.steady = steady && state.controller.settled();
 }
 
 void Simulation::drive(RobotIndex robot, const DriveGoal& goal) {
-  RobotState& state = impl_->at(robot);
+  RobotState& state = impl_->command(robot);
   const Twist present = state.present();
   state.use_controller();
   state.controller.start(goal, present);
@@ -121,7 +124,7 @@ double Simulation::remaining(RobotIndex robot) const {
 unsigned Simulation::stalled(RobotIndex robot) const { return impl_->at(robot).stalled; }
 
 void Simulation::stop(RobotIndex robot) {
-  RobotState& state = impl_->at(robot);
+  RobotState& state = impl_->command(robot);
   state.use_controller();
   state.controller.stop();
 }
@@ -133,14 +136,14 @@ void Simulation::set_odometry(RobotIndex robot, const Pose& pose) {
 Twist Simulation::measured_twist(RobotIndex robot) const { return impl_->at(robot).measured; }
 
 void Simulation::set_motor_duty(RobotIndex robot, unsigned motor, double duty) {
-  RobotState& state = impl_->at(robot);
+  RobotState& state = impl_->command(robot);
   MotorCommand& command = state.commands.at(motor);
   state.use_motors();
   command = {std::clamp(duty, -1.0, 1.0) * state.motor.top, false};
 }
 
 void Simulation::set_motor_speed(RobotIndex robot, unsigned motor, double ticks_per_second) {
-  RobotState& state = impl_->at(robot);
+  RobotState& state = impl_->command(robot);
   MotorCommand& command = state.commands.at(motor);
   state.use_motors();
   const double speed = ticks_per_second / state.motor.ticks_per_metre;
@@ -148,7 +151,7 @@ void Simulation::set_motor_speed(RobotIndex robot, unsigned motor, double ticks_
 }
 
 void Simulation::set_motor_pid(RobotIndex robot, unsigned motor, int p, int i, int d) {
-  RobotState& state = impl_->at(robot);
+  RobotState& state = impl_->command(robot);
   state.wheels.at(motor).set_gains(
       {std::clamp(p, 0, 255), std::clamp(i, 0, 255), std::clamp(d, 0, 255)});
 }

@@ -8,8 +8,14 @@ namespace eyebridge::robot {
 struct Simulation::Impl {
   Impl(std::shared_ptr<const world::WorldModel> model, const SimulationSettings& given);
 
-  // Both throw std::out_of_range.
+  // All three throw std::out_of_range.
   [[nodiscard]] RobotState& at(RobotIndex robot) { return states.at(robot); }
+  /// at(), for a command: what the robot did so far need not go on.
+  [[nodiscard]] RobotState& command(RobotIndex robot) {
+    RobotState& state = at(robot);
+    state.steady = false;
+    return state;
+  }
   [[nodiscard]] RobotDevices& devices_of(RobotIndex robot) { return devices.at(robot); }
   /// How far a device on `robot` sees, metres; `reach` when nothing is nearer.
   [[nodiscard]] double look(RobotIndex robot, const Sight& device, double reach) const;

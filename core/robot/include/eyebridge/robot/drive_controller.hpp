@@ -44,6 +44,10 @@ class DriveController {
   [[nodiscard]] bool at_rest() const {
     return state_ != DriveState::Driving && twist_ == Twist{} && target_ == Twist{};
   }
+  /// True when next() gives the same twist for ever.
+  [[nodiscard]] bool settled() const { return state_ != DriveState::Driving && twist_ == target_; }
+  /// Where the ramp of speed mode ends.
+  [[nodiscard]] const Twist& target() const { return target_; }
   [[nodiscard]] const DriveLimits& limits() const { return limits_; }
 
  private:
