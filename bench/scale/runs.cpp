@@ -163,14 +163,18 @@ Figures measure(const Cell& cell, const Effort& effort, const std::filesystem::p
   while (proof.simulated() < effort.simulated - kHalfTick) proof.tick();
   proof.report(figures);
   figures.hash = proof.hash();
+  // The computer's speed changes with what others do on it: it is asked before and after.
   std::vector<double> rates;
-  std::vector<double> speeds;
+  std::vector<double> ratios;
+  double before = computer_speed();
   for (int i = 0; i < effort.runs; ++i) {
-    speeds.push_back(computer_speed());
     rates.push_back(timed(cell, effort, arena));
+    const double after = computer_speed();
+    ratios.push_back(rates.back() / (0.5 * (before + after)));
+    before = after;
   }
   figures.rate = median(std::move(rates));
-  figures.computer = median(std::move(speeds));
+  figures.computer = figures.rate / median(std::move(ratios));
   return figures;
 }
 

@@ -23,7 +23,7 @@ struct Effort {
 
 struct Figures {
   double rate = 0.0;           ///< Robot-steps per CPU second, here and now.
-  double computer = 0.0;       ///< computer_speed() at the time.
+  double computer = 0.0;       ///< computer_speed() at the time: `rate` by it is the median, too.
   double mean_distance = 0.0;  ///< Metres a robot drove.
   double mean_range = 0.0;     ///< Metres.
   double hit_fraction = 0.0;   ///< Of the rays: met something within the sensor's reach.

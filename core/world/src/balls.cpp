@@ -63,6 +63,7 @@ void World::step_objects(double dt) {
   for (BodyId id = 0; id < impl_->bodies.size(); ++id) {
     if (impl_->bodies.shape_[id] == BodyShape::Ball) impl_->roll(id, dt);
   }
+  impl_->bodies.end_round();
 }
 
 }  // namespace eyebridge::world

@@ -47,9 +47,10 @@ World::Impl::Obstacle World::Impl::first_obstacle(BodyId id, Vec2 motion) {
 }
 
 void World::Impl::travel(BodyId id, Vec2 motion) {
-  bodies.move_to(id, bodies.position(id) + motion);
+  const double length = norm(motion);
+  bodies.travel_to(id, bodies.position(id) + motion, length);
   // The factor is more than the rounding of the length.
-  bodies.clearance_[id] -= norm(motion) * (1.0 + 1e-12);
+  bodies.clearance_[id] -= length * (1.0 + 1e-12);
 }
 
 Vec2 World::Impl::towards(const Obstacle& obstacle, BodyId id) const {

@@ -9,7 +9,7 @@ namespace eyebridge::world {
 namespace {
 
 /// The lists of a layer cover at most this many cells in a row.
-constexpr double kMostCells = 1024;
+constexpr double kMostListCells = 1024;
 
 constexpr double kCellsInReach = 4.0;
 
@@ -37,7 +37,7 @@ NearWalls::Layer* NearWalls::layer_for(double reach) {
   const Vec2 extent = high_ - low_;
   const double size = std::max(extent.x, extent.y);
   // An endless reach sees the same from everywhere.
-  layer.cell = std::max({std::min(reach / kCellsInReach, size), size / kMostCells, 1e-3});
+  layer.cell = std::max({std::min(reach / kCellsInReach, size), size / kMostListCells, 1e-3});
   layer.columns = static_cast<std::size_t>(extent.x / layer.cell) + 1;
   layer.rows = static_cast<std::size_t>(extent.y / layer.cell) + 1;
   layer.starts.assign(layer.columns * layer.rows, kUnknown);

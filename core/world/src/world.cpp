@@ -72,7 +72,7 @@ double World::radius(BodyId id) const { return impl_->bodies.radius_[id]; }
 
 void World::set_pose(BodyId id, const Pose& pose) {
   Bodies& bodies = impl_->bodies;
-  bodies.move_to(id, pose.position());
+  bodies.jump_to(id, pose.position());
   const Heading heading = Heading::from_angle(pose.theta);
   bodies.cos_[id] = heading.cos;
   bodies.sin_[id] = heading.sin;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -33,10 +34,9 @@ struct World::Impl {
   /// travelled() for the way that the body really goes.
   Obstacle first_wall(BodyId id, Vec2 motion);
   /// First body on the way for which `blocks(other)` holds, and first one for which it does not;
-  /// the lowest id of equally near ones.
+  /// the lowest id of equally near ones. Remembers how far away the others are at all.
   template <class Blocks>
-  [[nodiscard]] std::pair<Obstacle, Obstacle> first_bodies(BodyId id, Vec2 motion,
-                                                           Blocks blocks) const;
+  [[nodiscard]] std::pair<Obstacle, Obstacle> first_bodies(BodyId id, Vec2 motion, Blocks blocks);
   /// First wall or body of any kind on the way.
   Obstacle first_obstacle(BodyId id, Vec2 motion);
   /// Moves `id`, and takes the way off its clearance.
@@ -73,21 +73,32 @@ struct World::Impl {
 };
 
 template <class Blocks>
-std::pair<World::Impl::Obstacle, World::Impl::Obstacle> World::Impl::first_bodies(
-    BodyId id, Vec2 motion, Blocks blocks) const {
+std::pair<World::Impl::Obstacle, World::Impl::Obstacle> World::Impl::first_bodies(BodyId id,
+                                                                                  Vec2 motion,
+                                                                                  Blocks blocks) {
+  constexpr double kSlack = 1e-6;  // metres; far more than the rounding of all that was driven
   std::pair<Obstacle, Obstacle> best;
+  const double length = norm(motion);
+  if (bodies.is_alone(id, length)) return best;
   const Vec2 from = bodies.position(id);
   const double reach = bodies.radius_[id] + kContactGap;
-  bodies.each_on_way(from, motion, reach, [&](BodyId other) {
+  const double horizon = std::max(bodies.horizon(), length + kSlack);
+  double gap = horizon;
+  bodies.each_on_way(from, {}, reach + horizon, [&](BodyId other) {
     if (other == id) return;
-    const double fraction =
-        disc_contact(from - bodies.position(other), motion, reach + bodies.radius_[other]);
+    const Vec2 away = from - bodies.position(other);
+    const double touching = reach + bodies.radius_[other];
+    const double others_gap = norm(away) - touching;
+    if (others_gap < gap) gap = others_gap;
+    if (others_gap > length + kSlack) return;
+    const double fraction = disc_contact(away, motion, touching);
     if (fraction > 1.0) return;
     Obstacle& first = blocks(other) ? best.first : best.second;
     if (fraction < first.fraction || (fraction == first.fraction && other < first.body)) {
       first = {fraction, false, 0, other};
     }
   });
+  bodies.set_free(id, gap - kSlack);
   return best;
 }
 
