@@ -32,6 +32,7 @@ struct Options {
   Effort effort;
   bool crowds = true;
   std::string_view sense;  ///< This row's cells alone; empty: all.
+  double step_ms = 0.0;    ///< And with these steps alone; 0: all.
   double robots = 0.0;     ///< And of this size alone; 0: all.
 };
 
@@ -39,6 +40,7 @@ void peers(const Options& options) {
   Verdict faster;
   Verdict flat;
   for (const double step : kSteps) {
+    if (options.step_ms > 0.0 && options.step_ms != step * 1000) continue;
     std::printf("\n== Beside the peers, steps of %g ms\n", step * 1000);
     std::printf("%-6s %6s %11s %9s %9s  %-6s %8s %7s %7s %7s %7s %7s  %s\n", "sense", "robots",
                 "steps/s", "computer", "real-time", "best", "it, here", "times", "wanted", "dist m",
@@ -119,11 +121,13 @@ int run(int argc, char** argv) {
     } else if (argument == "--peers-only") {
       options.crowds = false;
     } else if (!number(argument, "--robots=", options.robots) &&
+               !number(argument, "--step=", options.step_ms) &&
                !number(argument, "--benchmark_min_time=", options.effort.cpu_seconds)) {
       std::fprintf(
           stderr,
           "bench_scale: unknown argument %s\nusage: bench_scale [--benchmark_min_time=SECONDS] "
-          "[--runs=N] [--peers-only] [--sense=psd|lidar|none] [--robots=N] [--data=FOLDER]\n",
+          "[--runs=N] [--peers-only] [--sense=psd|lidar|none] [--robots=N] [--step=MS] "
+          "[--data=FOLDER]\n",
           argv[i]);
       return 2;
     }

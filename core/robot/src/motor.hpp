@@ -42,8 +42,8 @@ class Wheel {
   /// Stands still at once; the encoder keeps its count.
   void halt();
 
-  /// True when the same command gives the same travel for ever: it has the speed it had before the last
-  /// drive, `before`, and nothing is left to correct.
+  /// True when the same command gives the same travel for ever: it has the speed it had before the
+  /// last drive, `before`, and nothing is left to correct.
   [[nodiscard]] bool settled(double before) const {
     return speed_ == before && last_target_ == speed_ && last_error_ == 0.0 && integral_ == 0.0;
   }

@@ -7,7 +7,6 @@ namespace eyebridge::robot {
 namespace {
 
 constexpr double kBumperReach = 2e-3;  // metres: the play of a bumper plate
-constexpr std::size_t kTogether = 16;  // range sensors whose rays are cast at once
 
 }  // namespace
 
@@ -26,32 +25,32 @@ double Simulation::read_range(RobotIndex robot, std::size_t sensor) {
 
 void Simulation::read_ranges(RobotIndex robot, std::span<double> ranges) {
   RobotDevices& devices = impl_->devices_of(robot);
-  const std::vector<RangeSensorModel>& models = devices.model.range_sensors;
-  if (ranges.size() != models.size()) throw std::out_of_range("read_ranges: one range a sensor");
+  const RangeLayout& layout = *devices.layout;
+  if (ranges.size() != layout.beams.size()) {
+    throw std::out_of_range("read_ranges: one range a sensor");
+  }
   const world::World& world = impl_->world;
   const world::BodyId self = body(robot);
   const Vec2 position = world.position(self);
   const Heading heading = world.heading(self);
-  // Neighbours that look from one place, equally far, look together.
-  for (std::size_t first = 0; first < models.size();) {
-    const Sight sight = devices.ranges[first].sight.in_world(position, heading);
-    Vec2 directions[kTogether];
-    std::size_t count = 0;
-    std::size_t i = first;
-    for (; i < models.size() && count < kTogether &&
-           devices.ranges[i].sight.origin == devices.ranges[first].sight.origin &&
-           models[i].max_range == models[first].max_range;
-         ++i) {
-      directions[count++] = heading.turned(devices.ranges[i].sight.heading).forward();
+  for (const RangeLayout::Fan& fan : layout.fans) {
+    Vec2 directions[RangeLayout::kMostInFan];
+    for (std::size_t i = 0; i < fan.count; ++i) {
+      directions[i] = heading.turned(layout.beams[fan.first + i].heading).forward();
     }
-    const std::span<double> found = ranges.subspan(first, count);
-    world.cast_fan(sight.origin, {directions, count}, models[first].max_range, self, found);
-    for (std::size_t k = first; k < i; ++k) {
-      ranges[k] = models[k].error.perfect()
-                      ? range_reading(ranges[k], models[k])
-                      : range_reading(ranges[k], models[k], devices.ranges[k].noise);
+    world.cast_fan(position + heading.rotate(fan.origin), {directions, fan.count}, fan.max_range,
+                   self, ranges.subspan(fan.first, fan.count));
+  }
+  if (devices.perfect_ranges) {
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      const RangeLayout::Beam& beam = layout.beams[i];
+      const bool in_reach = ranges[i] >= beam.min_range && ranges[i] < beam.max_range;
+      ranges[i] = in_reach ? ranges[i] : beam.out_of_range;
     }
-    first = i;
+    return;
+  }
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    ranges[i] = range_reading(ranges[i], devices.model.range_sensors[i], devices.ranges[i].noise);
   }
 }
 

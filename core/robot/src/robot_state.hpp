@@ -1,12 +1,14 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "errors.hpp"
 #include "eyebridge/robot/drive_controller.hpp"
 #include "eyebridge/robot/odometry.hpp"
 #include "motor.hpp"
+#include "range_layout.hpp"
 #include "sensing.hpp"
 
 namespace eyebridge::robot {
@@ -70,8 +72,12 @@ struct RayDevice {
 
 /// What is needed only when someone asks.
 struct RobotDevices {
-  RobotDevices(const RobotModel& robot_model, std::uint64_t seed, std::uint32_t robot);
+  /// `range_layout` fits the model's range sensors.
+  RobotDevices(const RobotModel& robot_model, std::shared_ptr<const RangeLayout> range_layout,
+               std::uint64_t seed, std::uint32_t robot);
 
+  std::shared_ptr<const RangeLayout> layout;
+  bool perfect_ranges;  ///< None of the range sensors has an error.
   RobotModel model;
   std::vector<RayDevice> ranges;
   std::vector<RayDevice> proximities;

@@ -63,7 +63,12 @@ RobotIndex Simulation::add_robot(const RobotModel& model, const Pose& pose) {
   const std::uint64_t seed = impl_->settings.seed;
   impl_->states.emplace_back(model, impl_->settings, body,
                              noise_stream(seed, robot, NoiseSource::Drive, 0));
-  impl_->devices.emplace_back(model, seed, robot);
+  const std::shared_ptr<const RangeLayout> last =
+      impl_->devices.empty() ? nullptr : impl_->devices.back().layout;
+  const bool like_last = last && last->fits(model.range_sensors);
+  impl_->devices.emplace_back(
+      model, like_last ? last : std::make_shared<const RangeLayout>(model.range_sensors), seed,
+      robot);
   return robot;
 }
 

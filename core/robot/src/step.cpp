@@ -40,9 +40,7 @@ WheelTravel drive_wheels(RobotState& state) {
           right.drive_controlled(twist.linear + turning, state.motor)};
 }
 
-bool same_bits(const PathStep& a, const PathStep& b) {
-  return std::memcmp(&a, &b, sizeof a) == 0;
-}
+bool same_bits(const PathStep& a, const PathStep& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 /// What the ground makes of the wheels' travel.
 PathStep true_path(RobotState& state, const WheelTravel& wheels) {

@@ -39,7 +39,7 @@ void BodyMap::refresh(const Bodies& bodies) {
   }
 }
 
-std::span<const BodyMap::Disc> BodyMap::around(Vec2 place, double reach) {
+std::span<const Disc> BodyMap::around(Vec2 place, double reach) {
   // Places outside belong to the rim, also on this side of it.
   const std::size_t first = index(place.x - reach, columns_);
   const std::size_t last = index(place.x + reach, columns_);

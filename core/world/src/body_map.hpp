@@ -8,6 +8,13 @@
 
 namespace eyebridge::world {
 
+/// One body, as rays meet it.
+struct Disc {
+  double x, y;    ///< Centre, metres.
+  double radius;  ///< Metres.
+  BodyId id;
+};
+
 /// A copy of all discs, sorted by place: for rays, which look far and in all directions.
 ///
 /// Made anew when somebody looks after a body has moved, so that many looks between two steps
@@ -18,13 +25,6 @@ class BodyMap {
 
   /// Brings the copy up to date.
   void refresh(const Bodies& bodies);
-
-  /// One body.
-  struct Disc {
-    double x, y;    ///< Centre, metres.
-    double radius;  ///< Metres.
-    BodyId id;
-  };
 
   /// The bodies whose centres are less than `reach` metres from `place`, in no order. Valid until
   /// the next call.

@@ -34,13 +34,11 @@ void World::Impl::cast_around(Vec2 origin, std::span<const Vec2> directions, dou
   const std::span<const double> to_walls = sweep.ranges();
   const double farthest = std::min(*std::max_element(to_walls.begin(), to_walls.end()), kHorizon);
   body_map.refresh(bodies);
-  for (const BodyMap::Disc& disc : body_map.around(origin, farthest + bodies.largest_radius())) {
-    if (disc.id == ignore) continue;
-    if (has_avx2) {
-      sweep.meet_disc_avx2({disc.x, disc.y}, disc.radius);
-    } else {
-      sweep.meet_disc_scalar({disc.x, disc.y}, disc.radius);
-    }
+  const std::span<const Disc> discs = body_map.around(origin, farthest + bodies.largest_radius());
+  if (has_avx2) {
+    sweep.meet_discs_avx2(discs, ignore);
+  } else {
+    sweep.meet_discs_scalar(discs, ignore);
   }
   std::copy(to_walls.begin(), to_walls.end(), ranges.begin());
 }

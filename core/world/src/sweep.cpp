@@ -1,5 +1,6 @@
 #include "sweep.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <cstring>
@@ -32,7 +33,7 @@ Sweep::Sweep(Vec2 origin, std::span<const Vec2> directions, double gap, double m
 #define EYEBRIDGE_RAY_TARGET
 #define EYEBRIDGE_RAY_LANES 2
 #define EYEBRIDGE_MEET_WALLS meet_walls_scalar
-#define EYEBRIDGE_MEET_DISC meet_disc_scalar
+#define EYEBRIDGE_MEET_DISCS meet_discs_scalar
 #include "ray_lanes.ipp"
 #include "sweep.ipp"
 

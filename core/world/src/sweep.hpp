@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 
+#include "body_map.hpp"
 #include "geometry.hpp"
 
 namespace eyebridge::world {
@@ -27,9 +28,9 @@ class Sweep {
   /// RayGrid::has_avx2().
   void meet_walls_scalar(const Segment* segments, std::span<const std::uint32_t> walls);
   void meet_walls_avx2(const Segment* segments, std::span<const std::uint32_t> walls);
-  /// Shortens those that meet a disc.
-  void meet_disc_scalar(Vec2 centre, double radius);
-  void meet_disc_avx2(Vec2 centre, double radius);
+  /// Shortens those that meet one of `discs`, other than that of the body `ignore`.
+  void meet_discs_scalar(std::span<const Disc> discs, BodyId ignore);
+  void meet_discs_avx2(std::span<const Disc> discs, BodyId ignore);
 
   [[nodiscard]] std::span<double> ranges() { return {best, count_}; }
 

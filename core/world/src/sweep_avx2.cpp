@@ -2,6 +2,7 @@
 
 #if defined(__x86_64__)
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -12,7 +13,7 @@
 #define EYEBRIDGE_RAY_TARGET __attribute__((target("avx2")))
 #define EYEBRIDGE_RAY_LANES 4
 #define EYEBRIDGE_MEET_WALLS meet_walls_avx2
-#define EYEBRIDGE_MEET_DISC meet_disc_avx2
+#define EYEBRIDGE_MEET_DISCS meet_discs_avx2
 
 namespace eyebridge::world {
 
@@ -30,7 +31,9 @@ namespace eyebridge::world {
 void Sweep::meet_walls_avx2(const Segment*, std::span<const std::uint32_t>) {
   assert(false && "RayGrid::has_avx2() is false here");
 }
-void Sweep::meet_disc_avx2(Vec2, double) { assert(false && "RayGrid::has_avx2() is false here"); }
+void Sweep::meet_discs_avx2(std::span<const Disc>, BodyId) {
+  assert(false && "RayGrid::has_avx2() is false here");
+}
 
 }  // namespace eyebridge::world
 

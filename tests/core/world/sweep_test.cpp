@@ -112,8 +112,9 @@ TEST(Sweep, BothInstructionSetsGiveTheSameBits) {
     scalar.meet_walls_scalar(segments.data(), all);
     avx2.meet_walls_avx2(segments.data(), all);
     const Vec2 centre = rays.origin + Vec2{random.uniform() - 0.5, random.uniform() - 0.5};
-    scalar.meet_disc_scalar(centre, 0.1);
-    avx2.meet_disc_avx2(centre, 0.1);
+    const Disc discs[] = {{centre.x, centre.y, 0.1, 4}, {centre.x + 0.1, centre.y, 0.2, 5}};
+    scalar.meet_discs_scalar(discs, 5);
+    avx2.meet_discs_avx2(discs, 5);
     for (std::size_t k = 0; k < rays.directions.size(); ++k) {
       double expected = 5.0;
       for (const Segment& s : segments) {
