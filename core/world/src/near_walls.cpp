@@ -11,7 +11,7 @@ namespace {
 /// The lists of a layer cover at most this many cells in a row.
 constexpr double kMostListCells = 1024;
 
-constexpr double kCellsInReach = 4.0;
+constexpr double kCellsInReach = 8.0;
 
 }  // namespace
 

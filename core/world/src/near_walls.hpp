@@ -12,7 +12,7 @@ namespace eyebridge::world {
 
 /// Which walls are within reach of a place. Remembers what it found: not thread-safe.
 ///
-/// The floor is divided into cells of a quarter of the reach; the list of a cell is made when the
+/// The floor is divided into cells of an eighth of the reach; the list of a cell is made when the
 /// first ray starts there, and serves all later ones.
 class NearWalls {
  public:

@@ -2,6 +2,36 @@
 // ray_lanes.ipp; it has defined EYEBRIDGE_MEET_WALLS and EYEBRIDGE_MEET_DISCS, the names of the
 // member functions, too.
 
+namespace {
+
+/// False when all of the first `count` rays surely pass `wall`.
+template <class Rays>
+EYEBRIDGE_RAY_TARGET inline bool may_meet(const Segment& wall, Vec2 origin, const Rays& rays,
+                                          std::size_t count) {
+  constexpr double kPass =
+      1e-6;  // metres by which the ends are passed, far more than the tolerance
+  const Vec2 a = wall.a - origin;
+  const Vec2 b = a + wall.length * wall.u;
+  const double side = cross(a, wall.u);
+  // Counter-clockwise from a to b; else the other way round.
+  const Lanes zero{};
+  const LaneBits sign = (LaneBits)(zero + side) & std::numeric_limits<std::int64_t>::min();
+  // From so near the wall's line the tolerances of rays are wide angles.
+  LaneBits between = zero + std::fabs(side) < kNear;
+  for (std::size_t i = 0; i < count; i += kLanes) {
+    Lanes x;
+    Lanes y;
+    load(x, rays.dx + i);
+    load(y, rays.dy + i);
+    const Lanes left_of_a = (Lanes)((LaneBits)(a.x * y - a.y * x) ^ sign);
+    const Lanes left_of_b = (Lanes)((LaneBits)(b.x * y - b.y * x) ^ sign);
+    between |= (left_of_a >= -kPass) & (left_of_b <= kPass);
+  }
+  return any(between);
+}
+
+}  // namespace
+
 EYEBRIDGE_RAY_TARGET
 void Sweep::EYEBRIDGE_MEET_WALLS(const Segment* segments, std::span<const std::uint32_t> walls) {
   const auto meet_rays = [this](const Segment& wall, std::size_t first, std::size_t last)
@@ -14,6 +44,20 @@ void Sweep::EYEBRIDGE_MEET_WALLS(const Segment* segments, std::span<const std::u
                                  }
                                }
                              };
+  if (per_gap_ == 0.0) {
+    // First who is met at all, without a branch that nobody can foresee; then where.
+    constexpr std::size_t kTogether = 64;
+    std::uint32_t met[kTogether];
+    for (; !walls.empty(); walls = walls.subspan(std::min(walls.size(), kTogether))) {
+      std::size_t count = 0;
+      for (const std::uint32_t index : walls.first(std::min(walls.size(), kTogether))) {
+        met[count] = index;
+        count += static_cast<std::size_t>(may_meet(segments[index], origin_, *this, count_));
+      }
+      for (std::size_t i = 0; i < count; ++i) meet_rays(segments[met[i]], 0, count_ - 1);
+    }
+    return;
+  }
   for (const std::uint32_t index : walls) {
     const Segment& wall = segments[index];
     const Vec2 a = wall.a - origin_;
@@ -24,27 +68,10 @@ void Sweep::EYEBRIDGE_MEET_WALLS(const Segment* segments, std::span<const std::u
       meet_rays(wall, 0, count_ - 1);
       continue;
     }
-    // Counter-clockwise from `right` to `left`.
-    const Vec2 right = side > 0.0 ? a : b;
-    const Vec2 left = side > 0.0 ? b : a;
-    if (per_gap_ != 0.0) {
-      const bool clockwise = turn_ < 0.0;
-      each_between(bearing_of(clockwise ? left : right), bearing_of(clockwise ? right : left), 0.0,
-                   [&](std::size_t first, std::size_t last)
-                       EYEBRIDGE_RAY_TARGET { meet_rays(wall, first, last); });
-      continue;
-    }
-    for (std::size_t i = 0; i < count_; i += kLanes) {
-      Lanes x;
-      Lanes y;
-      load(x, dx + i);
-      load(y, dy + i);
-      // Metres by which the rays pass the ends, far more than their tolerance.
-      constexpr double kPass = 1e-6;
-      const LaneBits between = (right.x * y - right.y * x >= -kPass) &  //
-                               (left.x * y - left.y * x <= kPass);
-      if (any(between)) meet_rays(wall, i, std::min(i + kLanes, count_) - 1);
-    }
+    const bool forward = (side > 0.0) == (turn_ > 0.0);
+    each_between(bearing_of(forward ? a : b), bearing_of(forward ? b : a), 0.0,
+                 [&](std::size_t first, std::size_t last)
+                     EYEBRIDGE_RAY_TARGET { meet_rays(wall, first, last); });
   }
 }
 
