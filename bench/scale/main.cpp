@@ -30,6 +30,7 @@ struct Verdict {
 struct Options {
   std::filesystem::path data = std::filesystem::path(EYEBRIDGE_SHARED_DIR) / "data/scale";
   Effort effort;
+  bool peers = true;
   bool crowds = true;
   std::string_view sense;  ///< This row's cells alone; empty: all.
   double step_ms = 0.0;    ///< And with these steps alone; 0: all.
@@ -86,9 +87,11 @@ void crowds(const Options& options) {
               "bytes/rob", "range m", "hits");
   for (const std::size_t robots : {std::size_t{10000}, std::size_t{50000}, std::size_t{100000}}) {
     for (const double step : kSteps) {
+      if (options.robots > 0.0 && options.robots != static_cast<double>(robots)) continue;
       const Cell cell{Workload::Psd, robots, step};
       Effort effort = options.effort;
-      effort.simulated = effort.runs > 1 ? 2.0 : 0.5;
+      effort.simulated = 4.0;
+      effort.runs = 1;
       const Figures f = measure(cell, effort, options.data);
       const double factor = f.real_time_factor(cell);
       std::printf("%6zu %8g %11.4g %9.2f %9.0f %9.3f %9.4f%s\n", robots, step * 1000, f.rate,
@@ -120,19 +123,22 @@ int run(int argc, char** argv) {
       options.sense = argument.substr(8);
     } else if (argument == "--peers-only") {
       options.crowds = false;
+    } else if (argument == "--crowds-only") {
+      options.peers = false;
     } else if (!number(argument, "--robots=", options.robots) &&
                !number(argument, "--step=", options.step_ms) &&
                !number(argument, "--benchmark_min_time=", options.effort.cpu_seconds)) {
       std::fprintf(
           stderr,
           "bench_scale: unknown argument %s\nusage: bench_scale [--benchmark_min_time=SECONDS] "
-          "[--runs=N] [--peers-only] [--sense=psd|lidar|none] [--robots=N] [--step=MS] "
+          "[--runs=N] [--peers-only|--crowds-only] [--sense=psd|lidar|none] [--robots=N] "
+          "[--step=MS] "
           "[--data=FOLDER]\n",
           argv[i]);
       return 2;
     }
   }
-  peers(options);
+  if (options.peers) peers(options);
   if (options.crowds) crowds(options);
   return 0;
 }

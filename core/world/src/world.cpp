@@ -45,15 +45,19 @@ BodyId World::add_robot(const Pose& pose, double radius, double height, Rgb colo
         fmt::format("robot of radius {:.3f} m at ({:.3f}, {:.3f}) stands {:.4f} m deep in a wall",
                     radius, centre.x, centre.y, depth));
   }
-  for (BodyId other = 0; other < bodies.size(); ++other) {
-    const double overlap = radius + bodies.radius_[other] - norm(centre - bodies.position(other));
-    if (overlap > kTouch) {
-      throw std::invalid_argument(fmt::format(
-          "robot of radius {:.3f} m at ({:.3f}, {:.3f}) overlaps body {} at ({:.3f}, {:.3f}) by "
-          "{:.4f} m",
-          radius, centre.x, centre.y, other, bodies.position(other).x, bodies.position(other).y,
-          overlap));
-    }
+  BodyId met = kNoBody;
+  const auto overlap_with = [&](BodyId other) {
+    return radius + bodies.radius_[other] - norm(centre - bodies.position(other));
+  };
+  bodies.each_on_way(centre, {}, radius, [&](BodyId other) {
+    if (other < met && overlap_with(other) > kTouch) met = other;
+  });
+  if (met != kNoBody) {
+    throw std::invalid_argument(fmt::format(
+        "robot of radius {:.3f} m at ({:.3f}, {:.3f}) overlaps body {} at ({:.3f}, {:.3f}) by "
+        "{:.4f} m",
+        radius, centre.x, centre.y, met, bodies.position(met).x, bodies.position(met).y,
+        overlap_with(met)));
   }
   return bodies.add(BodyShape::Robot, centre, Heading::from_angle(pose.theta), radius, height,
                     colour);
