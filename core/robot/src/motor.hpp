@@ -51,6 +51,8 @@ class Wheel {
   void set_gains(const PidGains& gains) { gains_ = gains; }
   [[nodiscard]] double speed() const { return speed_; }    ///< Of the rim, metres per second.
   [[nodiscard]] double travel() const { return travel_; }  ///< Since the start, metres.
+  /// After steps of which somebody else kept account.
+  void set_travel(double travel) { travel_ = travel; }
   /// How far the rim still goes when the controller is told to stand still, metres.
   [[nodiscard]] double rolling(const MotorModel& model) const;
   /// Whole ticks since the start, to the nearest one.

@@ -11,7 +11,7 @@ constexpr double kBumperReach = 2e-3;  // metres: the play of a bumper plate
 }  // namespace
 
 double Simulation::Impl::look(RobotIndex robot, const Sight& device, double reach) const {
-  const world::BodyId self = states.at(robot).body;
+  const world::BodyId self = body_of(robot);
   const Sight sight = device.in_world(world.position(self), world.heading(self));
   return world.cast_ray(sight.origin, sight.heading.forward(), reach, self);
 }

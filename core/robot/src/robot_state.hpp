@@ -44,8 +44,21 @@ struct RobotState {
   /// plan again and changes nothing by making it. `speeds` are the wheels' before the last plan.
   [[nodiscard]] bool repeats(const std::array<double, 2>& speeds) const;
 
+  /// True when, beyond that, odometry sees what the ground does, so that a Cruise can take over.
+  [[nodiscard]] bool cruises(const PathStep& seen) const {
+    return steady && !by_motors && !touching && !error.encoder_quantised && seen == plan.path;
+  }
+
+  /// True when a step that ended as this one, held from the start, is followed by just such steps.
+  [[nodiscard]] bool presses() const {
+    return held_before && controller.state() != DriveState::Driving && error.linear_sigma == 0.0 &&
+           error.angular_sigma == 0.0;
+  }
+
   world::BodyId body;
   bool steady = false;  ///< `plan` holds for the next step, too.
+  bool held_before =
+      false;  ///< In the last step, from its start; the wheels stood at the start of this one.
   bool by_motors = false;
   bool touching = false;  ///< In the contact that was reported last.
   unsigned stalled = kStallNone;

@@ -61,6 +61,8 @@ RobotIndex Simulation::add_robot(const RobotModel& model, const Pose& pose) {
   const Rgb colour = kBodyColours[robot % std::size(kBodyColours)];
   const world::BodyId body = impl_->world.add_robot(pose, model.radius(), model.height, colour);
   const std::uint64_t seed = impl_->settings.seed;
+  impl_->cruises.emplace_back().body = body;
+  impl_->asked.push_back(Impl::kNothing);
   impl_->states.emplace_back(model, impl_->settings, body,
                              noise_stream(seed, robot, NoiseSource::Drive, 0));
   const std::shared_ptr<const RangeLayout> last =
@@ -76,7 +78,7 @@ std::size_t Simulation::robot_count() const { return impl_->states.size(); }
 const RobotModel& Simulation::model(RobotIndex robot) const {
   return impl_->devices_of(robot).model;
 }
-world::BodyId Simulation::body(RobotIndex robot) const { return impl_->at(robot).body; }
+world::BodyId Simulation::body(RobotIndex robot) const { return impl_->body_of(robot); }
 
 void Simulation::step() {
   const auto count = static_cast<RobotIndex>(robot_count());
@@ -104,13 +106,21 @@ void Simulation::set_pose(RobotIndex robot, const Pose& pose) {
 Twist Simulation::twist(RobotIndex robot) const { return impl_->at(robot).driven; }
 
 void Simulation::set_speed(RobotIndex robot, const Twist& twist) {
-  RobotState& state = impl_->at(robot);
+  if (impl_->asked.at(robot) == twist) {
+    // The same again changes nothing but that a stall is forgotten until the next step.
+    Cruise& cruise = impl_->cruises[robot];
+    if (cruise.steady) return;
+    if (cruise.pressed) {
+      if (cruise.stall_known) impl_->states[robot].clear_stall();
+      cruise.stall_known = false;
+      return;
+    }
+  }
+  RobotState& state = impl_->command(robot);
   const Twist present = state.present();
-  // The same speed as before changes nothing.
-  const bool steady = state.steady && !state.by_motors && state.controller.target() == present;
   state.use_controller();
   state.controller.set_speed(twist, present);
-  state.steady = steady && state.controller.settled();
+  impl_->asked[robot] = twist;
 }
 
 void Simulation::drive(RobotIndex robot, const DriveGoal& goal) {
@@ -136,7 +146,7 @@ void Simulation::stop(RobotIndex robot) {
 
 Pose Simulation::odometry(RobotIndex robot) const { return impl_->at(robot).odometry.pose(); }
 void Simulation::set_odometry(RobotIndex robot, const Pose& pose) {
-  impl_->at(robot).odometry.set(pose);
+  impl_->command(robot).odometry.set(pose);
 }
 Twist Simulation::measured_twist(RobotIndex robot) const { return impl_->at(robot).measured; }
 
@@ -167,7 +177,7 @@ std::int64_t Simulation::encoder_ticks(RobotIndex robot, unsigned motor) const {
 }
 
 void Simulation::reset_encoder(RobotIndex robot, unsigned motor) {
-  RobotState& state = impl_->at(robot);
+  RobotState& state = impl_->command(robot);
   state.wheels.at(motor).reset_ticks(state.motor);
 }
 
@@ -194,7 +204,8 @@ std::uint64_t Simulation::state_hash() const {
   StateHash hash;
   hash.add(impl_->steps);
   impl_->world.add_to(hash);
-  for (const RobotState& state : impl_->states) {
+  for (RobotIndex robot = 0; robot < robot_count(); ++robot) {
+    const RobotState& state = impl_->at(robot);
     const Twist command = state.controller.twist();
     for (const double value : {state.odometry.position().x, state.odometry.position().y,
                                state.odometry.heading().cos, state.odometry.heading().sin,

@@ -80,16 +80,43 @@ void make_plan(RobotState& state) {
 }  // namespace
 
 void Simulation::Impl::step_robot(RobotIndex robot) {
+  Cruise& cruise = cruises[robot];
+  if (cruise.steady) {
+    const world::MoveResult result = world.move(cruise.body, cruise.arc, settings.step);
+    if (!result.blocked()) {
+      cruise.advance();
+      return;
+    }
+    finish_step(robot, command(robot), result);
+    return;
+  }
+  if (cruise.pressed) {
+    const world::MoveResult result = world.move(cruise.body, cruise.arc, settings.step);
+    if (result.fraction == 0.0) {
+      cruise.wait();
+      if (!cruise.stall_known) states[robot].stalled = kStallBoth;
+      cruise.stall_known = true;
+      return;
+    }
+    RobotState& freed = command(robot);
+    make_plan(freed);
+    finish_step(robot, freed, result);
+    return;
+  }
   RobotState& state = states[robot];
   if (!state.steady) {
     if (nothing_to_do(state)) return;
     make_plan(state);
   }
+  const PathStep& path = state.plan.path;
+  const bool moves = path.distance != 0.0 || path.angle != 0.0;
+  finish_step(robot, state,
+              moves ? world.move(state.body, state.plan.arc, settings.step) : world::MoveResult{});
+}
+
+void Simulation::Impl::finish_step(RobotIndex robot, RobotState& state,
+                                   const world::MoveResult& result) {
   const StepPlan& plan = state.plan;
-  world::MoveResult result;
-  if (plan.path.distance != 0.0 || plan.path.angle != 0.0) {
-    result = world.move(state.body, plan.arc, settings.step);
-  }
   const bool held = result.blocked();
   state.steady = state.steady && !held;
   const WheelTravel wheels{plan.wheels.left * result.fraction, plan.wheels.right * result.fraction};
@@ -109,6 +136,10 @@ void Simulation::Impl::step_robot(RobotIndex robot) {
     }
   }
   account(robot, state, result);
+  const bool stuck = held && result.fraction == 0.0;
+  if (state.cruises(measured)) cruises[robot].take(state);
+  if (stuck && state.presses()) cruises[robot].press(state);
+  state.held_before = stuck;
 }
 
 void Simulation::Impl::account(RobotIndex robot, RobotState& state,

@@ -16,6 +16,7 @@ namespace eyebridge::world {
 struct Hold {
   Vec2 from{std::numeric_limits<double>::quiet_NaN(), 0.0};
   Vec2 motion;
+  Vec2 contact;               ///< As in MoveResult.
   std::uint32_t segment = 0;  ///< Of the wall.
 };
 

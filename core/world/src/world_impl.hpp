@@ -40,7 +40,9 @@ struct World::Impl {
   /// First wall or body of any kind on the way.
   Obstacle first_obstacle(BodyId id, Vec2 motion);
   /// Moves `id`, and takes the way off its clearance.
-  void travel(BodyId id, Vec2 motion);
+  void travel(BodyId id, Vec2 motion) { travel(id, motion, norm(motion)); }
+  /// Same, where the length of `motion` is known.
+  void travel(BodyId id, Vec2 motion, double length);
   /// Shifts a ball or can by `motion`, and what it pushes before it; how much of it was possible.
   double shift(BodyId id, Vec2 motion, double dt, int depth);
   /// Moves a ball or can that is squeezed against something in the direction of `normal` aside, so
