@@ -1,6 +1,8 @@
 #include "robot_state.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace eyebridge::robot {
 namespace {
@@ -95,13 +97,23 @@ void RobotState::use_controller() {
   by_motors = false;
 }
 
+bool RobotState::repeats(const std::array<double, 2>& speeds) const {
+  return (by_motors || controller.settled()) && wheels[0].settled(speeds[0]) &&
+         wheels[1].settled(speeds[1]) && error.linear_sigma == 0.0 && error.angular_sigma == 0.0;
+}
+
 void RobotState::clear_stall() {
   stalled = kStallNone;
   stalled_steps = 0;
 }
 
-RobotDevices::RobotDevices(const RobotModel& robot_model, std::uint64_t seed, std::uint32_t robot)
-    : model(robot_model),
+RobotDevices::RobotDevices(const RobotModel& robot_model,
+                           std::shared_ptr<const RangeLayout> range_layout, std::uint64_t seed,
+                           std::uint32_t robot)
+    : layout(std::move(range_layout)),
+      perfect_ranges(std::all_of(robot_model.range_sensors.begin(), robot_model.range_sensors.end(),
+                                 [](const auto& sensor) { return sensor.error.perfect(); })),
+      model(robot_model),
       ranges(ray_devices(robot_model.range_sensors, seed, robot, NoiseSource::Range)),
       proximities(ray_devices(robot_model.proximity_sensors, seed, robot, NoiseSource::Proximity)),
       compass(noise_stream(seed, robot, NoiseSource::Compass, 0)),

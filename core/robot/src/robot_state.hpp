@@ -1,12 +1,14 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "errors.hpp"
 #include "eyebridge/robot/drive_controller.hpp"
 #include "eyebridge/robot/odometry.hpp"
 #include "motor.hpp"
+#include "range_layout.hpp"
 #include "sensing.hpp"
 
 namespace eyebridge::robot {
@@ -15,6 +17,13 @@ namespace eyebridge::robot {
 struct MotorCommand {
   double speed = 0.0;       ///< Of the rim, metres per second.
   bool controlled = false;  ///< By PID; else as duty.
+};
+
+/// What a step wants to do, before the world says how much of it is possible.
+struct StepPlan {
+  WheelTravel wheels;
+  PathStep path;   ///< What the ground makes of them.
+  world::Arc arc;  ///< Of `path`.
 };
 
 /// Everything about a robot that step() touches: one block of memory a robot.
@@ -31,11 +40,29 @@ struct RobotState {
   /// Gives the robot back to v-omega control, and forgets a stall: a new command came.
   void use_controller();
   void clear_stall();
+  /// True when the next step, unless a command comes or something is in the way, makes the same
+  /// plan again and changes nothing by making it. `speeds` are the wheels' before the last plan.
+  [[nodiscard]] bool repeats(const std::array<double, 2>& speeds) const;
+
+  /// True when, beyond that, odometry sees what the ground does, so that a Cruise can take over.
+  [[nodiscard]] bool cruises(const PathStep& seen) const {
+    return steady && !by_motors && !error.encoder_quantised && seen == plan.path;
+  }
+
+  /// True when a step that ended as this one, held from the start, is followed by just such steps.
+  [[nodiscard]] bool presses() const {
+    return held_before && controller.state() != DriveState::Driving && error.linear_sigma == 0.0 &&
+           error.angular_sigma == 0.0;
+  }
 
   world::BodyId body;
+  bool steady = false;  ///< `plan` holds for the next step, too.
+  bool held_before =
+      false;  ///< In the last step, from its start; the wheels stood at the start of this one.
   bool by_motors = false;
   unsigned stalled = kStallNone;
   std::uint32_t stalled_steps = 0;
+  StepPlan plan;  ///< Of the last step.
   double wheel_base;
   MotorModel motor;
   DriveController controller;
@@ -57,8 +84,12 @@ struct RayDevice {
 
 /// What is needed only when someone asks.
 struct RobotDevices {
-  RobotDevices(const RobotModel& robot_model, std::uint64_t seed, std::uint32_t robot);
+  /// `range_layout` fits the model's range sensors.
+  RobotDevices(const RobotModel& robot_model, std::shared_ptr<const RangeLayout> range_layout,
+               std::uint64_t seed, std::uint32_t robot);
 
+  std::shared_ptr<const RangeLayout> layout;
+  bool perfect_ranges;  ///< None of the range sensors has an error.
   RobotModel model;
   std::vector<RayDevice> ranges;
   std::vector<RayDevice> proximities;

@@ -67,6 +67,7 @@ void World::step_objects(double dt) {
     if (impl_->bodies.response_[id].slides) impl_->roll(id, dt);
   }
   impl_->contacts.end_step([&](BodyId id, BodyId other) { return impl_->gap(id, other); });
+  impl_->bodies.end_round();
 }
 
 }  // namespace eyebridge::world
