@@ -48,6 +48,7 @@ double World::Impl::gap(BodyId id, BodyId other) const {
 
 double World::Impl::wall_gap(BodyId id) const {
   const Vec2 centre = bodies.position(id);
+  if (bodies.hold_[id].from == centre) return 0.0;  // it stands where a wall held it
   const double radius = bodies.radius_[id];
   const double limit = radius + 2 * ContactBook::kReleaseGap;  // farther ones need no number
   if (bodies.shape_[id] != BodyShape::Box) return walls.distance(centre, limit) - radius;
