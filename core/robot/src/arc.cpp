@@ -15,6 +15,8 @@ world::Arc arc_of(const PathStep& path) {
   // A chord of an arc of length d and angle a, seen from its start:
   // x = d sin(a) / a, y = d (1 - cos(a)) / a. Both quotients are smooth through a = 0.
   const double a = path.angle;
+  // What the series below gives for it, to the bit.
+  if (a == 0.0) return {{path.distance, path.distance * (0.5 * a)}, {1.0, a}};
   double sine_by_angle = 0.0;
   double versine_by_angle = 0.0;
   Heading turn;

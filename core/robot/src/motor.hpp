@@ -42,9 +42,17 @@ class Wheel {
   /// Stands still at once; the encoder keeps its count.
   void halt();
 
+  /// True when the same command gives the same travel for ever: it has the speed it had before the
+  /// last drive, `before`, and nothing is left to correct.
+  [[nodiscard]] bool settled(double before) const {
+    return speed_ == before && last_target_ == speed_ && last_error_ == 0.0 && integral_ == 0.0;
+  }
+
   void set_gains(const PidGains& gains) { gains_ = gains; }
   [[nodiscard]] double speed() const { return speed_; }    ///< Of the rim, metres per second.
   [[nodiscard]] double travel() const { return travel_; }  ///< Since the start, metres.
+  /// After steps of which somebody else kept account.
+  void set_travel(double travel) { travel_ = travel; }
   /// How far the rim still goes when the controller is told to stand still, metres.
   [[nodiscard]] double rolling(const MotorModel& model) const;
   /// Whole ticks since the start, to the nearest one, without those that were missed.

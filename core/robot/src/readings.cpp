@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <stdexcept>
 
 #include "simulation_impl.hpp"
 
@@ -10,7 +11,7 @@ constexpr double kBumperReach = 2e-3;  // metres: the play of a bumper plate
 }  // namespace
 
 double Simulation::Impl::look(RobotIndex robot, const Sight& device, double reach) const {
-  const world::BodyId self = states.at(robot).body;
+  const world::BodyId self = body_of(robot);
   const Sight sight = device.in_world(world.position(self), world.heading(self));
   return world.cast_ray(sight.origin, sight.heading.forward(), reach, self);
 }
@@ -20,6 +21,37 @@ double Simulation::read_range(RobotIndex robot, std::size_t sensor) {
   RayDevice& device = devices.ranges.at(sensor);
   const RangeSensorModel& model = devices.model.range_sensors[sensor];
   return range_reading(impl_->look(robot, device.sight, model.max_range), model, device.noise);
+}
+
+void Simulation::read_ranges(RobotIndex robot, std::span<double> ranges) {
+  RobotDevices& devices = impl_->devices_of(robot);
+  const RangeLayout& layout = *devices.layout;
+  if (ranges.size() != layout.beams.size()) {
+    throw std::out_of_range("read_ranges: one range a sensor");
+  }
+  const world::World& world = impl_->world;
+  const world::BodyId self = body(robot);
+  const Vec2 position = world.position(self);
+  const Heading heading = world.heading(self);
+  for (const RangeLayout::Fan& fan : layout.fans) {
+    Vec2 directions[RangeLayout::kMostInFan];
+    for (std::size_t i = 0; i < fan.count; ++i) {
+      directions[i] = heading.turned(layout.beams[fan.first + i].heading).forward();
+    }
+    world.cast_fan(position + heading.rotate(fan.origin), {directions, fan.count}, fan.max_range,
+                   self, ranges.subspan(fan.first, fan.count));
+  }
+  if (devices.perfect_ranges) {
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      const RangeLayout::Beam& beam = layout.beams[i];
+      const bool in_reach = ranges[i] >= beam.min_range && ranges[i] < beam.max_range;
+      ranges[i] = in_reach ? ranges[i] : beam.out_of_range;
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    ranges[i] = range_reading(ranges[i], devices.model.range_sensors[i], devices.ranges[i].noise);
+  }
 }
 
 double Simulation::true_range(RobotIndex robot, std::size_t sensor) const {
@@ -73,7 +105,8 @@ void Simulation::read_lidar(RobotIndex robot, double field_of_view, double tilt,
   std::transform(bearings.begin(), bearings.end(), devices.scan_directions.begin(),
                  [&](Vec2 bearing) { return sight.heading.rotate(bearing); });
   const SlantedBeam beam(model, tilt);
-  world.cast_fan(sight.origin, devices.scan_directions, beam.level_reach(), self, ranges);
+  world.cast_sweep(sight.origin, devices.scan_directions, devices.scan.gap(), beam.level_reach(),
+                   self, ranges);
   for (double& range : ranges) {
     range = beam.range(range);
     if (model.error.perfect() || range >= model.max_range) continue;

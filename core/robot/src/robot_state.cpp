@@ -1,6 +1,7 @@
 #include "robot_state.hpp"
 
 #include <limits>
+#include <utility>
 
 namespace eyebridge::robot {
 namespace {
@@ -108,13 +109,22 @@ void RobotState::set_error(const RobotModel& model, double dt, const DriveFaults
   controller.set_limits(limits_of(model, dt));
 }
 
+bool RobotState::repeats(const std::array<double, 2>& speeds) const {
+  return (by_motors || controller.settled()) && wheels[0].settled(speeds[0]) &&
+         wheels[1].settled(speeds[1]) && !error.moves_by_chance();
+}
+
 void RobotState::clear_stall() {
   stalled = kStallNone;
   stalled_steps = 0;
 }
 
-RobotDevices::RobotDevices(const RobotModel& robot_model, std::uint64_t seed, std::uint32_t robot)
-    : model(robot_model),
+RobotDevices::RobotDevices(const RobotModel& robot_model,
+                           std::shared_ptr<const RangeLayout> range_layout, std::uint64_t seed,
+                           std::uint32_t robot)
+    : layout(std::move(range_layout)),
+      perfect_ranges(all_perfect(robot_model.range_sensors)),
+      model(robot_model),
       ranges(ray_devices(robot_model.range_sensors, seed, robot, NoiseSource::Range)),
       proximities(ray_devices(robot_model.proximity_sensors, seed, robot, NoiseSource::Proximity)),
       compass(noise_stream(seed, robot, NoiseSource::Compass, 0)),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "eyebridge/robot/drive_controller.hpp"
 #include "eyebridge/robot/odometry.hpp"
 #include "motor.hpp"
+#include "range_layout.hpp"
 #include "sensing.hpp"
 
 namespace eyebridge::robot {
@@ -17,6 +19,13 @@ namespace eyebridge::robot {
 struct MotorCommand {
   double speed = 0.0;       ///< Of the rim, metres per second.
   bool controlled = false;  ///< By PID; else as duty.
+};
+
+/// What a step wants to do, before the world says how much of it is possible.
+struct StepPlan {
+  WheelTravel wheels;
+  PathStep path;   ///< What the ground makes of them.
+  world::Arc arc;  ///< Of `path`.
 };
 
 /// Everything about a robot that step() touches: one block of memory a robot.
@@ -35,11 +44,28 @@ struct RobotState {
   void clear_stall();
   /// From now on the drive errs as `model` says; `fault_noise` is what its faults draw from.
   void set_error(const RobotModel& model, double dt, const DriveFaults& fault_noise);
+  /// True when the next step, unless a command comes or something is in the way, makes the same
+  /// plan again and changes nothing by making it. `speeds` are the wheels' before the last plan.
+  [[nodiscard]] bool repeats(const std::array<double, 2>& speeds) const;
+
+  /// True when, beyond that, odometry sees what the ground does, so that a Cruise can take over.
+  [[nodiscard]] bool cruises(const PathStep& seen) const {
+    return steady && !by_motors && !error.counts_ticks() && seen == plan.path;
+  }
+
+  /// True when a step that ended as this one, held from the start, is followed by just such steps.
+  [[nodiscard]] bool presses() const {
+    return held_before && controller.state() != DriveState::Driving && !error.moves_by_chance();
+  }
 
   world::BodyId body;
+  bool steady = false;  ///< `plan` holds for the next step, too.
+  bool held_before =
+      false;  ///< In the last step, from its start; the wheels stood at the start of this one.
   bool by_motors = false;
   unsigned stalled = kStallNone;
   std::uint32_t stalled_steps = 0;
+  StepPlan plan;  ///< Of the last step.
   double wheel_base;
   MotorModel motor;
   DriveController controller;
@@ -60,10 +86,20 @@ struct RayDevice {
   Random noise;
 };
 
+/// True when none of the sensors has an error.
+[[nodiscard]] inline bool all_perfect(const std::vector<RangeSensorModel>& sensors) {
+  return std::all_of(sensors.begin(), sensors.end(),
+                     [](const RangeSensorModel& sensor) { return sensor.error.perfect(); });
+}
+
 /// What is needed only when someone asks.
 struct RobotDevices {
-  RobotDevices(const RobotModel& robot_model, std::uint64_t seed, std::uint32_t robot);
+  /// `range_layout` fits the model's range sensors.
+  RobotDevices(const RobotModel& robot_model, std::shared_ptr<const RangeLayout> range_layout,
+               std::uint64_t seed, std::uint32_t robot);
 
+  std::shared_ptr<const RangeLayout> layout;
+  bool perfect_ranges;  ///< all_perfect() of the range sensors.
   RobotModel model;
   std::vector<RayDevice> ranges;
   std::vector<RayDevice> proximities;

@@ -34,6 +34,7 @@ const std::vector<Vec2>& ScanShape::directions(double field_of_view, std::size_t
   const bool full_circle = field_of_view >= kTurn - kBearingSlack;
   const double gaps =
       static_cast<double>(full_circle ? points : std::max<std::size_t>(points, 2) - 1);
+  gap_ = field_of_view <= kTurn + kBearingSlack ? -field_of_view / gaps : 0.0;
   for (std::size_t i = 0; i < points; ++i) {
     const double bearing = field_of_view / 2 - static_cast<double>(i) * field_of_view / gaps;
     const bool single = points == 1 && !full_circle;

@@ -34,9 +34,13 @@ class ScanShape {
  public:
   /// Unit vectors of `points` rays over `field_of_view` radians.
   const std::vector<Vec2>& directions(double field_of_view, std::size_t points);
+  /// From one bearing of the last directions() to the next, radians, < 0; 0 where they go
+  /// round more than once.
+  [[nodiscard]] double gap() const { return gap_; }
 
  private:
   double field_of_view_ = 0.0;
+  double gap_ = -1.0;
   std::vector<Vec2> directions_;
 };
 

@@ -64,10 +64,17 @@ RobotIndex Simulation::add_robot(const RobotModel& model, const Pose& pose) {
   const Rgb colour = kBodyColours[robot % std::size(kBodyColours)];
   const world::BodyId body = impl_->world.add_robot(pose, model.radius(), model.height, colour);
   const std::uint64_t seed = impl_->settings.seed;
+  impl_->cruises.emplace_back().body = body;
+  impl_->asked.push_back(Impl::kNothing);
   impl_->states.emplace_back(model, impl_->settings, body,
                              noise_stream(seed, robot, NoiseSource::Drive, 0),
                              DriveFaults(seed, robot));
-  impl_->devices.emplace_back(model, seed, robot);
+  const std::shared_ptr<const RangeLayout> last =
+      impl_->devices.empty() ? nullptr : impl_->devices.back().layout;
+  const bool like_last = last && last->fits(model.range_sensors);
+  impl_->devices.emplace_back(
+      model, like_last ? last : std::make_shared<const RangeLayout>(model.range_sensors), seed,
+      robot);
   return robot;
 }
 
@@ -77,13 +84,14 @@ const RobotModel& Simulation::model(RobotIndex robot) const {
 }
 
 void Simulation::set_errors(RobotIndex robot, const RobotModel& like) {
-  RobotModel& model = impl_->devices_of(robot).model;
-  copy_errors(like, model);
+  RobotDevices& devices = impl_->devices_of(robot);
+  copy_errors(like, devices.model);
+  devices.perfect_ranges = all_perfect(devices.model.range_sensors);
   const SimulationSettings& settings = impl_->settings;
-  impl_->at(robot).set_error(model, settings.step, DriveFaults(settings.seed, robot));
+  impl_->command(robot).set_error(devices.model, settings.step, DriveFaults(settings.seed, robot));
 }
 
-world::BodyId Simulation::body(RobotIndex robot) const { return impl_->at(robot).body; }
+world::BodyId Simulation::body(RobotIndex robot) const { return impl_->body_of(robot); }
 
 void Simulation::step() {
   const auto count = static_cast<RobotIndex>(robot_count());
@@ -99,7 +107,7 @@ const SimulationSettings& Simulation::settings() const { return impl_->settings;
 Pose Simulation::pose(RobotIndex robot) const { return impl_->world.pose(body(robot)); }
 
 void Simulation::set_pose(RobotIndex robot, const Pose& pose) {
-  RobotState& state = impl_->at(robot);
+  RobotState& state = impl_->command(robot);
   impl_->world.set_pose(state.body, pose);
   for (Wheel& wheel : state.wheels) wheel.halt();
   state.controller.hold({});
@@ -111,14 +119,25 @@ void Simulation::set_pose(RobotIndex robot, const Pose& pose) {
 Twist Simulation::twist(RobotIndex robot) const { return impl_->at(robot).driven; }
 
 void Simulation::set_speed(RobotIndex robot, const Twist& twist) {
-  RobotState& state = impl_->at(robot);
+  if (impl_->asked.at(robot) == twist) {
+    // The same again changes nothing but that a stall is forgotten until the next step.
+    Cruise& cruise = impl_->cruises[robot];
+    if (cruise.steady) return;
+    if (cruise.pressed) {
+      if (cruise.stall_known) impl_->states[robot].clear_stall();
+      cruise.stall_known = false;
+      return;
+    }
+  }
+  RobotState& state = impl_->command(robot);
   const Twist present = state.present();
   state.use_controller();
   state.controller.set_speed(twist, present);
+  impl_->asked[robot] = twist;
 }
 
 void Simulation::drive(RobotIndex robot, const DriveGoal& goal) {
-  RobotState& state = impl_->at(robot);
+  RobotState& state = impl_->command(robot);
   const Twist present = state.present();
   state.use_controller();
   state.controller.start(goal, present);
@@ -133,26 +152,26 @@ double Simulation::remaining(RobotIndex robot) const {
 unsigned Simulation::stalled(RobotIndex robot) const { return impl_->at(robot).stalled; }
 
 void Simulation::stop(RobotIndex robot) {
-  RobotState& state = impl_->at(robot);
+  RobotState& state = impl_->command(robot);
   state.use_controller();
   state.controller.stop();
 }
 
 Pose Simulation::odometry(RobotIndex robot) const { return impl_->at(robot).odometry.pose(); }
 void Simulation::set_odometry(RobotIndex robot, const Pose& pose) {
-  impl_->at(robot).odometry.set(pose);
+  impl_->command(robot).odometry.set(pose);
 }
 Twist Simulation::measured_twist(RobotIndex robot) const { return impl_->at(robot).measured; }
 
 void Simulation::set_motor_duty(RobotIndex robot, unsigned motor, double duty) {
-  RobotState& state = impl_->at(robot);
+  RobotState& state = impl_->command(robot);
   MotorCommand& command = state.commands.at(motor);
   state.use_motors();
   command = {std::clamp(duty, -1.0, 1.0) * state.motor.top, false};
 }
 
 void Simulation::set_motor_speed(RobotIndex robot, unsigned motor, double ticks_per_second) {
-  RobotState& state = impl_->at(robot);
+  RobotState& state = impl_->command(robot);
   MotorCommand& command = state.commands.at(motor);
   state.use_motors();
   const double speed = ticks_per_second / state.motor.ticks_per_metre;
@@ -160,7 +179,7 @@ void Simulation::set_motor_speed(RobotIndex robot, unsigned motor, double ticks_
 }
 
 void Simulation::set_motor_pid(RobotIndex robot, unsigned motor, int p, int i, int d) {
-  RobotState& state = impl_->at(robot);
+  RobotState& state = impl_->command(robot);
   state.wheels.at(motor).set_gains(
       {std::clamp(p, 0, 255), std::clamp(i, 0, 255), std::clamp(d, 0, 255)});
 }
@@ -171,7 +190,7 @@ std::int64_t Simulation::encoder_ticks(RobotIndex robot, unsigned motor) const {
 }
 
 void Simulation::reset_encoder(RobotIndex robot, unsigned motor) {
-  RobotState& state = impl_->at(robot);
+  RobotState& state = impl_->command(robot);
   state.wheels.at(motor).reset_ticks(state.motor);
 }
 
@@ -200,7 +219,8 @@ std::uint64_t Simulation::state_hash() const {
   StateHash hash;
   hash.add(impl_->steps);
   impl_->world.add_to(hash);
-  for (const RobotState& state : impl_->states) {
+  for (RobotIndex robot = 0; robot < robot_count(); ++robot) {
+    const RobotState& state = impl_->at(robot);
     const Twist command = state.controller.twist();
     for (const double value : {state.odometry.position().x, state.odometry.position().y,
                                state.odometry.heading().cos, state.odometry.heading().sin,

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <limits>
+
+#include "cruise.hpp"
 #include "eyebridge/robot/simulation.hpp"
 #include "robot_state.hpp"
 
@@ -11,13 +14,32 @@ bool strikes(const KickerModel& kicker, unsigned servo, double before, double af
 struct Simulation::Impl {
   Impl(std::shared_ptr<const world::WorldModel> model, const SimulationSettings& given);
 
-  // Both throw std::out_of_range.
-  [[nodiscard]] RobotState& at(RobotIndex robot) { return states.at(robot); }
+  // All four throw std::out_of_range.
+  [[nodiscard]] world::BodyId body_of(RobotIndex robot) const { return cruises.at(robot).body; }
+  [[nodiscard]] const RobotState& at(RobotIndex robot) {
+    RobotState& state = states.at(robot);
+    cruises[robot].give_back(state);
+    return state;
+  }
+  /// at(), to change something: what the robot did so far need not go on.
+  [[nodiscard]] RobotState& command(RobotIndex robot) {
+    RobotState& state = states.at(robot);
+    cruises[robot].give_back(state);
+    stop_cruise(robot);
+    return state;
+  }
   [[nodiscard]] RobotDevices& devices_of(RobotIndex robot) { return devices.at(robot); }
+  void stop_cruise(RobotIndex robot) {
+    states[robot].steady = false;
+    cruises[robot].steady = cruises[robot].pressed = false;
+    asked[robot] = kNothing;
+  }
   /// How far a device on `robot` sees, metres; `reach` when nothing is nearer.
   [[nodiscard]] double look(RobotIndex robot, const Sight& device, double reach) const;
   /// One step of one robot: from command to pose.
   void step_robot(RobotIndex robot);
+  /// What became of a plan.
+  void finish_step(RobotIndex robot, RobotState& state, const world::MoveResult& result);
   /// Keeps account of stalls after a move that an obstacle `held`, or not.
   void account(RobotState& state, bool held);
   /// Kicks the ball that is nearest to the kicker, if one is in its reach.
@@ -30,7 +52,12 @@ struct Simulation::Impl {
   world::World world;
   std::uint64_t steps = 0;
   std::uint32_t stall_timeout_steps;
+  /// No speed that anyone asks for.
+  static constexpr Twist kNothing{std::numeric_limits<double>::quiet_NaN(), 0.0};
+
   std::vector<RobotState> states;
+  std::vector<Cruise> cruises;
+  std::vector<Twist> asked;  ///< By set_speed(), while the robot goes steadily by it; or kNothing.
   std::vector<RobotDevices> devices;
   std::function<void(const CollisionEvent&)> listener;
   std::vector<CollisionEvent> collisions;

@@ -1,4 +1,6 @@
+#include <array>
 #include <cmath>
+#include <cstring>
 
 #include "simulation_impl.hpp"
 
@@ -37,6 +39,8 @@ WheelTravel drive_wheels(RobotState& state) {
           right.drive_controlled(twist.linear + turning, state.motor)};
 }
 
+bool same_bits(const PathStep& a, const PathStep& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
 /// What the ground makes of the wheels' travel.
 PathStep true_path(RobotState& state, const WheelTravel& wheels) {
   const DriveError& error = state.error;
@@ -74,28 +78,68 @@ PathStep measured_path(RobotState& state, const WheelTravel& wheels) {
   return path_of({travel[0], travel[1]}, state.wheel_base);
 }
 
+void make_plan(RobotState& state) {
+  const std::array<double, 2> speeds{state.wheels[0].speed(), state.wheels[1].speed()};
+  state.plan.wheels = drive_wheels(state);
+  const PathStep path = true_path(state, state.plan.wheels);
+  // Robots drive on as they did, mostly.
+  if (!same_bits(path, state.plan.path)) {
+    state.plan.path = path;
+    state.plan.arc = arc_of(path);
+  }
+  state.steady = state.repeats(speeds);
+}
+
 }  // namespace
 
 void Simulation::Impl::step_robot(RobotIndex robot) {
-  RobotState& state = states[robot];
-  if (nothing_to_do(state)) return;
-  WheelTravel wheels = drive_wheels(state);
-  const PathStep path = true_path(state, wheels);
-  world::MoveResult result;
-  world::Arc arc;
-  if (path.distance != 0.0 || path.angle != 0.0) {
-    arc = arc_of(path);
-    result = world.move(state.body, arc, settings.step);
+  Cruise& cruise = cruises[robot];
+  if (cruise.steady) {
+    const world::MoveResult result = world.move(cruise.body, cruise.arc, settings.step);
+    if (!result.blocked()) {
+      cruise.advance();
+      return;
+    }
+    finish_step(robot, command(robot), result);
+    return;
   }
+  if (cruise.pressed) {
+    const world::MoveResult result = world.move(cruise.body, cruise.arc, settings.step);
+    if (result.fraction == 0.0) {
+      cruise.wait();
+      if (!cruise.stall_known) states[robot].stalled = kStallBoth;
+      cruise.stall_known = true;
+      return;
+    }
+    RobotState& freed = command(robot);
+    make_plan(freed);
+    finish_step(robot, freed, result);
+    return;
+  }
+  RobotState& state = states[robot];
+  if (!state.steady) {
+    if (nothing_to_do(state)) return;
+    make_plan(state);
+  }
+  const PathStep& path = state.plan.path;
+  const bool moves = path.distance != 0.0 || path.angle != 0.0;
+  finish_step(robot, state,
+              moves ? world.move(state.body, state.plan.arc, settings.step) : world::MoveResult{});
+}
+
+void Simulation::Impl::finish_step(RobotIndex robot, RobotState& state,
+                                   const world::MoveResult& result) {
+  const StepPlan& plan = state.plan;
   const bool held = result.blocked();
-  wheels.left *= result.fraction;
-  wheels.right *= result.fraction;
+  state.steady = state.steady && !held;
+  const WheelTravel wheels{plan.wheels.left * result.fraction, plan.wheels.right * result.fraction};
   turn_wheel(state, 0, wheels.left, held);
   turn_wheel(state, 1, wheels.right, held);
   const PathStep measured = measured_path(state, wheels);
-  state.odometry.add(measured == path ? arc : arc_of(measured));
+  state.odometry.add(measured == plan.path ? plan.arc : arc_of(measured));
   const double dt = settings.step;
-  state.driven = {path.distance * result.fraction / dt, path.angle * result.fraction / dt};
+  state.driven = {plan.path.distance * result.fraction / dt,
+                  plan.path.angle * result.fraction / dt};
   state.measured = {measured.distance / dt, measured.angle / dt};
   if (!state.by_motors) {
     if (held) {
@@ -105,6 +149,10 @@ void Simulation::Impl::step_robot(RobotIndex robot) {
     }
   }
   account(state, held);
+  const bool stuck = held && result.fraction == 0.0;
+  if (state.cruises(measured)) cruises[robot].take(state);
+  if (stuck && state.presses()) cruises[robot].press(state);
+  state.held_before = stuck;
 }
 
 void Simulation::Impl::account(RobotState& state, bool held) {

@@ -66,7 +66,11 @@ void World::step_objects(double dt) {
   for (BodyId id = 0; id < impl_->bodies.size(); ++id) {
     if (impl_->bodies.response_[id].slides) impl_->roll(id, dt);
   }
-  impl_->contacts.end_step([&](BodyId id, BodyId other) { return impl_->gap(id, other); });
+  impl_->contacts.end_step([&](BodyId id, BodyId other) { return impl_->gap(id, other); },
+                           [&](BodyId id, BodyId other) {
+                             if (other == kNoBody) impl_->bodies.hold_[id] = {};
+                           });
+  impl_->bodies.end_round();
 }
 
 }  // namespace eyebridge::world

@@ -1,12 +1,26 @@
 #include "bodies.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 
 namespace eyebridge::world {
+namespace {
+
+/// In a row of the grid.
+constexpr double kMostCells = 2048;
+
+/// How far around them bodies look, in cells of the grid.
+constexpr double kHorizonCells = 0.5;
+
+}  // namespace
 
 BodyId Bodies::add(BodyShape shape, Vec2 position, Heading heading, double radius, double height,
                    Rgb colour) {
   const BodyId id = static_cast<BodyId>(size());
+  ++version_;
+  ++epoch_;
+  freedom_.emplace_back();
   x_.push_back(position.x);
   y_.push_back(position.y);
   vx_.push_back(0.0);
@@ -26,7 +40,9 @@ BodyId Bodies::add(BodyShape shape, Vec2 position, Heading heading, double radiu
   cell_.push_back(0);
   const bool larger = radius > largest_radius_;
   largest_radius_ = std::max(largest_radius_, radius);
-  if (size() == kGridFrom || (larger && !heads_.empty())) {
+  // Twice as many bodies get half as large cells.
+  const bool crowded = size() >= kGridFrom && std::has_single_bit(size());
+  if (crowded || (larger && !heads_.empty())) {
     rebuild_grid();
   } else if (!heads_.empty()) {
     link(id, cell_at(position));
@@ -34,22 +50,15 @@ BodyId Bodies::add(BodyShape shape, Vec2 position, Heading heading, double radiu
   return id;
 }
 
-void Bodies::move_to(BodyId id, Vec2 position) {
-  x_[id] = position.x;
-  y_[id] = position.y;
-  if (heads_.empty()) return;
-  const std::size_t cell = cell_at(position);
-  if (cell == cell_[id]) return;
-  unlink(id);
-  link(id, cell);
-}
-
 void Bodies::rebuild_grid() {
-  // Cells that a typical query overlaps 2 x 2 of, and never more than 128 x 128 of them.
-  const double cell = std::max({5.0 * largest_radius_, extent_.x / 128, extent_.y / 128, 1e-6});
+  // A body has few others in its cell, and looks into few cells to find all near it.
+  const double cells = 2.0 * static_cast<double>(size());
+  const double cell = std::max({5.0 * largest_radius_, std::sqrt(extent_.x * extent_.y / cells),
+                                extent_.x / kMostCells, extent_.y / kMostCells, 1e-6});
   per_cell_ = 1.0 / cell;
-  columns_ = std::clamp<std::size_t>(static_cast<std::size_t>(extent_.x * per_cell_) + 1, 1, 129);
-  rows_ = std::clamp<std::size_t>(static_cast<std::size_t>(extent_.y * per_cell_) + 1, 1, 129);
+  horizon_ = kHorizonCells * cell;
+  columns_ = static_cast<std::size_t>(extent_.x * per_cell_) + 1;
+  rows_ = static_cast<std::size_t>(extent_.y * per_cell_) + 1;
   heads_.assign(columns_ * rows_, kNoBody);
   for (BodyId id = 0; id < size(); ++id) link(id, cell_at(position(id)));
 }

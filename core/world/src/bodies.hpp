@@ -13,10 +13,12 @@
 
 namespace eyebridge::world {
 
-/// A motion that a wall did not allow at all. Whoever tries it again from there fails again.
+/// A motion that a wall did not allow at all. Whoever tries it again from there fails again. It is
+/// forgotten when the contact with the wall ends, so that the next one is told of.
 struct Hold {
   Vec2 from{std::numeric_limits<double>::quiet_NaN(), 0.0};
   Vec2 motion;
+  Vec2 contact;               ///< As in MoveResult.
   std::uint32_t segment = 0;  ///< Of the wall.
 };
 
@@ -30,11 +32,24 @@ struct Response {
   double kick = 0.0;          ///< and when something that is driven hits it.
 };
 
+/// How long a body surely meets no other one, and how far it went in a round.
+struct Freedom {
+  double until = 0.0;       ///< Reading of the odometer of rounds, see Bodies; metres.
+  double path = 0.0;        ///< Of `round`, metres.
+  std::uint32_t round = 0;  ///< Rounds are counted modulo 2^32.
+  std::uint32_t epoch = 0;  ///< `until` holds while this is that of the bodies.
+};
+
 /// The bodies of a world, struct-of-arrays, and who is near a place.
 ///
 /// From kGridFrom bodies on, a uniform grid of linked lists answers instead of a loop over all.
 /// Both visit a superset of what is near; callers pick by value and id, never by order of visits,
 /// so the results do not depend on which of them answered.
+///
+/// Who had a look at its neighbours need not look again before two bodies can have covered the gap
+/// to the nearest one. The odometer of rounds says how far anyone can have come: it grows in each
+/// round by the longest path that any body went. A round ends when the owner says so, else never,
+/// and all only look more often.
 class Bodies {
  public:
   static constexpr std::size_t kGridFrom = 16;
@@ -44,9 +59,47 @@ class Bodies {
 
   BodyId add(BodyShape shape, Vec2 position, Heading heading, double radius, double height,
              Rgb colour);
-  void move_to(BodyId id, Vec2 position);
+  /// `length` metres along a way.
+  void travel_to(BodyId id, Vec2 position, double length) {
+    Freedom& freedom = freedom_[id];
+    if (freedom.round != round_) {
+      freedom.round = round_;
+      freedom.path = 0.0;
+    }
+    // The factor is more than the rounding of the length.
+    freedom.path += length * (1.0 + 1e-12);
+    if (freedom.path > longest_path_) longest_path_ = freedom.path;
+    move_to(id, position);
+  }
+  /// From anywhere to anywhere.
+  void jump_to(BodyId id, Vec2 position) {
+    ++epoch_;
+    move_to(id, position);
+  }
+  void end_round() {
+    odometer_ += longest_path_;
+    longest_path_ = 0.0;
+    ++round_;
+  }
+
+  /// True when `id` surely meets no body on the next `length` metres.
+  [[nodiscard]] bool is_alone(BodyId id, double length) const {
+    const Freedom& freedom = freedom_[id];
+    // Both may have come nearer by what the odometer shows, and one goes `length` now.
+    return freedom.epoch == epoch_ && odometer_ + longest_path_ + 0.5 * length < freedom.until;
+  }
+  /// How far around them bodies look for others, metres; so far at least that it pays.
+  [[nodiscard]] double horizon() const { return horizon_; }
+  /// Whoever looked found no body whose rim is nearer than `gap` metres to that of `id`.
+  void set_free(BodyId id, double gap) {
+    freedom_[id].epoch = epoch_;
+    freedom_[id].until = odometer_ + 0.5 * gap;
+  }
 
   [[nodiscard]] std::size_t size() const { return x_.size(); }
+  [[nodiscard]] double largest_radius() const { return largest_radius_; }  ///< Metres.
+  /// Another number after each change of a place; never 0 once there is a body.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
   [[nodiscard]] Vec2 position(BodyId id) const { return {x_[id], y_[id]}; }
   [[nodiscard]] Vec2 velocity(BodyId id) const { return {vx_[id], vy_[id]}; }
   void set_velocity(BodyId id, Vec2 v) {
@@ -140,6 +193,16 @@ class Bodies {
   [[nodiscard]] std::size_t cell_at(Vec2 p) const {
     return cell_of(p.y, rows_) * columns_ + cell_of(p.x, columns_);
   }
+  void move_to(BodyId id, Vec2 position) {
+    ++version_;
+    x_[id] = position.x;
+    y_[id] = position.y;
+    if (heads_.empty()) return;
+    const std::size_t cell = cell_at(position);
+    if (cell == cell_[id]) return;
+    unlink(id);
+    link(id, cell);
+  }
   void rebuild_grid();
   void link(BodyId id, std::size_t cell);
   void unlink(BodyId id);
@@ -148,6 +211,13 @@ class Bodies {
   std::vector<double> vx_, vy_;  ///< Metres per second; balls only.
   Vec2 extent_;
   double largest_radius_ = 0.0;
+  double horizon_ = kEndless;
+  std::uint64_t version_ = 0;
+  std::vector<Freedom> freedom_;
+  double odometer_ = 0.0;      ///< Of the rounds that are over, metres.
+  double longest_path_ = 0.0;  ///< Of this round, metres.
+  std::uint32_t round_ = 0;
+  std::uint32_t epoch_ = 1;  ///< Changes when somebody jumps or is added.
   double per_cell_ = 1.0;
   std::size_t columns_ = 1;
   std::size_t rows_ = 1;

@@ -20,15 +20,17 @@ class ContactBook {
   void note(const Bump& bump);
 
   /// Ends a step: forgets the pairs for which gap(body, other) > kReleaseGap, save those that were
-  /// noted in this step. `other` is kNoBody for the walls.
-  template <class Gap>
-  void end_step(Gap gap) {
+  /// noted in this step; calls ended(body, other) for each. `other` is kNoBody for the walls.
+  template <class Gap, class Ended>
+  void end_step(Gap gap, Ended ended) {
     begun_.swap(coming_);
     coming_.clear();
     std::erase_if(pairs_, [&](Pair& pair) {
       const bool noted = pair.noted;
       pair.noted = false;
-      return !noted && gap(pair.a, pair.b) > kReleaseGap;
+      if (noted || gap(pair.a, pair.b) <= kReleaseGap) return false;
+      ended(pair.a, pair.b);
+      return true;
     });
   }
 

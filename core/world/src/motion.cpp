@@ -34,7 +34,10 @@ World::Impl::Obstacle World::Impl::first_wall(BodyId id, Vec2 motion) {
   const double horizon = reach + length + kLookAhead * bodies.radius_[id];
   const WallIndex::Approach approach = walls.approach(from, motion, length, reach, horizon);
   clearance = approach.distance - reach - kPushLead;
-  if (approach.fraction == 0.0) hold = {from, motion, approach.segment};
+  if (approach.fraction == 0.0) {
+    hold = {from, motion, {}, approach.segment};
+    hold.contact = towards({0.0, true, approach.segment, kNoBody}, id);
+  }
   return {approach.fraction, true, approach.segment, kNoBody};
 }
 
@@ -44,10 +47,10 @@ World::Impl::Obstacle World::Impl::first_obstacle(BodyId id, Vec2 motion) {
   return body.fraction < wall.fraction ? body : wall;
 }
 
-void World::Impl::travel(BodyId id, Vec2 motion) {
-  bodies.move_to(id, bodies.position(id) + motion);
+void World::Impl::travel(BodyId id, Vec2 motion, double length) {
+  bodies.travel_to(id, bodies.position(id) + motion, length);
   // The factor is more than the rounding of the length.
-  bodies.clearance_[id] -= norm(motion) * (1.0 + 1e-12);
+  bodies.clearance_[id] -= length * (1.0 + 1e-12);
 }
 
 Vec2 World::Impl::towards(const Obstacle& obstacle, BodyId id) const {
@@ -156,7 +159,18 @@ MoveResult World::move(BodyId id, const Arc& arc, double dt) {
   Bodies& bodies = impl_->bodies;
   const Heading before{bodies.cos_[id], bodies.sin_[id]};
   MoveResult result;
-  if (arc.displacement != Vec2{}) result = impl_->drive(id, before.rotate(arc.displacement), dt);
+  if (arc.displacement != Vec2{}) {
+    const Vec2 motion = before.rotate(arc.displacement);
+    const Hold& hold = bodies.hold_[id];
+    const double length = norm(motion);
+    if (length < bodies.clearance_[id] && bodies.is_alone(id, length)) {
+      impl_->travel(id, motion, length);
+    } else if (hold.motion == motion && hold.from == bodies.position(id)) {
+      return {0.0, true, kNoBody, hold.contact};
+    } else {
+      result = impl_->drive(id, motion, dt);
+    }
+  }
   if (result.fraction == 0.0) return result;
   Heading turn = arc.turn;
   if (result.fraction < 1.0) turn = Heading::from_angle(result.fraction * arc.turn.angle());

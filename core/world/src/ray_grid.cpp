@@ -92,6 +92,7 @@ std::size_t RayGrid::start_rays(Vec2 origin, std::span<const Vec2> directions, d
 #define EYEBRIDGE_RAY_TARGET
 #define EYEBRIDGE_RAY_CAST cast_scalar
 #define EYEBRIDGE_RAY_LANES 2
+#include "ray_lanes.ipp"
 #include "ray_walk.ipp"
 
 }  // namespace eyebridge::world

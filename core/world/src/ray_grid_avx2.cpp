@@ -2,6 +2,7 @@
 
 #if defined(__x86_64__)
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -12,6 +13,7 @@
 
 namespace eyebridge::world {
 
+#include "ray_lanes.ipp"
 #include "ray_walk.ipp"
 
 bool RayGrid::has_avx2() { return __builtin_cpu_supports("avx2") != 0; }

@@ -1,16 +1,7 @@
-// The walk of a fan of rays through a RayGrid. Included by one source per instruction set, which
-// has defined before:
-//   EYEBRIDGE_RAY_TARGET   the attribute of functions of that instruction set, or nothing
-//   EYEBRIDGE_RAY_CAST     the name of the member function
-//   EYEBRIDGE_RAY_LANES    how many rays fit one register
-// Text is shared, not a template, because g++ inlines no function of a richer instruction set into
-// one of a poorer, and the linker must not take one for the other.
+// The walk of a fan of rays through a RayGrid. Included by one source per instruction set, after
+// ray_lanes.ipp; it has defined EYEBRIDGE_RAY_CAST, the name of the member function, too.
 
 namespace {
-
-constexpr std::size_t kLanes = EYEBRIDGE_RAY_LANES;
-using Lanes = double __attribute__((vector_size(8 * kLanes)));
-using LaneBits = std::int64_t __attribute__((vector_size(8 * kLanes)));
 
 /// Neighbours of a fan, and the ranges found so far.
 struct Rays {
@@ -18,46 +9,6 @@ struct Rays {
   alignas(64) double dy[RayGrid::kChunk];
   alignas(64) double best[RayGrid::kChunk];
 };
-
-EYEBRIDGE_RAY_TARGET inline void load(Lanes& lanes, const double* from) {
-  std::memcpy(&lanes, from, sizeof lanes);
-}
-
-/// nearer_hit() of `wall` for at least the rays `first` to `last`: the same operations on the same
-/// numbers. False when one may be parallel to the wall: such rays are left as they are.
-EYEBRIDGE_RAY_TARGET inline bool meet(const Segment& wall, Vec2 origin, Rays& rays,
-                                      std::size_t first, std::size_t last) {
-  const Vec2 w = wall.a - origin;
-  const Lanes zero{};
-  const Lanes along = zero + cross(w, wall.u);
-  const LaneBits sign_bit = LaneBits{} + std::numeric_limits<std::int64_t>::min();
-  LaneBits parallel{};
-  for (std::size_t i = first / kLanes * kLanes; i <= last; i += kLanes) {
-    Lanes dx;
-    Lanes dy;
-    Lanes best;
-    load(dx, rays.dx + i);
-    load(dy, rays.dy + i);
-    load(best, rays.best + i);
-    const LaneBits signed_den = (LaneBits)(dx * wall.u.y - dy * wall.u.x);
-    const LaneBits sign = signed_den & sign_bit;
-    const Lanes den = (Lanes)(signed_den ^ sign);
-    const Lanes along_ray = (Lanes)((LaneBits)along ^ sign);
-    const Lanes along_wall = (Lanes)((LaneBits)(w.x * dy - w.y * dx) ^ sign);
-    const Lanes slack = kRayTolerance * den;
-    const Lanes range = along_ray / den;
-    const LaneBits near_parallel = den < kParallel;
-    const LaneBits hit = (along_wall >= -slack) & (along_wall <= wall.length * den + slack) &
-                         (along_ray >= -slack) & (range < best) & ~near_parallel;
-    const Lanes nearer = range > zero ? range : zero;
-    best = hit ? nearer : best;
-    std::memcpy(rays.best + i, &best, sizeof best);
-    parallel |= near_parallel;
-  }
-  std::int64_t any = 0;
-  for (std::size_t lane = 0; lane < kLanes; ++lane) any |= parallel[lane];
-  return any == 0;
-}
 
 }  // namespace
 

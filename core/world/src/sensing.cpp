@@ -20,6 +20,29 @@ void add_once(Vec2 direction, std::size_t first, std::vector<Vec2>& out) {
 
 }  // namespace
 
+void World::Impl::cast_around(Vec2 origin, std::span<const Vec2> directions, double gap,
+                              double max_range, BodyId ignore, std::span<double> ranges) {
+  Sweep sweep(origin, directions, gap, max_range);
+  const auto walls_near = by_sweep ? near_walls.around(origin, max_range) : std::nullopt;
+  if (!walls_near) {
+    rays.cast_fan(origin, directions, max_range, sweep.ranges());
+  } else if (has_avx2) {
+    sweep.meet_walls_avx2(near_walls.segments().data(), *walls_near);
+  } else {
+    sweep.meet_walls_scalar(near_walls.segments().data(), *walls_near);
+  }
+  const std::span<const double> to_walls = sweep.ranges();
+  const double farthest = std::min(*std::max_element(to_walls.begin(), to_walls.end()), kHorizon);
+  body_map.refresh(bodies);
+  const std::span<const Disc> discs = body_map.around(origin, farthest + bodies.largest_radius());
+  if (has_avx2) {
+    sweep.meet_discs_avx2(discs, ignore);
+  } else {
+    sweep.meet_discs_scalar(discs, ignore);
+  }
+  std::copy(to_walls.begin(), to_walls.end(), ranges.begin());
+}
+
 double World::cast_ray(Vec2 origin, Vec2 direction, double max_range, BodyId ignore) const {
   double range = 0.0;
   cast_fan(origin, {&direction, 1}, max_range, ignore, {&range, 1});
@@ -28,8 +51,12 @@ double World::cast_ray(Vec2 origin, Vec2 direction, double max_range, BodyId ign
 
 void World::cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_range, BodyId ignore,
                      std::span<double> ranges) const {
-  impl_->rays.cast_fan(origin, directions, max_range, ranges);
   if (ranges.empty()) return;
+  if (directions.size() > 1 && directions.size() <= Sweep::kFew && !impl_->bodies.any_box_) {
+    impl_->cast_around(origin, directions, 0.0, max_range, ignore, ranges);
+    return;
+  }
+  impl_->rays.cast_fan(origin, directions, max_range, ranges);
   const Bodies& bodies = impl_->bodies;
   const double farthest = std::min(*std::max_element(ranges.begin(), ranges.end()), kHorizon);
   const auto meet = [&](BodyId id) {
@@ -53,6 +80,19 @@ void World::cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_r
     bodies.each_on_ray(origin, farthest * directions[0], meet);
   } else {
     bodies.each_on_way(origin, {}, farthest, meet);
+  }
+}
+
+void World::cast_sweep(Vec2 origin, std::span<const Vec2> directions, double gap, double max_range,
+                       BodyId ignore, std::span<double> ranges) const {
+  if (impl_->bodies.any_box_) {  // sweeps know discs only
+    cast_fan(origin, directions, max_range, ignore, ranges);
+    return;
+  }
+  for (std::size_t first = 0; first < directions.size(); first += Sweep::kMost) {
+    const std::size_t count = std::min(directions.size() - first, Sweep::kMost);
+    impl_->cast_around(origin, directions.subspan(first, count), gap, max_range, ignore,
+                       ranges.subspan(first, count));
   }
 }
 

@@ -79,17 +79,27 @@ std::vector<Wall> join_collinear(const std::vector<Wall>& walls) {
 WallIndex::WallIndex(const std::vector<Wall>& walls)
     : joined_(join_collinear(walls)),
       segments_(outlines_of(joined_)),
-      grid_(segments_, cell_size_for(segments_, kWallsPerCell), 0) {
+      grid_(segments_, cell_size_for(segments_, kWallsPerCell), 0),
+      axes_({}, 1.0, 0) {
+  std::vector<Segment> axes;
   for (std::uint32_t i = 0; i < joined_.size(); ++i) {
     const bool thick = joined_[i].thickness > 0.0;
     owners_.insert(owners_.end(), thick ? 4 : 1, i);
-    if (thick) thick_.push_back(i);
+    if (!thick) continue;
+    thick_.push_back(i);
+    thickest_ = std::max(thickest_, joined_[i].thickness);
+    axes.push_back(segment_between(joined_[i].a, joined_[i].b));
   }
+  axes_ = SegmentGrid(axes, cell_size_for(axes, kWallsPerCell), 0);
 }
 
 bool WallIndex::inside_thick(Vec2 p) const {
-  return std::any_of(thick_.begin(), thick_.end(),
-                     [&](std::uint32_t i) { return within(joined_[i], p); });
+  if (thick_.empty()) return false;
+  bool inside = false;
+  // Half of it would do, but for rounding.
+  axes_.each_in_box(p - Vec2{thickest_, thickest_}, p + Vec2{thickest_, thickest_},
+                    [&](std::uint32_t i) { inside = inside || within(joined_[thick_[i]], p); });
+  return inside;
 }
 
 WallIndex::Approach WallIndex::approach(Vec2 from, Vec2 motion, double length, double reach,

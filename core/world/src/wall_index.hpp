@@ -49,8 +49,10 @@ class WallIndex {
   std::vector<Wall> joined_;           ///< The walls, joined.
   std::vector<Segment> segments_;      ///< Their outlines.
   std::vector<std::uint32_t> owners_;  ///< Index into joined_ of each segment's wall.
-  std::vector<std::uint32_t> thick_;   ///< Indices into joined_ of the walls with a thickness.
   SegmentGrid grid_;
+  std::vector<std::uint32_t> thick_;  ///< Indices into joined_ of the walls with a thickness.
+  double thickest_ = 0.0;             ///< Metres.
+  SegmentGrid axes_;                  ///< Of the thick ones.
 };
 
 }  // namespace eyebridge::world

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "ray_grid.hpp"
 #include "world_impl.hpp"
 
 namespace eyebridge::world {
@@ -13,7 +14,11 @@ World::Impl::Impl(std::shared_ptr<const WorldModel> world_model)
     : model(std::move(world_model)),
       walls(model->walls),
       rays(*model),
-      bodies(model->width, model->height) {
+      by_sweep(rays.method() != RayMethod::EdgeBits),
+      has_avx2(RayGrid::has_avx2()),
+      near_walls(by_sweep ? outlines_of(model->walls) : std::vector<Segment>{}),
+      bodies(model->width, model->height),
+      body_map(model->width, model->height) {
   for (const ObjectSpec& object : model->objects) add_object(object);
 }
 
@@ -36,18 +41,21 @@ BodyId World::add_robot(const Pose& pose, double radius, double height, Rgb colo
         fmt::format("robot of radius {:.3f} m at ({:.3f}, {:.3f}) stands {:.4f} m deep in a wall",
                     radius, centre.x, centre.y, depth));
   }
-  for (BodyId other = 0; other < bodies.size(); ++other) {
-    const double overlap =
-        bodies.box_among(other, other)
-            ? radius - impl_->gap_to_point(other, centre)
-            : radius + bodies.radius_[other] - norm(centre - bodies.position(other));
-    if (overlap > kTouch) {
-      throw std::invalid_argument(fmt::format(
-          "robot of radius {:.3f} m at ({:.3f}, {:.3f}) overlaps body {} at ({:.3f}, {:.3f}) by "
-          "{:.4f} m",
-          radius, centre.x, centre.y, other, bodies.position(other).x, bodies.position(other).y,
-          overlap));
-    }
+  BodyId met = kNoBody;
+  const auto overlap_with = [&](BodyId other) {
+    return bodies.box_among(other, other)
+               ? radius - impl_->gap_to_point(other, centre)
+               : radius + bodies.radius_[other] - norm(centre - bodies.position(other));
+  };
+  bodies.each_on_way(centre, {}, radius, [&](BodyId other) {
+    if (other < met && overlap_with(other) > kTouch) met = other;
+  });
+  if (met != kNoBody) {
+    throw std::invalid_argument(fmt::format(
+        "robot of radius {:.3f} m at ({:.3f}, {:.3f}) overlaps body {} at ({:.3f}, {:.3f}) by "
+        "{:.4f} m",
+        radius, centre.x, centre.y, met, bodies.position(met).x, bodies.position(met).y,
+        overlap_with(met)));
   }
   return bodies.add(BodyShape::Robot, centre, Heading::from_angle(pose.theta), radius, height,
                     colour);
@@ -72,12 +80,13 @@ void World::set_velocity(BodyId id, Vec2 velocity) {
 
 void World::set_pose(BodyId id, const Pose& pose) {
   Bodies& bodies = impl_->bodies;
-  bodies.move_to(id, pose.position());
+  bodies.jump_to(id, pose.position());
   const Heading heading = Heading::from_angle(pose.theta);
   bodies.cos_[id] = heading.cos;
   bodies.sin_[id] = heading.sin;
   bodies.set_velocity(id, {});
   bodies.clearance_[id] = 0.0;
+  bodies.hold_[id] = {};
   impl_->contacts.forget(id);
 }
 

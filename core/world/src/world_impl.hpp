@@ -1,12 +1,16 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
 #include "bodies.hpp"
+#include "body_map.hpp"
 #include "contacts.hpp"
 #include "eyebridge/world/world.hpp"
+#include "near_walls.hpp"
 #include "paths.hpp"
+#include "sweep.hpp"
 #include "wall_index.hpp"
 
 namespace eyebridge::world {
@@ -35,14 +39,15 @@ struct World::Impl {
   /// travelled() for the way that the body really goes.
   Obstacle first_wall(BodyId id, Vec2 motion);
   /// First body on the way for which `blocks(other)` holds, and first one for which it does not;
-  /// the lowest id of equally near ones.
+  /// the lowest id of equally near ones. Remembers how far away the others are at all.
   template <class Blocks>
-  [[nodiscard]] std::pair<Obstacle, Obstacle> first_bodies(BodyId id, Vec2 motion,
-                                                           Blocks blocks) const;
+  [[nodiscard]] std::pair<Obstacle, Obstacle> first_bodies(BodyId id, Vec2 motion, Blocks blocks);
   /// First wall or body of any kind on the way.
   Obstacle first_obstacle(BodyId id, Vec2 motion);
   /// Moves `id`, and takes the way off its clearance.
-  void travel(BodyId id, Vec2 motion);
+  void travel(BodyId id, Vec2 motion) { travel(id, motion, norm(motion)); }
+  /// Same, where the length of `motion` is known.
+  void travel(BodyId id, Vec2 motion, double length);
   /// Shifts what gives way by `motion`, and what it pushes before it; how much of it was possible.
   double shift(BodyId id, Vec2 motion, double dt, int depth);
   /// Moves what is squeezed against something in the direction of `normal` aside, so
@@ -65,6 +70,11 @@ struct World::Impl {
   [[nodiscard]] double gap(BodyId id, BodyId other) const;
   [[nodiscard]] double wall_gap(BodyId id) const;
 
+  // sensing.cpp
+  /// World::cast_sweep(), for at most Sweep::kMost rays; without a `gap` in any directions.
+  void cast_around(Vec2 origin, std::span<const Vec2> directions, double gap, double max_range,
+                   BodyId ignore, std::span<double> ranges);
+
   // balls.cpp
   void roll(BodyId id, double dt);
   void bounce_off(BodyId id, const Obstacle& end);
@@ -81,9 +91,13 @@ struct World::Impl {
   std::shared_ptr<const WorldModel> model;
   WallIndex walls;
   RayCaster rays;
+  bool by_sweep;  ///< Walls of rays by `near_walls` where few are near; else by `rays` alone.
+  bool has_avx2;
+  NearWalls near_walls;
   Bodies bodies;
   std::vector<Mover> movers;
   ContactBook contacts;
+  BodyMap body_map;
 };
 
 /// Unit vector from `from` to `to`; null where they are one.
@@ -94,23 +108,33 @@ inline Vec2 direction_to(Vec2 to, Vec2 from) {
 }
 
 template <class Blocks>
-std::pair<World::Impl::Obstacle, World::Impl::Obstacle> World::Impl::first_bodies(
-    BodyId id, Vec2 motion, Blocks blocks) const {
+std::pair<World::Impl::Obstacle, World::Impl::Obstacle> World::Impl::first_bodies(BodyId id,
+                                                                                  Vec2 motion,
+                                                                                  Blocks blocks) {
+  constexpr double kSlack = 1e-6;  // metres; far more than the rounding of all that was driven
   std::pair<Obstacle, Obstacle> best;
+  const double length = norm(motion);
+  if (bodies.is_alone(id, length)) return best;
   const Vec2 from = bodies.position(id);
   const double reach = bodies.radius_[id] + kContactGap;
-  bodies.each_on_way(from, motion, reach, [&](BodyId other) {
+  const double horizon = std::max(bodies.horizon(), length + kSlack);
+  double gap = horizon;
+  bodies.each_on_way(from, {}, reach + horizon, [&](BodyId other) {
     if (other == id) return;
-    const double fraction =
-        bodies.box_among(id, other)
-            ? box_pair_contact(id, other, motion)
-            : disc_contact(from - bodies.position(other), motion, reach + bodies.radius_[other]);
+    const Vec2 away = from - bodies.position(other);
+    const double touching = reach + bodies.radius_[other];
+    const double others_gap = norm(away) - touching;
+    if (others_gap < gap) gap = others_gap;
+    if (others_gap > length + kSlack) return;
+    const double fraction = bodies.box_among(id, other) ? box_pair_contact(id, other, motion)
+                                                        : disc_contact(away, motion, touching);
     if (fraction > 1.0) return;
     Obstacle& first = blocks(other) ? best.first : best.second;
     if (fraction < first.fraction || (fraction == first.fraction && other < first.body)) {
       first = {fraction, false, 0, other};
     }
   });
+  bodies.set_free(id, gap - kSlack);
   return best;
 }
 

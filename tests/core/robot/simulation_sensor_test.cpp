@@ -1,12 +1,14 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
 #include <gtest/gtest.h>
 
 #include "errors.hpp"
+#include "eyebridge/base/random.hpp"
 #include "rig.hpp"
 
 namespace eyebridge::robot {
@@ -52,6 +54,31 @@ TEST(RangeSensor, ItsTruthHasNoErrorAndDrawsNothing) {
   EXPECT_NEAR(asked.sim.true_range(asked.robot, 0), 1.95, 1e-9);
   EXPECT_EQ(asked.sim.true_range(asked.robot, 1), 9.999) << "out of range";
   EXPECT_EQ(asked.sim.read_range(asked.robot, 0), unasked.sim.read_range(unasked.robot, 0));
+}
+
+TEST(RangeSensor, AllAtOnceReadAsOneByOne) {
+  RobotModel model;
+  Random random(7);
+  for (int i = 0; i < 30; ++i) {
+    RangeSensorModel psd;
+    psd.pose_in_robot = {i < 20 ? 0.0 : 0.05, i < 24 ? 0.0 : -0.02, 2 * kPi * random.uniform()};
+    psd.max_range = psd.out_of_range = i % 7 == 0 ? 1.5 : 4.0;
+    psd.min_range = 0.2;
+    if (i % 3 == 0) psd.error = {0.01, 0.02, 0.03};
+    model.range_sensors.push_back(psd);
+  }
+  Rig together(model, {1.0, 1.5, 0.3});
+  Rig apart(model, {1.0, 1.5, 0.3});
+  for (Rig* rig : {&together, &apart}) rig->sim.add_robot({}, {1.4, 1.4, 0.0});
+  std::vector<double> ranges(model.range_sensors.size());
+  for (int step = 0; step < 20; ++step) {
+    together.sim.read_ranges(together.robot, ranges);
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+      ASSERT_EQ(ranges[i], apart.sim.read_range(apart.robot, i)) << "sensor " << i;
+    }
+  }
+  EXPECT_THROW(together.sim.read_ranges(together.robot, std::span(ranges).first(3)),
+               std::out_of_range);
 }
 
 TEST(RangeSensor, SeesOtherRobotsButNotItself) {

@@ -18,8 +18,9 @@ constexpr double kTouchStep = 0.01;
 TEST(Contacts, ABookTellsOncePerContact) {
   ContactBook book;
   double apart = 0.0;
+  int over = 0;
   const auto end = [&] {
-    book.end_step([&](BodyId, BodyId) { return apart; });
+    book.end_step([&](BodyId, BodyId) { return apart; }, [&](BodyId, BodyId) { ++over; });
     return book.begun().size();
   };
   book.note({3, 1, {}});
@@ -30,12 +31,37 @@ TEST(Contacts, ABookTellsOncePerContact) {
   EXPECT_EQ(end(), 0u);
   book.note({3, 1, {}});
   EXPECT_EQ(end(), 0u) << "they were never apart";
+  EXPECT_EQ(over, 0);
   apart = 2e-3;
   EXPECT_EQ(end(), 0u);
+  EXPECT_EQ(over, 1);
   book.note({3, 1, {}});
   book.note({3, kNoBody, {}});
   EXPECT_EQ(end(), 2u);
   EXPECT_EQ(book.begun()[1].other, kNoBody);
+}
+
+TEST(Contacts, AWallThatHeldARobotBeforeIsToldOfAgain) {
+  World world(shared(room(4, 2)));
+  const BodyId robot = world.add_robot({3.5, 1, 0}, 0.1, 0.1, {});
+  const auto go = [&](double way) {
+    world.move(robot, {{way, 0.0}, {}}, kTouchStep);
+    world.step_objects(kTouchStep);
+    return world.bumps().size();
+  };
+  std::size_t told = 0;
+  for (int i = 0; i < 60; ++i) told += go(0.01);
+  EXPECT_EQ(told, 1u) << "held all the time";
+  const Vec2 held = world.position(robot);
+  world.set_pose(robot, world.pose(robot));
+  EXPECT_EQ(go(0.01), 1u) << "a person put it there";
+  // These two numbers are so near that there and back is exact.
+  const double way = held.x - 3.5;
+  EXPECT_EQ(go(-way), 0u);
+  told = go(way);
+  EXPECT_NEAR(norm(world.position(robot) - held), 0.0, 1e-12);
+  told += go(0.01);
+  EXPECT_EQ(told, 1u) << "the same place, but it was away";
 }
 
 /// Robots, balls, cans and boxes in a room.

@@ -1,3 +1,5 @@
+#include <span>
+
 #include <gtest/gtest.h>
 
 #include "eyebridge/base/units.hpp"
@@ -90,7 +92,13 @@ TEST(Things, RaysMeetTheNearestOfThem) {
   int met = 0;
   for (int i = 0; i < 400; ++i) {
     const Vec2 origin{3 * random.uniform(), 3 * random.uniform()};
-    for (const Vec2 direction : directions_around(36)) {
+    const std::vector<Vec2> directions = directions_around(36);
+    std::vector<double> sweep(36);
+    std::vector<double> fan(12);
+    world.cast_sweep(origin, directions, 2 * kPi / 36, 5.0, kNoBody, sweep);
+    world.cast_fan(origin, std::span(directions).first(12), 5.0, kNoBody, fan);
+    for (std::size_t k = 0; k < directions.size(); ++k) {
+      const Vec2 direction = directions[k];
       double expected = walls.cast(origin, direction, 5.0);
       const double wall = expected;
       for (BodyId id = 0; id < world.body_count(); ++id) {
@@ -100,6 +108,10 @@ TEST(Things, RaysMeetTheNearestOfThem) {
                                          expected);
       }
       ASSERT_EQ(world.cast_ray(origin, direction, 5.0, kNoBody), expected);
+      ASSERT_EQ(sweep[k], expected);
+      if (k < fan.size()) {
+        ASSERT_EQ(fan[k], expected);
+      }
       met += expected < wall ? 1 : 0;
     }
   }

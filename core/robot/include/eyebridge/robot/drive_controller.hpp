@@ -44,6 +44,14 @@ class DriveController {
   [[nodiscard]] bool at_rest() const {
     return state_ != DriveState::Driving && twist_ == Twist{} && target_ == Twist{};
   }
+  /// Radians that the goals so far wanted and the wheels lack; advance() takes a step's angle off.
+  [[nodiscard]] double heading_owed() const { return heading_owed_; }
+  /// After steps of which somebody else kept account.
+  void set_heading_owed(double owed) { heading_owed_ = owed; }
+  /// True when next() gives the same twist for ever.
+  [[nodiscard]] bool settled() const { return state_ != DriveState::Driving && twist_ == target_; }
+  /// Where the ramp of speed mode ends.
+  [[nodiscard]] const Twist& target() const { return target_; }
   [[nodiscard]] const DriveLimits& limits() const { return limits_; }
   /// Holds from the next step on; what is under way goes on.
   void set_limits(const DriveLimits& limits) { limits_ = limits; }
@@ -69,7 +77,7 @@ class DriveController {
   Part distance_;
   Part angle_;
   bool keeps_heading_ = false;  ///< Goals follow each other, nothing else drove in between.
-  double heading_owed_ = 0.0;   ///< Radians that the goals so far wanted and the wheels lack.
+  double heading_owed_ = 0.0;   ///< See heading_owed().
   double linear_top_ = 0.0;     ///< Of the running goal.
   double angular_top_ = 0.0;    ///< Of the running goal.
   DriveState state_ = DriveState::Idle;

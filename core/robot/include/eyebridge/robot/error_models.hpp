@@ -103,6 +103,10 @@ struct DriveError {
   double encoder_miss = 0.0;  ///< Probability that a tick is not counted; implies whole ticks.
 
   [[nodiscard]] bool perfect() const { return *this == DriveError{}; }
+  /// True when the same turn of the wheels takes the robot to different places.
+  [[nodiscard]] bool moves_by_chance() const {
+    return linear_sigma != 0 || angular_sigma != 0 || slip > 0;
+  }
   /// True when odometry goes by the encoder's count instead of the exact travel.
   [[nodiscard]] bool counts_ticks() const { return encoder_quantised || encoder_miss > 0; }
   [[nodiscard]] DriveError scaled(double share) const;

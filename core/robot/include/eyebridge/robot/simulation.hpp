@@ -126,6 +126,9 @@ class Simulation {
   // Sensors. A fresh reading of the present state at every call; errors draw from the device's
   // stream.
   [[nodiscard]] double read_range(RobotIndex robot, std::size_t sensor);
+  /// read_range() of all range sensors, in the order of the model: the same readings, faster.
+  /// `ranges` has room for as many as there are, else std::out_of_range.
+  void read_ranges(RobotIndex robot, std::span<double> ranges);
   /// What read_range() would give without the sensor's error. Draws nothing: asking for it does not
   /// change a run.
   [[nodiscard]] double true_range(RobotIndex robot, std::size_t sensor) const;

@@ -1,0 +1,93 @@
+#include "scale/arena.hpp"
+
+#include <charconv>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace eyebridge::bench {
+namespace {
+
+constexpr double kSide = 40.0;  // metres
+constexpr std::size_t kRobotsInOne = 1000;
+
+std::vector<std::vector<double>> read_table(const std::filesystem::path& file,
+                                            std::size_t columns) {
+  std::ifstream in(file);
+  if (!in) throw std::runtime_error("cannot read " + file.string());
+  std::vector<std::vector<double>> rows;
+  std::size_t number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    if (line.empty() || line.front() == '#') continue;
+    std::vector<double>& row = rows.emplace_back();
+    const char* at = line.data();
+    const char* const end = at + line.size();
+    while (true) {
+      double value = 0.0;
+      const auto [after, error] = std::from_chars(at, end, value);
+      if (error != std::errc{}) break;
+      row.push_back(value);
+      if (after == end || *after != ',') break;
+      at = after + 1;
+    }
+    if (row.size() != columns) {
+      throw std::runtime_error(file.string() + ":" + std::to_string(number) + ": found \"" + line +
+                               "\", expected " + std::to_string(columns) +
+                               " numbers with commas between them");
+    }
+  }
+  return rows;
+}
+
+/// How many places lie side by side: the largest divisor that is not above the root.
+std::size_t columns_of(std::size_t places) {
+  std::size_t columns = 1;
+  for (std::size_t n = 2; n * n <= places; ++n) {
+    if (places % n == 0) columns = n;
+  }
+  return columns;
+}
+
+}  // namespace
+
+Arena read_arena(const std::filesystem::path& folder, std::size_t robots) {
+  const auto walls = read_table(folder / "walls.csv", 5);
+  const auto starts = read_table(folder / "robots.csv", 3);
+  const std::size_t places = robots <= kRobotsInOne ? 1 : robots / kRobotsInOne;
+  if (robots / places > starts.size() || robots % places != 0) {
+    throw std::runtime_error("no starts for " + std::to_string(robots) + " robots");
+  }
+  const std::size_t columns = columns_of(places);
+  const std::size_t rows = places / columns;
+  world::WorldModel model;
+  model.width = kSide * static_cast<double>(columns);
+  model.height = kSide * static_cast<double>(rows);
+  Arena arena;
+  for (std::size_t place = 0; place < places; ++place) {
+    const std::size_t column = place % columns;
+    const std::size_t row = place / columns;
+    const Vec2 centre{kSide * (static_cast<double>(column) + 0.5),
+                      kSide * (static_cast<double>(row) + 0.5)};
+    for (const std::vector<double>& w : walls) {
+      // The right and upper outer walls are the next place's left and lower ones.
+      if (w[0] == kSide / 2 && column + 1 < columns) continue;
+      if (w[1] == kSide / 2 && row + 1 < rows) continue;
+      world::Wall wall;
+      const Vec2 half = w[2] / 2 * Heading::from_angle(w[4]).forward();
+      wall.a = centre + Vec2{w[0], w[1]} - half;
+      wall.b = centre + Vec2{w[0], w[1]} + half;
+      wall.thickness = w[3];
+      model.walls.push_back(wall);
+    }
+    for (std::size_t i = 0; i < robots / places; ++i) {
+      const std::vector<double>& start = starts[i];
+      arena.starts.push_back({centre.x + start[0], centre.y + start[1], start[2]});
+    }
+  }
+  arena.model = std::make_shared<const world::WorldModel>(std::move(model));
+  return arena;
+}
+
+}  // namespace eyebridge::bench

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "scale/peers.hpp"
+
+namespace eyebridge::bench {
+
+/// One piece of work.
+struct Cell {
+  Workload workload = Workload::Psd;
+  std::size_t robots = 1;
+  double step = 0.1;  ///< Of the simulation, seconds; sensing and control are at 10 Hz in any case.
+};
+
+/// How long it is measured.
+struct Effort {
+  double cpu_seconds = 0.3;  ///< Of each run, at least.
+  double simulated = 20.0;   ///< Seconds of each run, at least.
+  int runs = 3;              ///< Their median counts.
+};
+
+struct Figures {
+  double rate = 0.0;           ///< Robot-steps per CPU second, here and now.
+  double computer = 0.0;       ///< computer_speed() at the time: `rate` by it is the median, too.
+  double mean_distance = 0.0;  ///< Metres a robot drove.
+  double mean_range = 0.0;     ///< Metres.
+  double hit_fraction = 0.0;   ///< Of the rays: met something within the sensor's reach.
+  double bytes_a_robot = 0.0;  ///< Memory that robots, sensors and controllers take.
+  std::uint64_t hash = 0;      ///< Simulation::state_hash() after Effort::simulated.
+
+  /// Simulated seconds per CPU second.
+  [[nodiscard]] double real_time_factor(const Cell& cell) const {
+    return rate * cell.step / static_cast<double>(cell.robots);
+  }
+};
+
+/// Does the work; distances, ranges and hits are those of the first Effort::simulated seconds.
+/// Throws std::runtime_error when the arena's files in `data` cannot be read.
+Figures measure(const Cell& cell, const Effort& effort, const std::filesystem::path& data);
+
+}  // namespace eyebridge::bench

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "eyebridge/base/pose.hpp"
+#include "eyebridge/robot/robot_model.hpp"
+
+namespace eyebridge::robot {
+
+/// The range sensors of a type of robot, in as little memory as reading all of them needs: a
+/// thousand robots of one type share it.
+struct RangeLayout {
+  explicit RangeLayout(const std::vector<RangeSensorModel>& models);
+
+  /// True when readings by this layout are those of `models`.
+  [[nodiscard]] bool fits(const std::vector<RangeSensorModel>& models) const;
+
+  struct Beam {
+    Heading heading;  ///< In the robot.
+    double min_range;
+    double max_range;
+    double out_of_range;
+
+    friend bool operator==(const Beam&, const Beam&) = default;
+  };
+  /// Neighbours that look from one place, equally far: their rays are cast at once.
+  struct Fan {
+    Vec2 origin;  ///< In the robot, metres.
+    double max_range;
+    std::size_t first;  ///< Of `beams`.
+    std::size_t count;
+
+    friend bool operator==(const Fan&, const Fan&) = default;
+  };
+  static constexpr std::size_t kMostInFan = 16;
+
+  std::vector<Beam> beams;  ///< One a sensor, in the order of the model.
+  std::vector<Fan> fans;
+};
+
+}  // namespace eyebridge::robot

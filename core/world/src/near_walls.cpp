@@ -1,0 +1,95 @@
+#include "near_walls.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace eyebridge::world {
+namespace {
+
+/// The lists of a layer cover at most this many cells in a row.
+constexpr double kMostListCells = 1024;
+
+constexpr double kCellsInReach = 8.0;
+
+}  // namespace
+
+NearWalls::NearWalls(std::vector<Segment> segments)
+    : segments_(std::move(segments)), grid_(segments_, cell_size_for(segments_, 1.0), 0) {
+  if (segments_.empty()) return;
+  low_ = high_ = segments_.front().a;
+  for (const Segment& s : segments_) {
+    for (const Vec2 p : {s.a, s.a + s.length * s.u}) {
+      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+      high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
+    }
+  }
+}
+
+NearWalls::Layer* NearWalls::layer_for(double reach) {
+  for (Layer& layer : layers_) {
+    if (layer.reach == reach) return &layer;
+  }
+  if (layers_.size() == kMostLayers) return nullptr;
+  Layer& layer = layers_.emplace_back();
+  layer.reach = reach;
+  const Vec2 extent = high_ - low_;
+  const double size = std::max(extent.x, extent.y);
+  // An endless reach sees the same from everywhere.
+  layer.cell = std::max({std::min(reach / kCellsInReach, size), size / kMostListCells, 1e-3});
+  layer.columns = static_cast<std::size_t>(extent.x / layer.cell) + 1;
+  layer.rows = static_cast<std::size_t>(extent.y / layer.cell) + 1;
+  layer.starts.assign(layer.columns * layer.rows, kUnknown);
+  return &layer;
+}
+
+std::uint32_t NearWalls::make_list(Layer& layer, Vec2 centre) {
+  // From the farthest corner of the cell; more than rounding makes of a place.
+  const double limit = layer.reach + 0.5 * std::sqrt(2.0) * layer.cell * (1.0 + 1e-6) + 1e-6;
+  std::vector<std::uint32_t> near;
+  if (limit * limit < std::numeric_limits<double>::max()) {
+    grid_.each_in_box(centre - Vec2{limit, limit}, centre + Vec2{limit, limit},
+                      [&](std::uint32_t i) {
+                        const Vec2 away = closest_point(segments_[i], centre) - centre;
+                        if (norm_squared(away) <= limit * limit) near.push_back(i);
+                      });
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
+  } else if (segments_.size() <= kMost) {
+    for (std::uint32_t i = 0; i < segments_.size(); ++i) near.push_back(i);
+  } else {
+    return kTooMany;
+  }
+  if (near.size() > kMost) return kTooMany;
+  const auto start = static_cast<std::uint32_t>(layer.items.size());
+  layer.items.push_back(static_cast<std::uint32_t>(near.size()));
+  layer.items.insert(layer.items.end(), near.begin(), near.end());
+  return start;
+}
+
+std::optional<std::span<const std::uint32_t>> NearWalls::around(Vec2 origin, double reach) {
+  if (segments_.empty()) return std::span<const std::uint32_t>{};
+  Layer* const layer = layer_for(reach);
+  const Vec2 place = origin - low_;
+  // Also false for NaN.
+  if (layer == nullptr || !(place.x >= 0.0 && place.y >= 0.0)) return std::nullopt;
+  const double per_cell = 1.0 / layer->cell;
+  const double x = place.x * per_cell;
+  const double y = place.y * per_cell;
+  if (!(x < static_cast<double>(layer->columns) && y < static_cast<double>(layer->rows))) {
+    return std::nullopt;
+  }
+  const auto column = static_cast<std::size_t>(x);
+  const auto row = static_cast<std::size_t>(y);
+  std::uint32_t& start = layer->starts[row * layer->columns + column];
+  if (start == kUnknown) {
+    start = make_list(*layer, low_ + layer->cell * Vec2{static_cast<double>(column) + 0.5,
+                                                        static_cast<double>(row) + 0.5});
+  }
+  if (start == kTooMany) return std::nullopt;
+  const std::uint32_t* const list = layer->items.data() + start;
+  return std::span<const std::uint32_t>(list + 1, *list);
+}
+
+}  // namespace eyebridge::world

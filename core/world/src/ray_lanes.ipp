@@ -1,0 +1,87 @@
+// Neighbouring rays in registers. Included by the sources of one instruction set, which have
+// defined before:
+//   EYEBRIDGE_RAY_TARGET   the attribute of functions of that instruction set, or nothing
+//   EYEBRIDGE_RAY_LANES    how many rays fit one register
+// Text is shared, not a template, because g++ inlines no function of a richer instruction set into
+// one of a poorer, and the linker must not take one for the other.
+
+#ifndef EYEBRIDGE_RAY_LANES_IPP
+#define EYEBRIDGE_RAY_LANES_IPP
+
+namespace {
+
+constexpr std::size_t kLanes = EYEBRIDGE_RAY_LANES;
+using Lanes = double __attribute__((vector_size(8 * kLanes)));
+using LaneBits = std::int64_t __attribute__((vector_size(8 * kLanes)));
+
+EYEBRIDGE_RAY_TARGET inline void load(Lanes& lanes, const double* from) {
+  std::memcpy(&lanes, from, sizeof lanes);
+}
+
+/// True when any lane's bits are set; each lane has all of them or none.
+EYEBRIDGE_RAY_TARGET inline bool any(LaneBits mask) {
+#if defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 4
+  return __builtin_ia32_movmskpd256((Lanes)mask) != 0;
+#elif defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 2
+  return __builtin_ia32_movmskpd((Lanes)mask) != 0;
+#else
+  std::int64_t bits = 0;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) bits |= mask[lane];
+  return bits != 0;
+#endif
+}
+
+EYEBRIDGE_RAY_TARGET inline Lanes root_of(Lanes square) {
+#if defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 4
+  return __builtin_ia32_sqrtpd256(square);
+#elif defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 2
+  return __builtin_ia32_sqrtpd(square);
+#else
+  for (std::size_t lane = 0; lane < kLanes; ++lane) square[lane] = std::sqrt(square[lane]);
+  return square;
+#endif
+}
+
+/// nearer_hit() of `wall` for at least the rays `first` to `last`: the same operations on the same
+/// numbers. False when one may be parallel to the wall: such rays are left as they are. `rays` has
+/// the arrays dx, dy and best, filled up to a whole register.
+template <class Rays>
+EYEBRIDGE_RAY_TARGET inline bool meet(const Segment& wall, Vec2 origin, Rays& rays,
+                                      std::size_t first, std::size_t last) {
+  const Vec2 w = wall.a - origin;
+  const Lanes zero{};
+  const Lanes along = zero + cross(w, wall.u);
+  const LaneBits sign_bit = LaneBits{} + std::numeric_limits<std::int64_t>::min();
+  LaneBits parallel{};
+  for (std::size_t i = first / kLanes * kLanes; i <= last; i += kLanes) {
+    Lanes dx;
+    Lanes dy;
+    Lanes best;
+    load(dx, rays.dx + i);
+    load(dy, rays.dy + i);
+    load(best, rays.best + i);
+    const LaneBits signed_den = (LaneBits)(dx * wall.u.y - dy * wall.u.x);
+    const LaneBits sign = signed_den & sign_bit;
+    const Lanes den = (Lanes)(signed_den ^ sign);
+    const Lanes along_ray = (Lanes)((LaneBits)along ^ sign);
+    const Lanes along_wall = (Lanes)((LaneBits)(w.x * dy - w.y * dx) ^ sign);
+    const Lanes slack = kRayTolerance * den;
+    const LaneBits near_parallel = den < kParallel;
+    parallel |= near_parallel;
+    LaneBits hit = (along_wall >= -slack) & (along_wall <= wall.length * den + slack) &
+                   (along_ray >= -slack) & ~near_parallel;
+    // Most are missed, or hidden by something nearer: no division for them. The factor is above
+    // the roundings.
+    hit &= along_ray <= best * den * (1.0 + 1e-15);
+    if (!any(hit)) continue;
+    const Lanes range = along_ray / den;
+    const Lanes nearer = range > zero ? range : zero;
+    best = (hit & (range < best)) ? nearer : best;
+    std::memcpy(rays.best + i, &best, sizeof best);
+  }
+  return !any(parallel);
+}
+
+}  // namespace
+
+#endif

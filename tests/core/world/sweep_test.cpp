@@ -1,0 +1,158 @@
+#include "sweep.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "eyebridge/base/units.hpp"
+#include "eyebridge/world/world.hpp"
+#include "geometry.hpp"
+#include "near_walls.hpp"
+#include "ray_grid.hpp"
+#include "scenes.hpp"
+
+namespace eyebridge::world {
+namespace {
+
+/// A fan of evenly spaced rays.
+struct Fan {
+  Vec2 origin;
+  std::vector<Vec2> directions;
+  double gap;
+};
+
+/// `count` rays, `gap` radians apart, the first one at the bearing `start`.
+Fan fan(Vec2 origin, double start, double gap, int count) {
+  Fan made{origin, {}, gap};
+  for (int i = 0; i < count; ++i) {
+    made.directions.push_back(Heading::from_angle(start + i * gap).forward());
+  }
+  return made;
+}
+
+/// Fans of all kinds: round and not, either way, with rays right through ends of walls and from
+/// places upon and next to them.
+Fan random_fan(const std::vector<Segment>& segments, double size, Random& random) {
+  Vec2 origin{(size + 1) * random.uniform() - 0.5, (size + 1) * random.uniform() - 0.5};
+  const Segment& one = segments[random.bits() % segments.size()];
+  const double kind = random.uniform();
+  if (kind < 0.1) origin = one.a;
+  if (kind >= 0.1 && kind < 0.2) origin = one.a + 0.3 * one.length * one.u;
+  if (kind >= 0.2 && kind < 0.3) origin = one.a + Vec2{1e-4 * random.uniform(), -3e-4};
+  double start = 2 * kPi * random.uniform();
+  if (random.chance(0.5)) {
+    const Vec2 to = segments[random.bits() % segments.size()].a - origin;
+    if (norm(to) > 0.0) start = arc_tan2(to.y, to.x);
+  }
+  const int count = std::vector<int>{3, 17, 90, 360, 360, 1000}[random.bits() % 6];
+  const double turn = random.chance(0.5) ? 2 * kPi : 2 * kPi * random.uniform();
+  return fan(origin, start, (random.chance(0.5) ? 1 : -1) * turn / count, count);
+}
+
+TEST(Sweep, GivesExactlyTheRangesOfALoopOverAllWallsAndBodies) {
+  for (const double thickness : {0.0, 0.08}) {
+    World world(shared(random_walls(90, 60, 4.0, thickness)));
+    const std::vector<Segment> segments = outlines_of(world.model().walls);
+    Random random(91);
+    while (world.body_count() < 40) {
+      const Pose pose{4 * random.uniform(), 4 * random.uniform(), 0};
+      const double radius = 0.02 + 0.05 * random.uniform();
+      if (world.is_free(pose.position(), radius)) world.add_robot(pose, radius, 0.1, {});
+    }
+    int by_walls = 0;
+    int by_bodies = 0;
+    std::vector<double> ranges;
+    for (int i = 0; i < 1500; ++i) {
+      // Bodies move between the looks, one of them out of the room.
+      world.set_pose(static_cast<BodyId>(i % 40), {5 * random.uniform(), 4 * random.uniform(), 0});
+      Fan rays = random_fan(segments, 4.0, random);
+      if (i % 10 == 0) rays.origin = world.position(3) + Vec2{world.radius(3) * 0.9, 0};
+      const double max_range =
+          std::vector<double>{0.3, 2.5, 8.0, std::numeric_limits<double>::infinity()}[i % 4];
+      const BodyId ignore = i % 3 == 0 ? kNoBody : static_cast<BodyId>(random.bits() % 40);
+      ranges.assign(rays.directions.size(), -1.0);
+      if (rays.directions.size() <= 3) {
+        world.cast_fan(rays.origin, rays.directions, max_range, ignore, ranges);
+      } else {
+        world.cast_sweep(rays.origin, rays.directions, rays.gap, max_range, ignore, ranges);
+      }
+      for (std::size_t k = 0; k < ranges.size(); ++k) {
+        double wall = max_range;
+        for (const Segment& s : segments) {
+          wall = nearer_hit(s, rays.origin, rays.directions[k], wall);
+        }
+        double expected = wall;
+        for (BodyId id = 0; id < world.body_count(); ++id) {
+          if (id == ignore) continue;
+          expected = nearer_disc_hit(world.position(id), world.radius(id), rays.origin,
+                                     rays.directions[k], expected);
+        }
+        ASSERT_EQ(ranges[k], expected) << "fan " << i << ", ray " << k;
+        by_bodies += expected < wall ? 1 : 0;
+        by_walls += wall < max_range ? 1 : 0;
+      }
+    }
+    EXPECT_GT(by_walls, 50000);
+    EXPECT_GT(by_bodies, 5000);
+  }
+}
+
+TEST(Sweep, BothInstructionSetsGiveTheSameBits) {
+  if (!RayGrid::has_avx2()) GTEST_SKIP() << "this CPU has no AVX2";
+  const std::vector<Segment> segments = outlines_of(random_walls(92, 80, 4.0, 0.08).walls);
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t i = 0; i < segments.size(); ++i) all.push_back(i);
+  Random random(93);
+  for (int i = 0; i < 500; ++i) {
+    const Fan rays = random_fan(segments, 4.0, random);
+    if (rays.directions.size() > Sweep::kMost) continue;
+    Sweep scalar(rays.origin, rays.directions, rays.gap, 5.0);
+    Sweep avx2(rays.origin, rays.directions, rays.gap, 5.0);
+    scalar.meet_walls_scalar(segments.data(), all);
+    avx2.meet_walls_avx2(segments.data(), all);
+    const Vec2 centre = rays.origin + Vec2{random.uniform() - 0.5, random.uniform() - 0.5};
+    const Disc discs[] = {{centre.x, centre.y, 0.1, 4}, {centre.x + 0.1, centre.y, 0.2, 5}};
+    scalar.meet_discs_scalar(discs, 5);
+    avx2.meet_discs_avx2(discs, 5);
+    for (std::size_t k = 0; k < rays.directions.size(); ++k) {
+      double expected = 5.0;
+      for (const Segment& s : segments) {
+        expected = nearer_hit(s, rays.origin, rays.directions[k], expected);
+      }
+      expected = nearer_disc_hit(centre, 0.1, rays.origin, rays.directions[k], expected);
+      ASSERT_EQ(avx2.ranges()[k], expected) << "fan " << i << ", ray " << k;
+      ASSERT_EQ(scalar.ranges()[k], expected) << "fan " << i << ", ray " << k;
+    }
+  }
+}
+
+TEST(NearWalls, ListsEveryWallInReachOnceAndGivesUpWhereThereAreMany) {
+  const std::vector<Segment> segments = outlines_of(random_walls(94, 150, 5.0, 0.08).walls);
+  NearWalls near(segments);
+  Random random(95);
+  int listed = 0;
+  int given_up = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec2 p{5 * random.uniform(), 5 * random.uniform()};
+    const double reach = std::vector<double>{0.2, 1.0, 5.0}[i % 3];
+    const auto list = near.around(p, reach);
+    if (!list) {
+      ++given_up;
+      EXPECT_GT(reach, 1.0);
+      continue;
+    }
+    ++listed;
+    for (std::size_t k = 1; k < list->size(); ++k) ASSERT_LT((*list)[k - 1], (*list)[k]);
+    for (std::uint32_t s = 0; s < segments.size(); ++s) {
+      if (norm(closest_point(segments[s], p) - p) > reach) continue;
+      ASSERT_TRUE(std::find(list->begin(), list->end(), s) != list->end()) << i;
+    }
+  }
+  EXPECT_GT(listed, 1000);
+  EXPECT_GT(given_up, 500);
+  EXPECT_FALSE(near.around({-1.0, 2.0}, 1.0)) << "outside";
+}
+
+}  // namespace
+}  // namespace eyebridge::world
