@@ -32,6 +32,12 @@ class Sweep {
   void meet_discs_scalar(std::span<const Disc> discs, BodyId ignore);
   void meet_discs_avx2(std::span<const Disc> discs, BodyId ignore);
 
+  /// Same for the discs `begin` to `end` of `rows`, and maybe for some after them: at first only by
+  /// floats. For few rays.
+  void meet_rows_scalar(const BodyMap::Rows& rows, std::size_t begin, std::size_t end,
+                        BodyId ignore);
+  void meet_rows_avx2(const BodyMap::Rows& rows, std::size_t begin, std::size_t end, BodyId ignore);
+
   [[nodiscard]] std::span<double> ranges() { return {best, count_}; }
 
   // For the code of the instruction sets.

@@ -1,5 +1,6 @@
 // How the rays of a Sweep meet walls and discs. Included by one source per instruction set, after
-// ray_lanes.ipp; it has defined EYEBRIDGE_MEET_WALLS and EYEBRIDGE_MEET_DISCS, the names of the
+// ray_lanes.ipp; it has defined EYEBRIDGE_MEET_WALLS and EYEBRIDGE_MEET_DISCS,
+// EYEBRIDGE_MEET_ROWS, the names of the
 // member functions, too.
 
 namespace {
@@ -116,5 +117,44 @@ void Sweep::EYEBRIDGE_MEET_DISCS(std::span<const Disc> discs, BodyId ignore) {
     const double half_width = sine + 0.5708 * sine * sine * sine;
     const double bearing = bearing_of(w);
     each_between(bearing, bearing, half_width, meet_rays);
+  }
+}
+
+EYEBRIDGE_RAY_TARGET
+void Sweep::EYEBRIDGE_MEET_ROWS(const BodyMap::Rows& rows, std::size_t begin, std::size_t end,
+                                BodyId ignore) {
+  const auto x0 = static_cast<float>(origin_.x);
+  const auto y0 = static_cast<float>(origin_.y);
+  const auto error = static_cast<float>(rows.error);
+  float ray_x[kFew];
+  float ray_y[kFew];
+  float ray_best[kFew];
+  for (std::size_t i = 0; i < count_; ++i) {
+    ray_x[i] = static_cast<float>(dx[i]);
+    ray_y[i] = static_cast<float>(dy[i]);
+    ray_best[i] = static_cast<float>(best[i]) + error;
+  }
+  for (std::size_t k = begin; k < end; k += kFloats) {
+    Floats x;
+    Floats y;
+    Floats reach;
+    std::memcpy(&x, rows.x + k, sizeof x);
+    std::memcpy(&y, rows.y + k, sizeof y);
+    std::memcpy(&reach, rows.radius + k, sizeof reach);
+    x -= x0;
+    y -= y0;
+    reach += error;
+    FloatBits met{};
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Floats across = ray_x[i] * y - ray_y[i] * x;
+      const Floats along = ray_x[i] * x + ray_y[i] * y;
+      met |= (across <= reach) & (across >= -reach) & (along >= -reach) &
+             (along <= ray_best[i] + reach);
+    }
+    for (unsigned bits = bits_of(met); bits != 0; bits &= bits - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+      // Those after the last one are real ones, too, or lie beyond all of them.
+      if (k + lane < end) EYEBRIDGE_MEET_DISCS({rows.discs + k + lane, 1}, ignore);
+    }
   }
 }

@@ -3,6 +3,7 @@
 #if defined(__x86_64__)
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -14,6 +15,7 @@
 #define EYEBRIDGE_RAY_LANES 4
 #define EYEBRIDGE_MEET_WALLS meet_walls_avx2
 #define EYEBRIDGE_MEET_DISCS meet_discs_avx2
+#define EYEBRIDGE_MEET_ROWS meet_rows_avx2
 
 namespace eyebridge::world {
 
@@ -32,6 +34,10 @@ void Sweep::meet_walls_avx2(const Segment*, std::span<const std::uint32_t>) {
   assert(false && "RayGrid::has_avx2() is false here");
 }
 void Sweep::meet_discs_avx2(std::span<const Disc>, BodyId) {
+  assert(false && "RayGrid::has_avx2() is false here");
+}
+
+void Sweep::meet_rows_avx2(const BodyMap::Rows&, std::size_t, std::size_t, BodyId) {
   assert(false && "RayGrid::has_avx2() is false here");
 }
 
