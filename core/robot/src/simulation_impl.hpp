@@ -52,6 +52,8 @@ struct Simulation::Impl {
   std::vector<Twist> asked;  ///< By set_speed(), while the robot goes steadily by it; or kNothing.
   std::vector<RobotDevices> devices;
   std::function<void(const CollisionEvent&)> listener;
+  // Of the reading at hand; kept for its memory.
+  std::array<Vec2, RangeLayout::kMostInFan> directions;
   std::vector<Vec2> contacts;  // of the reading at hand; kept for its memory
 };
 

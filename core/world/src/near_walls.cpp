@@ -15,8 +15,10 @@ constexpr double kCellsInReach = 8.0;
 
 }  // namespace
 
-NearWalls::NearWalls(std::vector<Segment> segments)
-    : segments_(std::move(segments)), grid_(segments_, cell_size_for(segments_, 1.0), 0) {
+NearWalls::NearWalls(std::vector<Segment> segments, std::size_t most)
+    : segments_(std::move(segments)),
+      most_(most),
+      grid_(segments_, cell_size_for(segments_, 1.0), 0) {
   if (segments_.empty()) return;
   low_ = high_ = segments_.front().a;
   for (const Segment& s : segments_) {
@@ -56,20 +58,34 @@ std::uint32_t NearWalls::make_list(Layer& layer, Vec2 centre) {
                       });
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
-  } else if (segments_.size() <= kMost) {
+  } else if (segments_.size() <= most_) {
     for (std::uint32_t i = 0; i < segments_.size(); ++i) near.push_back(i);
   } else {
     return kTooMany;
   }
-  if (near.size() > kMost) return kTooMany;
+  if (near.size() > most_) return kTooMany;
   const auto start = static_cast<std::uint32_t>(layer.items.size());
   layer.items.push_back(static_cast<std::uint32_t>(near.size()));
   layer.items.insert(layer.items.end(), near.begin(), near.end());
+  // Where item i stands, its floats begin at 4 i: padded lists fill whole registers.
+  const std::size_t stride = (near.size() + kPadding - 1) / kPadding * kPadding;
+  layer.items.resize(start + std::max(stride, near.size() + 1), 0);
+  layer.ends.resize(4 * layer.items.size(), 0.0F);
+  float* const ends = layer.ends.data() + 4 * std::size_t{start};
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const Segment& s = segments_[near[i]];
+    const Vec2 a = s.a - centre;
+    const Vec2 b = a + s.length * s.u;
+    ends[i] = static_cast<float>(a.x);
+    ends[stride + i] = static_cast<float>(a.y);
+    ends[2 * stride + i] = static_cast<float>(b.x);
+    ends[3 * stride + i] = static_cast<float>(b.y);
+  }
   return start;
 }
 
-std::optional<std::span<const std::uint32_t>> NearWalls::around(Vec2 origin, double reach) {
-  if (segments_.empty()) return std::span<const std::uint32_t>{};
+std::optional<WallList> NearWalls::around(Vec2 origin, double reach) {
+  if (segments_.empty()) return WallList{};
   Layer* const layer = layer_for(reach);
   const Vec2 place = origin - low_;
   // Also false for NaN.
@@ -83,13 +99,17 @@ std::optional<std::span<const std::uint32_t>> NearWalls::around(Vec2 origin, dou
   const auto column = static_cast<std::size_t>(x);
   const auto row = static_cast<std::size_t>(y);
   std::uint32_t& start = layer->starts[row * layer->columns + column];
-  if (start == kUnknown) {
-    start = make_list(*layer, low_ + layer->cell * Vec2{static_cast<double>(column) + 0.5,
-                                                        static_cast<double>(row) + 0.5});
-  }
+  const Vec2 centre =
+      low_ + layer->cell * Vec2{static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
+  if (start == kUnknown) start = make_list(*layer, centre);
   if (start == kTooMany) return std::nullopt;
-  const std::uint32_t* const list = layer->items.data() + start;
-  return std::span<const std::uint32_t>(list + 1, *list);
+  const std::size_t length = layer->items[start];
+  const Vec2 extent = high_ - low_;
+  return WallList{{layer->items.data() + start + 1, length},
+                  layer->ends.data() + 4 * std::size_t{start},
+                  (length + kPadding - 1) / kPadding * kPadding,
+                  centre,
+                  1e-4 + 1e-6 * (extent.x + extent.y)};
 }
 
 }  // namespace eyebridge::world

@@ -18,6 +18,10 @@ constexpr std::size_t kFloats = 2 * kLanes;
 using Floats = float __attribute__((vector_size(4 * kFloats)));
 using FloatBits = std::int32_t __attribute__((vector_size(4 * kFloats)));
 
+EYEBRIDGE_RAY_TARGET inline Floats magnitude(Floats v) {
+  return (Floats)((FloatBits)v & std::numeric_limits<std::int32_t>::max());
+}
+
 /// Bit i is set when lane i is.
 EYEBRIDGE_RAY_TARGET inline unsigned bits_of(FloatBits mask) {
 #if defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 4

@@ -30,7 +30,7 @@ namespace eyebridge::world {
 
 namespace eyebridge::world {
 
-void Sweep::meet_walls_avx2(const Segment*, std::span<const std::uint32_t>) {
+void Sweep::meet_walls_avx2(const Segment*, const WallList&) {
   assert(false && "RayGrid::has_avx2() is false here");
 }
 void Sweep::meet_discs_avx2(std::span<const Disc>, BodyId) {
