@@ -11,7 +11,7 @@ namespace {
 /// The lists of a layer cover at most this many cells in a row.
 constexpr double kMostListCells = 1024;
 
-constexpr double kCellsInReach = 8.0;
+constexpr double kCellsInReach = 6.0;
 
 }  // namespace
 
@@ -40,6 +40,8 @@ NearWalls::Layer* NearWalls::layer_for(double reach) {
   const double size = std::max(extent.x, extent.y);
   // An endless reach sees the same from everywhere.
   layer.cell = std::max({std::min(reach / kCellsInReach, size), size / kMostListCells, 1e-3});
+  layer.per_cell = 1.0 / layer.cell;
+  layer.error = 1e-4 + 1e-6 * (extent.x + extent.y);
   layer.columns = static_cast<std::size_t>(extent.x / layer.cell) + 1;
   layer.rows = static_cast<std::size_t>(extent.y / layer.cell) + 1;
   layer.starts.assign(layer.columns * layer.rows, kUnknown);
@@ -90,9 +92,8 @@ std::optional<WallList> NearWalls::around(Vec2 origin, double reach) {
   const Vec2 place = origin - low_;
   // Also false for NaN.
   if (layer == nullptr || !(place.x >= 0.0 && place.y >= 0.0)) return std::nullopt;
-  const double per_cell = 1.0 / layer->cell;
-  const double x = place.x * per_cell;
-  const double y = place.y * per_cell;
+  const double x = place.x * layer->per_cell;
+  const double y = place.y * layer->per_cell;
   if (!(x < static_cast<double>(layer->columns) && y < static_cast<double>(layer->rows))) {
     return std::nullopt;
   }
@@ -104,12 +105,11 @@ std::optional<WallList> NearWalls::around(Vec2 origin, double reach) {
   if (start == kUnknown) start = make_list(*layer, centre);
   if (start == kTooMany) return std::nullopt;
   const std::size_t length = layer->items[start];
-  const Vec2 extent = high_ - low_;
   return WallList{{layer->items.data() + start + 1, length},
                   layer->ends.data() + 4 * std::size_t{start},
                   (length + kPadding - 1) / kPadding * kPadding,
                   centre,
-                  1e-4 + 1e-6 * (extent.x + extent.y)};
+                  layer->error};
 }
 
 }  // namespace eyebridge::world

@@ -23,7 +23,7 @@ struct WallList {
 
 /// Which walls are within reach of a place. Remembers what it found: not thread-safe.
 ///
-/// The floor is divided into cells of an eighth of the reach; the list of a cell is made when the
+/// The floor is divided into cells of a sixth of the reach; the list of a cell is made when the
 /// first ray starts there, and serves all later ones.
 class NearWalls {
  public:
@@ -47,6 +47,8 @@ class NearWalls {
   struct Layer {
     double reach = 0.0;
     double cell = 1.0;
+    double per_cell = 1.0;
+    double error = 0.0;  ///< Of the floats, metres.
     std::size_t columns = 1;
     std::size_t rows = 1;
     std::vector<std::uint32_t> starts;  ///< Cell -> first of its items, kUnknown or kTooMany.
