@@ -34,7 +34,7 @@ void Simulation::read_ranges(RobotIndex robot, std::span<double> ranges) {
   const Vec2 position = world.position(self);
   const Heading heading = world.heading(self);
   for (const RangeLayout::Fan& fan : layout.fans) {
-    Vec2 directions[RangeLayout::kMostInFan];
+    Vec2* const directions = impl_->directions.data();
     for (std::size_t i = 0; i < fan.count; ++i) {
       directions[i] = heading.turned(layout.beams[fan.first + i].heading).forward();
     }

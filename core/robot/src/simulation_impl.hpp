@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <limits>
 
 #include "cruise.hpp"
@@ -62,6 +63,8 @@ struct Simulation::Impl {
   std::function<void(const CollisionEvent&)> listener;
   std::vector<CollisionEvent> collisions;
   std::uint64_t collisions_dropped = 0;
+  // Of the reading at hand; kept for its memory.
+  std::array<Vec2, RangeLayout::kMostInFan> directions;
   std::vector<Vec2> contacts;  // of the reading at hand; kept for its memory
 };
 

@@ -63,7 +63,7 @@ void World::Impl::bounce_off(BodyId id, const Obstacle& end) {
 
 void World::step_objects(double dt) {
   for (Mover& mover : impl_->movers) impl_->follow(mover, dt);
-  for (BodyId id = 0; id < impl_->bodies.size(); ++id) {
+  for (BodyId id = 0; id < object_count(); ++id) {  // robots do not slide
     if (impl_->bodies.response_[id].slides) impl_->roll(id, dt);
   }
   impl_->contacts.end_step([&](BodyId id, BodyId other) { return impl_->gap(id, other); },

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -21,6 +22,9 @@ struct Disc {
 /// share it. Cells hold a few bodies each, those of a row follow each other in memory.
 class BodyMap {
  public:
+  /// So many places beyond a run of Rows may be read.
+  static constexpr std::size_t kBeyond = 8;
+
   explicit BodyMap(double width, double height) : extent_{width, height} {}
 
   /// Brings the copy up to date.
@@ -29,6 +33,34 @@ class BodyMap {
   /// The bodies whose centres are less than `reach` metres from `place`, in no order. Valid until
   /// the next call.
   [[nodiscard]] std::span<const Disc> around(Vec2 place, double reach);
+
+  /// The discs in the order of the map, and nearly the same in single precision, in a row each; as
+  /// many more as a register holds may be read.
+  struct Rows {
+    const Disc* discs;
+    const float* x;
+    const float* y;
+    const float* radius;
+    double error;  ///< Metres by which the floats may be off, seen from `place`.
+  };
+  /// Calls visit(begin, end) for runs of `Rows` that hold all discs that around() would find, and
+  /// more.
+  template <class Visit>
+  void each_run(Vec2 place, double reach, Visit visit) const {
+    // Places outside belong to the rim, also on this side of it.
+    const std::size_t first = index(place.x - reach, columns_);
+    const std::size_t last = index(place.x + reach, columns_);
+    const std::size_t last_row = index(place.y + reach, rows_);
+    for (std::size_t row = index(place.y - reach, rows_); row <= last_row; ++row) {
+      const std::size_t begin = starts_[row * columns_ + first];
+      const std::size_t end = starts_[row * columns_ + last + 1];
+      if (begin < end) visit(begin, end);
+    }
+  }
+  [[nodiscard]] Rows rows(Vec2 place) const {
+    const double size = farthest_ + std::fabs(place.x) + std::fabs(place.y);
+    return {discs_.data(), x_.data(), y_.data(), r_.data(), 1e-4 + 1e-6 * size};
+  }
 
  private:
   [[nodiscard]] std::size_t index(double coordinate, std::size_t count) const {
@@ -45,7 +77,9 @@ class BodyMap {
   std::vector<std::uint32_t> starts_;  ///< Cell -> first of its discs; one more at the end.
   std::vector<Disc> discs_;
   std::vector<std::uint32_t> cells_;  ///< Body -> its cell.
-  std::vector<Disc> near_;            ///< Of around(); room for all.
+  std::vector<float> x_, y_, r_;
+  double farthest_ = 0.0;   ///< Of all coordinates, metres.
+  std::vector<Disc> near_;  ///< Of around(); room for all.
 };
 
 }  // namespace eyebridge::world

@@ -11,12 +11,14 @@ namespace {
 /// The lists of a layer cover at most this many cells in a row.
 constexpr double kMostListCells = 1024;
 
-constexpr double kCellsInReach = 8.0;
+constexpr double kCellsInReach = 6.0;
 
 }  // namespace
 
-NearWalls::NearWalls(std::vector<Segment> segments)
-    : segments_(std::move(segments)), grid_(segments_, cell_size_for(segments_, 1.0), 0) {
+NearWalls::NearWalls(std::vector<Segment> segments, std::size_t most)
+    : segments_(std::move(segments)),
+      most_(most),
+      grid_(segments_, cell_size_for(segments_, 1.0), 0) {
   if (segments_.empty()) return;
   low_ = high_ = segments_.front().a;
   for (const Segment& s : segments_) {
@@ -38,6 +40,8 @@ NearWalls::Layer* NearWalls::layer_for(double reach) {
   const double size = std::max(extent.x, extent.y);
   // An endless reach sees the same from everywhere.
   layer.cell = std::max({std::min(reach / kCellsInReach, size), size / kMostListCells, 1e-3});
+  layer.per_cell = 1.0 / layer.cell;
+  layer.error = 1e-4 + 1e-6 * (extent.x + extent.y);
   layer.columns = static_cast<std::size_t>(extent.x / layer.cell) + 1;
   layer.rows = static_cast<std::size_t>(extent.y / layer.cell) + 1;
   layer.starts.assign(layer.columns * layer.rows, kUnknown);
@@ -56,40 +60,56 @@ std::uint32_t NearWalls::make_list(Layer& layer, Vec2 centre) {
                       });
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
-  } else if (segments_.size() <= kMost) {
+  } else if (segments_.size() <= most_) {
     for (std::uint32_t i = 0; i < segments_.size(); ++i) near.push_back(i);
   } else {
     return kTooMany;
   }
-  if (near.size() > kMost) return kTooMany;
+  if (near.size() > most_) return kTooMany;
   const auto start = static_cast<std::uint32_t>(layer.items.size());
   layer.items.push_back(static_cast<std::uint32_t>(near.size()));
   layer.items.insert(layer.items.end(), near.begin(), near.end());
+  // Where item i stands, its floats begin at 4 i: padded lists fill whole registers.
+  const std::size_t stride = (near.size() + kPadding - 1) / kPadding * kPadding;
+  layer.items.resize(start + std::max(stride, near.size() + 1), 0);
+  layer.ends.resize(4 * layer.items.size(), 0.0F);
+  float* const ends = layer.ends.data() + 4 * std::size_t{start};
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const Segment& s = segments_[near[i]];
+    const Vec2 a = s.a - centre;
+    const Vec2 b = a + s.length * s.u;
+    ends[i] = static_cast<float>(a.x);
+    ends[stride + i] = static_cast<float>(a.y);
+    ends[2 * stride + i] = static_cast<float>(b.x);
+    ends[3 * stride + i] = static_cast<float>(b.y);
+  }
   return start;
 }
 
-std::optional<std::span<const std::uint32_t>> NearWalls::around(Vec2 origin, double reach) {
-  if (segments_.empty()) return std::span<const std::uint32_t>{};
+std::optional<WallList> NearWalls::around(Vec2 origin, double reach) {
+  if (segments_.empty()) return WallList{};
   Layer* const layer = layer_for(reach);
   const Vec2 place = origin - low_;
   // Also false for NaN.
   if (layer == nullptr || !(place.x >= 0.0 && place.y >= 0.0)) return std::nullopt;
-  const double per_cell = 1.0 / layer->cell;
-  const double x = place.x * per_cell;
-  const double y = place.y * per_cell;
+  const double x = place.x * layer->per_cell;
+  const double y = place.y * layer->per_cell;
   if (!(x < static_cast<double>(layer->columns) && y < static_cast<double>(layer->rows))) {
     return std::nullopt;
   }
   const auto column = static_cast<std::size_t>(x);
   const auto row = static_cast<std::size_t>(y);
   std::uint32_t& start = layer->starts[row * layer->columns + column];
-  if (start == kUnknown) {
-    start = make_list(*layer, low_ + layer->cell * Vec2{static_cast<double>(column) + 0.5,
-                                                        static_cast<double>(row) + 0.5});
-  }
+  const Vec2 centre =
+      low_ + layer->cell * Vec2{static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
+  if (start == kUnknown) start = make_list(*layer, centre);
   if (start == kTooMany) return std::nullopt;
-  const std::uint32_t* const list = layer->items.data() + start;
-  return std::span<const std::uint32_t>(list + 1, *list);
+  const std::size_t length = layer->items[start];
+  return WallList{{layer->items.data() + start + 1, length},
+                  layer->ends.data() + 4 * std::size_t{start},
+                  (length + kPadding - 1) / kPadding * kPadding,
+                  centre,
+                  layer->error};
 }
 
 }  // namespace eyebridge::world

@@ -14,6 +14,27 @@ constexpr std::size_t kLanes = EYEBRIDGE_RAY_LANES;
 using Lanes = double __attribute__((vector_size(8 * kLanes)));
 using LaneBits = std::int64_t __attribute__((vector_size(8 * kLanes)));
 
+constexpr std::size_t kFloats = 2 * kLanes;
+using Floats = float __attribute__((vector_size(4 * kFloats)));
+using FloatBits = std::int32_t __attribute__((vector_size(4 * kFloats)));
+
+EYEBRIDGE_RAY_TARGET inline Floats magnitude(Floats v) {
+  return (Floats)((FloatBits)v & std::numeric_limits<std::int32_t>::max());
+}
+
+/// Bit i is set when lane i is.
+EYEBRIDGE_RAY_TARGET inline unsigned bits_of(FloatBits mask) {
+#if defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 4
+  return static_cast<unsigned>(__builtin_ia32_movmskps256((Floats)mask));
+#elif defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 2
+  return static_cast<unsigned>(__builtin_ia32_movmskps((Floats)mask));
+#else
+  unsigned bits = 0;
+  for (std::size_t lane = 0; lane < kFloats; ++lane) bits |= (mask[lane] != 0 ? 1U : 0U) << lane;
+  return bits;
+#endif
+}
+
 EYEBRIDGE_RAY_TARGET inline void load(Lanes& lanes, const double* from) {
   std::memcpy(&lanes, from, sizeof lanes);
 }

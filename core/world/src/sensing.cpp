@@ -11,6 +11,9 @@ constexpr double kSameDirection = 1e-6;
 /// No body is farther away than this, metres: infinite ranges need an end.
 constexpr double kHorizon = 1e9;
 
+/// In worlds where floats are off by more than this, metres, they are of no use.
+constexpr double kCoarse = 0.1;
+
 void add_once(Vec2 direction, std::size_t first, std::vector<Vec2>& out) {
   for (std::size_t i = first; i < out.size(); ++i) {
     if (norm_squared(out[i] - direction) < kSameDirection * kSameDirection) return;
@@ -34,11 +37,20 @@ void World::Impl::cast_around(Vec2 origin, std::span<const Vec2> directions, dou
   const std::span<const double> to_walls = sweep.ranges();
   const double farthest = std::min(*std::max_element(to_walls.begin(), to_walls.end()), kHorizon);
   body_map.refresh(bodies);
-  const std::span<const Disc> discs = body_map.around(origin, farthest + bodies.largest_radius());
-  if (has_avx2) {
-    sweep.meet_discs_avx2(discs, ignore);
+  const double reach = farthest + bodies.largest_radius();
+  const BodyMap::Rows rows = body_map.rows(origin);
+  if (directions.size() <= Sweep::kFew && rows.error < kCoarse) {
+    body_map.each_run(origin, reach, [&](std::size_t begin, std::size_t end) {
+      if (has_avx2) {
+        sweep.meet_rows_avx2(rows, begin, end, ignore);
+      } else {
+        sweep.meet_rows_scalar(rows, begin, end, ignore);
+      }
+    });
+  } else if (has_avx2) {
+    sweep.meet_discs_avx2(body_map.around(origin, reach), ignore);
   } else {
-    sweep.meet_discs_scalar(discs, ignore);
+    sweep.meet_discs_scalar(body_map.around(origin, reach), ignore);
   }
   std::copy(to_walls.begin(), to_walls.end(), ranges.begin());
 }

@@ -1,6 +1,7 @@
 #include "sweep.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <cstring>
@@ -34,6 +35,7 @@ Sweep::Sweep(Vec2 origin, std::span<const Vec2> directions, double gap, double m
 #define EYEBRIDGE_RAY_LANES 2
 #define EYEBRIDGE_MEET_WALLS meet_walls_scalar
 #define EYEBRIDGE_MEET_DISCS meet_discs_scalar
+#define EYEBRIDGE_MEET_ROWS meet_rows_scalar
 #include "ray_lanes.ipp"
 #include "sweep.ipp"
 

@@ -5,6 +5,7 @@
 
 #include "body_map.hpp"
 #include "geometry.hpp"
+#include "near_walls.hpp"
 
 namespace eyebridge::world {
 
@@ -24,13 +25,19 @@ class Sweep {
   /// radians, all of them one turn at most; 0 for any directions, all of which are tried then.
   Sweep(Vec2 origin, std::span<const Vec2> directions, double gap, double max_range);
 
-  /// Shortens the rays that meet `walls`, indices of `segments`. The AVX2 one runs where
+  /// Shortens the rays that meet `walls`, by their indices of `segments`. The AVX2 one runs where
   /// RayGrid::has_avx2().
-  void meet_walls_scalar(const Segment* segments, std::span<const std::uint32_t> walls);
-  void meet_walls_avx2(const Segment* segments, std::span<const std::uint32_t> walls);
+  void meet_walls_scalar(const Segment* segments, const WallList& walls);
+  void meet_walls_avx2(const Segment* segments, const WallList& walls);
   /// Shortens those that meet one of `discs`, other than that of the body `ignore`.
   void meet_discs_scalar(std::span<const Disc> discs, BodyId ignore);
   void meet_discs_avx2(std::span<const Disc> discs, BodyId ignore);
+
+  /// Same for the discs `begin` to `end` of `rows`, and maybe for some after them: at first only by
+  /// floats. For few rays.
+  void meet_rows_scalar(const BodyMap::Rows& rows, std::size_t begin, std::size_t end,
+                        BodyId ignore);
+  void meet_rows_avx2(const BodyMap::Rows& rows, std::size_t begin, std::size_t end, BodyId ignore);
 
   [[nodiscard]] std::span<double> ranges() { return {best, count_}; }
 

@@ -1,39 +1,10 @@
 // How the rays of a Sweep meet walls and discs. Included by one source per instruction set, after
-// ray_lanes.ipp; it has defined EYEBRIDGE_MEET_WALLS and EYEBRIDGE_MEET_DISCS, the names of the
+// ray_lanes.ipp; it has defined EYEBRIDGE_MEET_WALLS and EYEBRIDGE_MEET_DISCS,
+// EYEBRIDGE_MEET_ROWS, the names of the
 // member functions, too.
 
-namespace {
-
-/// False when all of the first `count` rays surely pass `wall`.
-template <class Rays>
-EYEBRIDGE_RAY_TARGET inline bool may_meet(const Segment& wall, Vec2 origin, const Rays& rays,
-                                          std::size_t count) {
-  constexpr double kPass =
-      1e-6;  // metres by which the ends are passed, far more than the tolerance
-  const Vec2 a = wall.a - origin;
-  const Vec2 b = a + wall.length * wall.u;
-  const double side = cross(a, wall.u);
-  // Counter-clockwise from a to b; else the other way round.
-  const Lanes zero{};
-  const LaneBits sign = (LaneBits)(zero + side) & std::numeric_limits<std::int64_t>::min();
-  // From so near the wall's line the tolerances of rays are wide angles.
-  LaneBits between = zero + std::fabs(side) < kNear;
-  for (std::size_t i = 0; i < count; i += kLanes) {
-    Lanes x;
-    Lanes y;
-    load(x, rays.dx + i);
-    load(y, rays.dy + i);
-    const Lanes left_of_a = (Lanes)((LaneBits)(a.x * y - a.y * x) ^ sign);
-    const Lanes left_of_b = (Lanes)((LaneBits)(b.x * y - b.y * x) ^ sign);
-    between |= (left_of_a >= -kPass) & (left_of_b <= kPass);
-  }
-  return any(between);
-}
-
-}  // namespace
-
 EYEBRIDGE_RAY_TARGET
-void Sweep::EYEBRIDGE_MEET_WALLS(const Segment* segments, std::span<const std::uint32_t> walls) {
+void Sweep::EYEBRIDGE_MEET_WALLS(const Segment* segments, const WallList& walls) {
   const auto meet_rays = [this](const Segment& wall, std::size_t first, std::size_t last)
                              EYEBRIDGE_RAY_TARGET {
                                if (meet(wall, origin_, *this, first, last)) return;
@@ -44,21 +15,56 @@ void Sweep::EYEBRIDGE_MEET_WALLS(const Segment* segments, std::span<const std::u
                                  }
                                }
                              };
-  if (per_gap_ == 0.0) {
-    // First who is met at all, without a branch that nobody can foresee; then where.
-    constexpr std::size_t kTogether = 64;
-    std::uint32_t met[kTogether];
-    for (; !walls.empty(); walls = walls.subspan(std::min(walls.size(), kTogether))) {
-      std::size_t count = 0;
-      for (const std::uint32_t index : walls.first(std::min(walls.size(), kTogether))) {
-        met[count] = index;
-        count += static_cast<std::size_t>(may_meet(segments[index], origin_, *this, count_));
+  if (per_gap_ == 0.0 && count_ <= kFew) {
+    // First who is met at all, many at once and without branches that nobody can foresee.
+    const auto x0 = static_cast<float>(origin_.x - walls.centre.x);
+    const auto y0 = static_cast<float>(origin_.y - walls.centre.y);
+    const auto error = static_cast<float>(walls.error);
+    float ray_x[kFew];
+    float ray_y[kFew];
+    for (std::size_t i = 0; i < count_; ++i) {
+      ray_x[i] = static_cast<float>(dx[i]);
+      ray_y[i] = static_cast<float>(dy[i]);
+    }
+    for (std::size_t k = 0; k < walls.indices.size(); k += kFloats) {
+      Floats ax;
+      Floats ay;
+      Floats bx;
+      Floats by;
+      std::memcpy(&ax, walls.ends + k, sizeof ax);
+      std::memcpy(&ay, walls.ends + walls.stride + k, sizeof ay);
+      std::memcpy(&bx, walls.ends + 2 * walls.stride + k, sizeof bx);
+      std::memcpy(&by, walls.ends + 3 * walls.stride + k, sizeof by);
+      ax -= x0;
+      ay -= y0;
+      bx -= x0;
+      by -= y0;
+      // Seen from here b is to the left of a; else the other way round.
+      const Floats area = ax * by - ay * bx;
+      const FloatBits sign = (FloatBits)area & std::numeric_limits<std::int32_t>::min();
+      // From so near the wall's line the tolerances of rays are wide angles: the area by the
+      // length.
+      const Floats length = magnitude(ax - bx) + magnitude(ay - by);
+      const Floats size = (magnitude(ax) + magnitude(ay)) * (magnitude(bx) + magnitude(by));
+      FloatBits met = magnitude(area) <= (kNearFloat + 2 * error) * length + 1e-5F * size;
+      for (std::size_t i = 0; i < count_; ++i) {
+        const Floats left_of_a = (Floats)((FloatBits)(ax * ray_y[i] - ay * ray_x[i]) ^ sign);
+        const Floats left_of_b = (Floats)((FloatBits)(bx * ray_y[i] - by * ray_x[i]) ^ sign);
+        met |= (left_of_a >= -error) & (left_of_b <= error);
       }
-      for (std::size_t i = 0; i < count; ++i) meet_rays(segments[met[i]], 0, count_ - 1);
+      for (unsigned bits = bits_of(met); bits != 0; bits &= bits - 1) {
+        const std::size_t at = k + static_cast<std::size_t>(std::countr_zero(bits));
+        if (at >= walls.indices.size()) break;
+        meet_rays(segments[walls.indices[at]], 0, count_ - 1);
+      }
     }
     return;
   }
-  for (const std::uint32_t index : walls) {
+  if (per_gap_ == 0.0) {
+    for (const std::uint32_t index : walls.indices) meet_rays(segments[index], 0, count_ - 1);
+    return;
+  }
+  for (const std::uint32_t index : walls.indices) {
     const Segment& wall = segments[index];
     const Vec2 a = wall.a - origin_;
     const Vec2 b = a + wall.length * wall.u;
@@ -116,5 +122,44 @@ void Sweep::EYEBRIDGE_MEET_DISCS(std::span<const Disc> discs, BodyId ignore) {
     const double half_width = sine + 0.5708 * sine * sine * sine;
     const double bearing = bearing_of(w);
     each_between(bearing, bearing, half_width, meet_rays);
+  }
+}
+
+EYEBRIDGE_RAY_TARGET
+void Sweep::EYEBRIDGE_MEET_ROWS(const BodyMap::Rows& rows, std::size_t begin, std::size_t end,
+                                BodyId ignore) {
+  const auto x0 = static_cast<float>(origin_.x);
+  const auto y0 = static_cast<float>(origin_.y);
+  const auto error = static_cast<float>(rows.error);
+  float ray_x[kFew];
+  float ray_y[kFew];
+  float ray_best[kFew];
+  for (std::size_t i = 0; i < count_; ++i) {
+    ray_x[i] = static_cast<float>(dx[i]);
+    ray_y[i] = static_cast<float>(dy[i]);
+    ray_best[i] = static_cast<float>(best[i]) + error;
+  }
+  for (std::size_t k = begin; k < end; k += kFloats) {
+    Floats x;
+    Floats y;
+    Floats reach;
+    std::memcpy(&x, rows.x + k, sizeof x);
+    std::memcpy(&y, rows.y + k, sizeof y);
+    std::memcpy(&reach, rows.radius + k, sizeof reach);
+    x -= x0;
+    y -= y0;
+    reach += error;
+    FloatBits met{};
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Floats across = ray_x[i] * y - ray_y[i] * x;
+      const Floats along = ray_x[i] * x + ray_y[i] * y;
+      met |= (across <= reach) & (across >= -reach) & (along >= -reach) &
+             (along <= ray_best[i] + reach);
+    }
+    for (unsigned bits = bits_of(met); bits != 0; bits &= bits - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+      // Those after the last one are real ones, too, or lie beyond all of them.
+      if (k + lane < end) EYEBRIDGE_MEET_DISCS({rows.discs + k + lane, 1}, ignore);
+    }
   }
 }

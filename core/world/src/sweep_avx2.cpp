@@ -3,6 +3,7 @@
 #if defined(__x86_64__)
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -14,6 +15,7 @@
 #define EYEBRIDGE_RAY_LANES 4
 #define EYEBRIDGE_MEET_WALLS meet_walls_avx2
 #define EYEBRIDGE_MEET_DISCS meet_discs_avx2
+#define EYEBRIDGE_MEET_ROWS meet_rows_avx2
 
 namespace eyebridge::world {
 
@@ -28,10 +30,14 @@ namespace eyebridge::world {
 
 namespace eyebridge::world {
 
-void Sweep::meet_walls_avx2(const Segment*, std::span<const std::uint32_t>) {
+void Sweep::meet_walls_avx2(const Segment*, const WallList&) {
   assert(false && "RayGrid::has_avx2() is false here");
 }
 void Sweep::meet_discs_avx2(std::span<const Disc>, BodyId) {
+  assert(false && "RayGrid::has_avx2() is false here");
+}
+
+void Sweep::meet_rows_avx2(const BodyMap::Rows&, std::size_t, std::size_t, BodyId) {
   assert(false && "RayGrid::has_avx2() is false here");
 }
 

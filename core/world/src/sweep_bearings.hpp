@@ -8,6 +8,7 @@ namespace eyebridge::world {
 
 /// Nearer than this to a wall (metres) no bearing is trusted.
 inline constexpr double kNear = 1e-3;
+inline constexpr float kNearFloat = 1e-3F;
 
 /// Bearings are this good, radians: the arc tangent below, and what the tolerance of rays beyond a
 /// wall's end (kRayTolerance) makes at kNear.
