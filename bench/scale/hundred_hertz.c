@@ -1,0 +1,29 @@
+// A program that reads a sensor and waits, 100 times a second: hundred_hertz SECONDS [threads]. `./test scale` times how fast
+// many of them run in virtual time; with "threads" the loop is in a thread that the program makes.
+#include <eyebot.h>
+#include <pthread.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+static int rounds;
+
+static void* work(void* unused) {
+  (void)unused;
+  for (int i = 0; i < rounds; ++i) {
+    PSDGet(PSD_FRONT);  // 1.5 ms of the robot's time
+    usleep(8500);
+  }
+  return NULL;
+}
+
+int main(int argc, char** argv) {
+  rounds = 100 * (argc > 1 ? atoi(argv[1]) : 60);
+  if (argc < 3) {
+    work(NULL);
+    return 0;
+  }
+  pthread_t thread;
+  pthread_create(&thread, NULL, work, NULL);
+  pthread_join(thread, NULL);
+  return 0;
+}

@@ -1,0 +1,45 @@
+#!/usr/bin/env python3
+"""programs.py BUILD: how fast, and in how much memory, many programs run in one process in virtual time (docs/scale.md)."""
+import os
+import re
+import resource
+import subprocess
+import sys
+import tempfile
+
+FIELD = "floor 40000 40000\n0 0 40000 0\n40000 0 40000 40000\n40000 40000 0 40000\n0 40000 0 0\n"
+RUNS = 3
+
+
+def run(build, world, robots, words):
+    """Times real time of one run, and its peak of resident memory in MB."""
+    command = [f"{build}/bin/eyebridge", "run", "--fast", "--robots", str(robots), "--world", world,
+               f"{build}/bench/hundred_hertz", *words]
+    process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
+    messages = process.stderr.read()
+    _, status, used = os.wait4(process.pid, 0)
+    done = re.search(r"([0-9.]+) s on their clock in ([0-9.]+) s", messages)
+    if status != 0 or done is None:
+        sys.exit(f"programs.py: {' '.join(command)} failed:\n{messages}")
+    return float(done[1]) / (used.ru_utime + used.ru_stime), used.ru_maxrss / 1024
+
+
+def main(build):
+    with tempfile.TemporaryDirectory() as folder:
+        world = os.path.join(folder, "field.wld")
+        with open(world, "w", encoding="ascii") as file:
+            file.write(FIELD)
+        alone = run(build, world, 2, ["1"])[1]
+        print(f"{'programs':>9} {'in':>8} {'x real time':>12} {'wanted':>7} {'MB':>6} {'kB/robot':>9}")
+        for robots, seconds, wanted in ((10, 3000, (10000, 300)), (100, 600, (500, 25)), (1000, 60, ("", ""))):
+            for words, kind, goal in (([], "fibers", wanted[0]), (["threads"], "threads", wanted[1])):
+                results = [run(build, world, robots, [str(seconds), *words]) for _ in range(RUNS)]
+                speed = max(result[0] for result in results)
+                memory = max(result[1] for result in results)
+                each = 1024 * (memory - alone) / (robots - 2)
+                print(f"{robots:>9} {kind:>8} {speed:>12.0f} {goal:>7} {memory:>6.0f} {each:>9.0f}")
+
+
+if __name__ == "__main__":
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    main(sys.argv[1])
