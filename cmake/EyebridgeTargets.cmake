@@ -126,3 +126,13 @@ function(eyebridge_fuzzer name)
                    "${CMAKE_CURRENT_BINARY_DIR}/scratch/${name}")
   set_tests_properties(fuzz.${name} PROPERTIES LABELS fuzz TIMEOUT 600 COST 500)
 endfunction()
+
+# Makes `target` a robot program as eyebridge-cc links them, so that several robots can run it: position-independent, with a
+# main() that others see. `launcher` is eyebridge_robots or eyebridge_robots_classic.
+function(eyebridge_robot_program target launcher)
+  set_target_properties(${target} PROPERTIES ENABLE_EXPORTS ON
+    C_VISIBILITY_PRESET default CXX_VISIBILITY_PRESET default)
+  target_compile_options(${target} PRIVATE -fPIE)
+  target_link_options(${target} PRIVATE -pie "LINKER:--version-script=${CMAKE_SOURCE_DIR}/apps/wrappers/program.map")
+  add_dependencies(${target} ${launcher})
+endfunction()

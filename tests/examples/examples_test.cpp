@@ -52,6 +52,28 @@ TEST(Ping, TwoRobotsCountTogether) {
   EXPECT_EQ(two.out, "robot 2 counted to 19\n") << two.err;
 }
 
+TEST(Soccer, FiveAgainstFivePlayTheSameTenMinutesEachTime) {
+  const auto play = [] {
+    return testing::run_program({{EYEBRIDGE_SOCCER, "600"},
+                                 {{"EYEBRIDGE_FAST", "true"},
+                                  {"EYEBRIDGE_ROBOTS", "all"},
+                                  {"EYEBRIDGE_WORLD", world("soccer-5v5.sim")}},
+                                 ""});
+  };
+  const auto state_of = [](const std::string& messages) {
+    return messages.substr(std::min(messages.find("eyebridge: 10 robots, 600."), messages.size()),
+                           27) +
+           messages.substr(std::min(messages.find("state "), messages.size()), 22);
+  };
+  const ProgramRun first = play();
+  EXPECT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_THAT(first.out, HasSubstr("goal after "));
+  EXPECT_EQ(state_of(first.err), "eyebridge: 10 robots, 600.0state 9c8dea9074611631");
+  const ProgramRun second = play();
+  EXPECT_EQ(second.out, first.out);
+  EXPECT_EQ(state_of(second.err), state_of(first.err));
+}
+
 TEST(Soccer, OneRobotScoresAgainAndAgainTheSameWayEachTime) {
   const auto play = [](const std::string& folder) {
     return testing::run_program({{EYEBRIDGE_SOCCER, "60"},
