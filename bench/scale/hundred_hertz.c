@@ -1,5 +1,5 @@
-// A program that reads a sensor and waits, 100 times a second: hundred_hertz SECONDS [threads]. `./test scale` times how fast
-// many of them run in virtual time; with "threads" the loop is in a thread that the program makes.
+// A program that asks where it is and waits, 100 times a second: hundred_hertz SECONDS [threads]. `./test scale` times how
+// fast many of them run in virtual time; with "threads" the loop is in a thread that the program makes.
 #include <eyebot.h>
 #include <pthread.h>
 #include <stdlib.h>
@@ -10,7 +10,8 @@ static int rounds;
 static void* work(void* unused) {
   (void)unused;
   for (int i = 0; i < rounds; ++i) {
-    PSDGet(PSD_FRONT);  // 1.5 ms of the robot's time
+    int x, y, phi;
+    VWGetPosition(&x, &y, &phi);  // 1.5 ms of the robot's time
     usleep(8500);
   }
   return NULL;
