@@ -1,7 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <new>
 #include <span>
 #include <vector>
 
@@ -9,6 +13,27 @@
 #include "font.hpp"
 
 namespace eyebridge::robios {
+
+/// Black pixels that take no memory before they are drawn: hundreds of robots have a screen each, and
+/// most of them show a few lines.
+class LazyPixels {
+ public:
+  explicit LazyPixels(std::size_t count)
+      : pixels_(static_cast<Rgb*>(std::calloc(count, sizeof(Rgb)))), size_(count) {
+    if (pixels_ == nullptr) throw std::bad_alloc();
+  }
+  [[nodiscard]] Rgb& operator[](std::size_t i) { return pixels_[i]; }
+  [[nodiscard]] const Rgb& operator[](std::size_t i) const { return pixels_[i]; }
+  [[nodiscard]] Rgb* data() { return pixels_.get(); }
+  [[nodiscard]] std::size_t size() const { return size_; }
+
+ private:
+  struct Free {
+    void operator()(Rgb* pixels) const { std::free(pixels); }
+  };
+  std::unique_ptr<Rgb[], Free> pixels_;
+  std::size_t size_;
+};
 
 /// An image that is drawn into. Origin top-left; what lies outside is cut off, whatever the
 /// coordinates: the work of a call is bounded by the visible part. One thread.
@@ -79,7 +104,7 @@ class Canvas {
   int width_;
   int height_;
   std::vector<Row> rows_;
-  std::vector<Rgb> pixels_;
+  LazyPixels pixels_;
 };
 
 template <class Of>
