@@ -57,6 +57,19 @@ install(PROGRAMS "${lab}/build" "${lab}/run" DESTINATION share/eyebridge/lab)
 install(FILES "${lab}/place.sh" "${lab}/kernel.config" "${lab}/change_source.py" "${lab}/guest_init.c"
         DESTINATION share/eyebridge/lab)
 
+# The component episode: simulations in one's own process, C++.
+foreach(room base world robot files episode)
+  set_target_properties(eyebridge_${room} PROPERTIES EXPORT_NAME ${room})
+  target_include_directories(eyebridge_${room} INTERFACE $<INSTALL_INTERFACE:include/eyebridge-core>)
+  target_compile_features(eyebridge_${room} INTERFACE cxx_std_20)
+  target_link_options(eyebridge_${room} INTERFACE ${sanitizer_flags})
+  install(TARGETS eyebridge_${room} EXPORT EyeBridgeCoreTargets ARCHIVE DESTINATION lib)
+  install(DIRECTORY "${CMAKE_SOURCE_DIR}/core/${room}/include/" DESTINATION include/eyebridge-core)
+endforeach()
+export(EXPORT EyeBridgeCoreTargets NAMESPACE EyeBridge::
+       FILE "${CMAKE_BINARY_DIR}/EyeBridgeCoreTargets.cmake")
+install(EXPORT EyeBridgeCoreTargets NAMESPACE EyeBridge:: DESTINATION lib/cmake/EyeBridge)
+
 configure_file("${CMAKE_SOURCE_DIR}/cmake/EyeBridgeConfig.cmake.in"
                "${CMAKE_BINARY_DIR}/EyeBridgeConfig.cmake" @ONLY)
 write_basic_package_version_file("${CMAKE_BINARY_DIR}/EyeBridgeConfigVersion.cmake"

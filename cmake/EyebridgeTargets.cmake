@@ -23,10 +23,12 @@ function(eyebridge_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(eyebridge_${name} STATIC ${arg_SOURCES})
   add_library(eyebridge::${name} ALIAS eyebridge_${name})
-  target_include_directories(eyebridge_${name} PUBLIC "${CMAKE_CURRENT_SOURCE_DIR}/include"
+  target_include_directories(eyebridge_${name} PUBLIC "$<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>"
                              PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/src")
-  target_link_libraries(eyebridge_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE}
-                        eyebridge_warnings)
+  target_link_libraries(eyebridge_${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+  # Not linked: others who link an installed library of ours have no such target.
+  target_compile_options(eyebridge_${name} PRIVATE
+                         $<TARGET_PROPERTY:eyebridge_warnings,INTERFACE_COMPILE_OPTIONS>)
   target_precompile_headers(eyebridge_${name} REUSE_FROM headers_libraries)
 endfunction()
 

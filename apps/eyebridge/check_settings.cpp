@@ -12,6 +12,7 @@
 
 #include "eyebridge/base/log.hpp"
 #include "eyebridge/camera/source.hpp"
+#include "eyebridge/files/error_rules.hpp"
 #include "eyebridge/files/load.hpp"
 #include "eyebridge/hal/hand.hpp"
 #include "eyebridge/hal/registry.hpp"
@@ -64,6 +65,7 @@ void check_out(const fs::path& out, const SourceLocation& where) {
 void check_settings(const hal::Config& config) {
   NullLog log;
   files::named_robot(config.text("robot"), config.value("robot").where);
+  files::read_error_rules(config.text("errors"), config.value("errors").where);
   check_keys(config.value("keys"));
   static_cast<void>(hal::programs_wanted(config));
   std::unique_ptr<hal::Backend> backend;

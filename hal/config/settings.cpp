@@ -16,6 +16,8 @@ constexpr auto kSettings = std::to_array<Setting>({
     {"robot", Kind::Text, "S4", "type of the robot where the world places none"},
     {"robots", Kind::Text, "1",
      "how many robots of the world run programs: a number, or all that it places"},
+    {"shared_globals", Kind::Boolean, "false",
+     "several robots of one program share its variables, as in EyeSim"},
     {"hdt", Kind::Path, "",
      "hardware description of a real board; unset: that of an S4. In simulation: the tables of "
      "PSDs"},
@@ -53,6 +55,8 @@ constexpr auto kSettings = std::to_array<Setting>({
      -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
      "auto|term|none"},
     {"out", Kind::Path, "", "folder for pictures and trace; unset: none are written"},
+    {"report", Kind::Path, "",
+     "file for what came of a simulated run: time, way, collisions, hash"},
     {"id_as_ascii", Kind::Boolean, "false", "classic OSMachineID() gives '1', '2' instead of 1, 2"},
     {"record", Kind::Path, "", "file (.ebrec) for all exchanges with the devices, and frames"},
     {"record_frames", Kind::Text, "lossless", "how camera frames are kept in --record",

@@ -10,6 +10,7 @@
 #include "clock/round_clock.hpp"
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/files/load.hpp"
+#include "sim/error_settings.hpp"
 #include "sim/open_sim.hpp"
 
 namespace eyebridge::hal {
@@ -45,11 +46,12 @@ void check_alone_settings(const Config& config) {
 
 /// The scenario of `config` with as many robots as it asks for.
 files::Scenario scenario_for_all(const Config& config) {
-  files::Scenario scenario = configured_scenario(config);
+  files::Scenario scenario = named_scenario(config);
   const ConfigValue& value = config.value("robots");
   const std::size_t count = count_in(value);
   files::set_robot_count(scenario, count == kAll ? files::robots_meant(scenario) : count,
                          value.where);
+  apply_error_settings(config, scenario);
   return scenario;
 }
 
@@ -84,7 +86,7 @@ std::size_t programs_wanted(const Config& config) {
   const std::size_t count = count_in(config.value("robots"));
   if (count == 1) return 1;
   check_alone_settings(config);
-  return count != kAll ? count : files::robots_meant(configured_scenario(config));
+  return count != kAll ? count : files::robots_meant(named_scenario(config));
 }
 
 std::shared_ptr<SharedWorld> open_shared_world(const Config& config, LogSink& log, Turns* turns) {
@@ -92,8 +94,10 @@ std::shared_ptr<SharedWorld> open_shared_world(const Config& config, LogSink& lo
   files::Scenario scenario = scenario_for_all(config);
   report_scenario(scenario, log);
   try {
-    return std::make_shared<SharedSim>(std::move(scenario), simulation_settings(config),
-                                       config.number("factor"), turns, log);
+    auto shared = std::make_shared<SharedSim>(std::move(scenario), simulation_settings(config),
+                                              config.number("factor"), turns, log);
+    begin_report(config, *shared->world());
+    return shared;
   } catch (const std::invalid_argument& error) {
     throw ConfigError(config.value("world").where, error.what());
   }

@@ -25,6 +25,7 @@ class SharedSim final : public SharedWorld {
     if (wall_) wall_->resume();
   }
   void step() override { world_->step(); }
+  void end() noexcept override { world_->end_report(); }
   [[nodiscard]] StateHash hash() override;
   [[nodiscard]] bool is_locked() override { return world_->is_locked(); }
   [[nodiscard]] std::uint64_t overruns() const override;

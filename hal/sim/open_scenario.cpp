@@ -28,6 +28,15 @@ void report_scenario(const files::Scenario& scenario, LogSink& log) {
   }
 }
 
+void begin_report(const Config& config, SimWorld& world) {
+  if (!config.is_set("report")) return;
+  try {
+    world.report_to(RunReport(config.path("report")));
+  } catch (const ConfigError& error) {
+    throw error_in(config.value("report"), error);
+  }
+}
+
 namespace {
 
 std::unique_ptr<Clock> make_clock(const Config& config, Time step, SimWorld& world) {
@@ -58,6 +67,7 @@ std::unique_ptr<Backend> open_scenario(files::Scenario scenario, const SourceLoc
   } catch (const std::invalid_argument& error) {
     throw ConfigError(where, error.what());
   }
+  begin_report(context.config, *world);
   auto clock = make_clock(context.config, from_seconds(settings.step), *world);
   return std::make_unique<SimBackend>(std::move(world), std::move(clock), 0,
                                       context.config.number("supply_voltage"));

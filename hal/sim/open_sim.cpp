@@ -18,16 +18,16 @@ files::Scenario empty_room(const Config& config) {
   return scenario;
 }
 
-files::Scenario named_world(const Config& config) {
+}  // namespace
+
+files::Scenario named_scenario(const Config& config) {
   if (!config.is_set("world")) return empty_room(config);
   const auto& robot = config.value("robot");
   return files::load_scenario(config.path("world"), robot.text, {}, robot.where);
 }
 
-}  // namespace
-
 files::Scenario configured_scenario(const Config& config) {
-  files::Scenario scenario = named_world(config);
+  files::Scenario scenario = named_scenario(config);
   apply_error_settings(config, scenario);
   return scenario;
 }

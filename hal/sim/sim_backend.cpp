@@ -91,7 +91,9 @@ std::vector<DeviceFacts> SimBackend::facts_of(std::string_view kind) {
 }
 
 void SimBackend::stop() noexcept {
-  if (at_end_ == AtEnd::Stop) world_->locked([&](auto& sim) { sim.stop(robot_); });
+  if (at_end_ == AtEnd::KeepDriving) return;
+  world_->locked([&](auto& sim) { sim.stop(robot_); });
+  world_->end_report();
 }
 
 }  // namespace eyebridge::hal

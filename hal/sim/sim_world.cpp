@@ -26,7 +26,7 @@ SimWorld::SimWorld(files::Scenario scenario, const robot::SimulationSettings& se
   simulation_.on_collision([this, &log](const robot::CollisionEvent& event) { tell(event, log); });
 }
 
-void SimWorld::tell(const robot::CollisionEvent& event, LogSink& log) const {
+void SimWorld::tell(const robot::CollisionEvent& event, LogSink& log) {
   if (!event.robot && !event.with_robot) return;  // things among themselves
   const std::string who = name_of(event.body, event.robot);
   const std::string with = name_of(event.with_body, event.with_robot);
@@ -37,6 +37,7 @@ void SimWorld::tell(const robot::CollisionEvent& event, LogSink& log) const {
   log.write(pushed ? Severity::Info : Severity::Warning,
             fmt::format("{} hit {} at x={:.3f} y={:.3f}", who, event.with_wall() ? "a wall" : with,
                         event.pose.x, event.pose.y));
+  if (report_) report_->collision(event);
   // The steps are counted when one is over.
   const Time time = static_cast<Time::rep>(steps_ + 1) * step_length_;
   for (const auto& [robot, traced] : traced_) {
@@ -50,6 +51,17 @@ void SimWorld::step() {
   simulation_.step();
   ++steps_;
   if (!traced_.empty()) trace();
+  if (report_) report_->step(simulation_);
+}
+
+void SimWorld::report_to(RunReport report) {
+  const std::lock_guard lock(mutex_);
+  report_.emplace(std::move(report));
+}
+
+void SimWorld::end_report() noexcept {
+  const std::lock_guard lock(mutex_);
+  if (report_) report_->end(simulation_);
 }
 
 void SimWorld::trace_to(TraceSink* sink, robot::RobotIndex robot) {

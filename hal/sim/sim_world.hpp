@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "eyebridge/files/scenario.hpp"
 #include "eyebridge/hal/trace.hpp"
 #include "eyebridge/robot/simulation.hpp"
+#include "sim/run_report.hpp"
 
 namespace eyebridge::hal {
 
@@ -42,6 +44,11 @@ class SimWorld {
   /// Tells `sink` of `robot` after every step from now on; null ends it.
   void trace_to(TraceSink* sink, robot::RobotIndex robot);
 
+  /// Keeps a report of the run from now on.
+  void report_to(RunReport report);
+  /// The program has ended: the report says so.
+  void end_report() noexcept;
+
   /// Never changes, but for its errors; needs no lock.
   [[nodiscard]] const robot::RobotModel& model(robot::RobotIndex robot) const;
   [[nodiscard]] const std::string& directory() const { return directory_; }
@@ -49,7 +56,7 @@ class SimWorld {
  private:
   void trace();  ///< mutex_ is held.
   /// Called from a step: mutex_ is held.
-  void tell(const robot::CollisionEvent& event, LogSink& log) const;
+  void tell(const robot::CollisionEvent& event, LogSink& log);
 
   const std::string directory_;
   const Time step_length_;
@@ -63,6 +70,7 @@ class SimWorld {
     std::vector<double> ranges;
   };
   std::map<robot::RobotIndex, Traced> traced_;
+  std::optional<RunReport> report_;
 };
 
 }  // namespace eyebridge::hal

@@ -11,9 +11,21 @@
 
 Metres, radians, seconds; x forward, y left, angles counter-clockwise. The same calls with the same seed give the same
 bits. Any thread may call; calls on one simulation wait for each other, and let other threads of the program run. Signatures,
-ranges and failures: __init__.pyi. For robot programs, which know nothing of a simulation, there is `eye`.
+ranges and failures: __init__.pyi; training: Episode and VectorEnv. For robot programs, which know nothing of a simulation, there is `eye`.
 """
 
 from ._core import Camera, ConfigError, Robot, Scenario, Simulation, default_scenario, load_scenario
+from .episode import Episode
+from .vector import VectorEnv
 
-__all__ = ["Camera", "ConfigError", "Robot", "Scenario", "Simulation", "default_scenario", "load_scenario"]
+__all__ = [
+    "Camera",
+    "ConfigError",
+    "Episode",
+    "Robot",
+    "Scenario",
+    "Simulation",
+    "VectorEnv",
+    "default_scenario",
+    "load_scenario",
+]

@@ -1,7 +1,9 @@
 """Worlds and robots for Python. Metres, radians, seconds; x forward, y left, angles counter-clockwise."""
 
 import os
-from types import TracebackType
+from collections.abc import Callable, Sequence
+from types import SimpleNamespace, TracebackType
+from typing import Any, Literal, Self
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
@@ -63,6 +65,12 @@ class Robot:
     @property
     def odometry(self) -> tuple[float, float, float]:
         """x, y, theta by its wheels; starts at 0, 0, 0."""
+    @property
+    def distance(self) -> float:
+        """The way driven since the start, forwards and back."""
+    @property
+    def collisions(self) -> int:
+        """New contacts since the start."""
     @property
     def driving(self) -> bool:
         """A drive() is under way."""
@@ -153,3 +161,65 @@ class Simulation:
     def state_hash(self) -> int:
         """Of everything that moves: equal runs have equal hashes."""
 
+
+class Episode(Simulation):
+    """A simulation with a reward that is asked after every step and summed up."""
+
+    reward: Callable[[Self], float] | None
+    total_reward: float
+    """Sum since the last reset()."""
+    def __init__(
+        self, scenario: Scenario | None = None, *, seed: int = 1, step: float = 0.01, reward: Callable[[Self], float] | None = None
+    ) -> None: ...
+    def step_until(self, done: Callable[[Self], object], seconds: float) -> bool:
+        """Steps until `done(episode)` holds, asked after each step, and says whether it does; or for the whole number of
+        steps next to `seconds`, at least one."""
+
+class VectorEnv:
+    """`num_envs` worlds with one robot each that acts (others stand), as Gymnasium's vectorised environments are used;
+    it is one where Gymnasium is installed. One thread at a time. Same seeds and actions: same bits."""
+
+    num_envs: int
+    observation_space: Any
+    """A gymnasium.spaces.Box, or ours with low, high, shape, dtype, sample(), contains(); (num_envs, ...)."""
+    action_space: Any
+    single_observation_space: Any
+    single_action_space: Any
+    metadata: dict[str, Any]
+    def __init__(
+        self,
+        scenario: Scenario | Sequence[Scenario] | None = None,
+        num_envs: int = 1,
+        *,
+        observation: str = "psd speed",
+        action: Literal["speed", "wheels"] = "speed",
+        reward: Callable[[SimpleNamespace], ArrayLike] | None = None,
+        terminated: Callable[[SimpleNamespace], ArrayLike] | None = None,
+        start: Literal["scenario", "anywhere"] = "scenario",
+        period: float = 0.1,
+        time_limit: float = 60.0,
+        step: float = 0.01,
+        autoreset: Literal["next_step", "same_step", "disabled"] = "next_step",
+        threads: int = 0,
+    ) -> None:
+        """World i has scenario i modulo their number. `observation`: words of psd, lidar, lidar:N, bumper, compass, speed,
+        odometry, pose. `action`: linear and angular speed, or the duty of both motors. `period`: between two actions;
+        `time_limit` truncates. `reward` and `terminated` get what the step came to, one row a world (observations,
+        actions, poses, distances, collisions, times, rewards, seeds), and give N values; without them the way driven is
+        the reward, and a collision the end. `start`: where the scenario says, or at a free place by the seed. `threads`: 0
+        is one a core. Raises ValueError."""
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[NDArray[numpy.float64], dict[str, Any]]:
+        """World i begins with `seed` + i; without a seed each world goes on to its next episode. `options`:
+        {"reset_mask": N booleans} for some worlds alone."""
+    def step(
+        self, actions: ArrayLike
+    ) -> tuple[NDArray[numpy.float64], NDArray[numpy.float64], NDArray[numpy.bool_], NDArray[numpy.bool_], dict[str, Any]]:
+        """One period: observations, rewards, terminated, truncated, info (pose, distance, collisions, time, seed).
+
+        A world whose episode is over begins the next one in the next step, which takes no action and gives reward 0
+        ("next_step"); at once, with the last observation in info["final_obs"] ("same_step"); or when reset() says
+        ("disabled"). Raises ValueError for actions of another shape than (num_envs, 2), or not finite."""
+    def close(self) -> None:
+        """Frees the worlds."""

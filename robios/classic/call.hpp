@@ -17,9 +17,10 @@ template <class Value, class Body>
 Value call(const Call& name, Value failure, Body&& body) {
   try {
     const InCall in_call;  // the kernel has locks, too
-    kernel().enter();
+    Kernel& tasks = kernel();
+    tasks.enter();
     const Value value = guarded(name, failure, body);
-    kernel().leave();
+    tasks.leave();
     return value;
   } catch (const TaskEnded&) {
   }

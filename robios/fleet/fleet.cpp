@@ -55,8 +55,8 @@ double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_
 
 struct Fleet::InLockstep final : Scheduler {
   explicit InLockstep(double hang_limit)
-      : watchdog([this] { return lockstep.switches(); }, [this] { tell(); },
-                 [this] { interrupt_robot(thread); }, hang_limit) {}
+      : watchdog([this] { return lockstep.switches(); }, tell, [this] { interrupt_robot(thread); },
+                 hang_limit) {}
 
   hal::Turns* turns() override { return &lockstep; }
   std::unique_ptr<Robot> make(std::size_t index, RobotProgram program,
@@ -69,11 +69,11 @@ struct Fleet::InLockstep final : Scheduler {
     lockstep.run(fleet.world_->step_length(), [&fleet] { fleet.world_->step(); });
   }
   void look() override { watchdog.look(processor_time()); }
-  static void tell() {
+  static void tell(double seconds) {
     fmt::print(stderr,
                "eyebridge: warning: a program has computed for {} s without a call with which its "
                "time passes; all robots wait for it\n",
-               Watchdog::kPatience_s);
+               seconds);
   }
 
   Lockstep lockstep;
@@ -174,6 +174,7 @@ int Fleet::run() {
 
 void Fleet::end() {
   for (const auto& robot : robots_) robot->session().end();
+  world_->end();
 }
 
 int Fleet::exit_code() const {

@@ -134,6 +134,15 @@ std::unique_ptr<ProgramImage> ProgramImage::load(const std::filesystem::path& pr
   return image;
 }
 
+std::shared_ptr<ProgramImage> ProgramImage::load_shared(const std::filesystem::path& program) {
+  static std::mutex mutex;
+  static auto* const known = new std::map<std::filesystem::path, std::shared_ptr<ProgramImage>>;
+  const std::lock_guard lock(mutex);
+  std::shared_ptr<ProgramImage>& image = (*known)[program];
+  if (image == nullptr) image = load(program);
+  return image;
+}
+
 void* ProgramImage::variable(const std::string& name) const {
   link_map* map = nullptr;
   if (dlinfo(handle_, RTLD_DI_LINKMAP, &map) != 0) return nullptr;

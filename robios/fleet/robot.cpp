@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "flow.hpp"
+#include "robot_programs.hpp"
 
 namespace eyebridge::robios {
 namespace {
@@ -30,8 +31,13 @@ void Robot::begin(const hal::Config& config, const hal::Seat& seat,
 void Robot::run() {
   Session::set_here(session_);
   flow.stack_mark = __builtin_frame_address(0);
+  if (const std::string why = trouble_with(program_.file); !why.empty()) {
+    fail(program_.file.string() + ": " + why, kCannotRun);
+  }
   try {
-    image_ = ProgramImage::load(program_.file);  // runs constructors: the robot's first code
+    // Runs constructors: the robot's first code.
+    image_ = session_->config().boolean("shared_globals") ? ProgramImage::load_shared(program_.file)
+                                                          : ProgramImage::load(program_.file);
   } catch (const ConfigError& error) {
     fail(error.what(), kCannotRun);
   }

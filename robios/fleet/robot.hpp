@@ -59,7 +59,7 @@ class Robot : public Runner {
   const std::size_t index_;
   const RobotProgram program_;
   std::shared_ptr<hal::SharedWorld> world_;
-  std::unique_ptr<ProgramImage> image_;
+  std::shared_ptr<ProgramImage> image_;
   Session* session_ = nullptr;
   std::atomic<bool> ended_ = false;
   bool is_abandoned_ = false;  ///< The calling flow will never leave its call.

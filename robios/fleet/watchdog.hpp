@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -10,17 +11,16 @@ namespace eyebridge::robios {
 /// Looked after every so often, by one thread.
 class Watchdog {
  public:
-  /// After this much processor time without progress it tells so.
-  static constexpr double kPatience_s = 5.0;
-
-  /// `progress` changes whenever something goes on; `tell` is called once for each hang,
-  /// `interrupt` again and again after `limit_s` seconds of it.
-  Watchdog(std::function<std::uint64_t()> progress, std::function<void()> tell,
+  /// `progress` changes whenever something goes on; `tell` is called once for each hang, after five
+  /// seconds of processor time without it (or half of `limit_s`), `interrupt` again and again after
+  /// `limit_s` seconds.
+  Watchdog(std::function<std::uint64_t()> progress, std::function<void(double)> tell,
            std::function<void()> interrupt, double limit_s)
       : progress_(std::move(progress)),
         tell_(std::move(tell)),
         interrupt_(std::move(interrupt)),
-        limit_s_(limit_s) {}
+        limit_s_(limit_s),
+        patience_s_(std::min(5.0, limit_s / 2)) {}
 
   /// `processor_s`: processor time of the process so far, seconds.
   void look(double processor_s) {
@@ -32,18 +32,19 @@ class Watchdog {
       return;
     }
     const double stuck_s = processor_s - since_s_;
-    if (stuck_s >= kPatience_s && !has_told_) {
+    if (stuck_s >= patience_s_ && !has_told_) {
       has_told_ = true;
-      tell_();
+      tell_(patience_s_);
     }
     if (stuck_s >= limit_s_) interrupt_();
   }
 
  private:
   const std::function<std::uint64_t()> progress_;
-  const std::function<void()> tell_;
+  const std::function<void(double)> tell_;
   const std::function<void()> interrupt_;
   const double limit_s_;
+  const double patience_s_;
   std::uint64_t seen_ = 0;
   double since_s_ = 0.0;
   bool has_told_ = false;

@@ -13,9 +13,9 @@ using testing::ScratchFolder;
 
 const std::string kConsumer = EYEBRIDGE_SOURCE_DIR "/tests/apps/consumer/";
 
-/// Builds and runs the consumer with CMake, its EyeBridge taken from `prefix`.
-std::string with_cmake(const std::string& prefix) {
-  return "cmake -S " + kConsumer + " -B by_cmake -G Ninja -DCMAKE_PREFIX_PATH=" + prefix +
+/// Builds and runs the consumer in `folder` with CMake, its EyeBridge taken from `prefix`.
+std::string with_cmake(const std::string& prefix, const std::string& folder = kConsumer) {
+  return "cmake -S " + folder + " -B by_cmake -G Ninja -DCMAKE_PREFIX_PATH=" + prefix +
          " >log 2>&1 || { cat log >&2; exit 1; }\n"
          "cmake --build by_cmake >log 2>&1 || { cat log >&2; exit 1; }\nby_cmake/prog\n";
 }
@@ -51,6 +51,17 @@ TEST_F(Package, PkgConfigFindsTheBuildTree) {
 
 TEST_F(Package, CMakeFindsAnInstallation) {
   expect_it_drives(installed() + with_cmake("$PWD/moved"));
+}
+
+TEST_F(Package, ProgramsCanRunEpisodesThemselves) {
+  for (const std::string& prefix : {std::string(EYEBRIDGE_BUILD_DIR), std::string("$PWD/moved")}) {
+    const ScratchFolder folder;
+    const ProgramRun r =
+        run_shell((prefix[0] == '$' ? installed() : "") + with_cmake(prefix, kConsumer + "episode"),
+                  folder.path());
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    EXPECT_EQ(r.out, "at 1.2, 3 rows\n") << r.err;
+  }
 }
 
 TEST_F(Package, PkgConfigFindsAnInstallation) {

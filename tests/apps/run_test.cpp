@@ -132,6 +132,10 @@ TEST_F(Run, ABadSettingIsAnErrorBeforeTheProgramStarts) {
   expect_bad_input(run({"--keys", "KEY1@2s,KEY7@3s", "prog"}), "--keys:1:12: found '7@3s'");
   expect_bad_input(run({"--camera", "webcam", "prog"}), "--camera: ");
   expect_bad_input(run({"--robot", "R2D2", "prog"}), "--robot: no robot 'R2D2'");
+  expect_bad_input(run({"--errors", "hash", "prog"}),
+                   "--errors:1:1: unknown error model 'hash': expected 'harsh'?");
+  expect_bad_input(run({"--hal", "serial:/dev/null", "--errors", "psd", "prog"}),
+                   "--errors:1:4: the rule ends: expected sigma");
   expect_bad_input(run({"--robot", "R2D2", "--world", "empty-room.wld", "prog"}), "--robot: ");
 }
 

@@ -16,7 +16,7 @@ LONGEST_SOURCE = 400
 LONGEST_README = 29
 SKIPPED = {"build", "out", ".git", "__pycache__", ".cache"}
 
-CORE = ["core/base", "core/world", "core/robot", "core/files", "core/mapping"]
+CORE = ["core/base", "core/world", "core/robot", "core/files", "core/episode", "core/mapping"]
 BACKENDS = ["hal/sim", "hal/shared", "hal/board", "hal/replay", "hal/hand", "hal/host"]
 FIRMWARE = ["firmware-stubs/board", "firmware-stubs/ports", "firmware-stubs/pins", "firmware-stubs/mps2"]
 EVERYTHING = [*CORE, "hal", *BACKENDS, "camera", "robios", "bridges", *FIRMWARE, "apps", "tests"]
@@ -27,6 +27,7 @@ ALLOWED = {
     "core/world": ["core/base"],
     "core/robot": ["core/base", "core/world"],
     "core/files": ["core/base", "core/world", "core/robot"],
+    "core/episode": ["core/base", "core/world", "core/robot", "core/files"],
     "core/mapping": ["core/base", "core/world"],
     "camera": CORE,
     "bridges": ["core/base"],
@@ -47,6 +48,7 @@ ALLOWED = {
     "python": [*CORE, "camera", "robios"],
     "apps": [*CORE, "hal", "hal/replay", "camera", "robios", "bridges", *FIRMWARE],
     "examples": ["robios:eyebot.h", "robios:eyebot++.h"],
+    "examples/training": [*CORE, "robios:eyebot.h"],
     "tests": EVERYTHING,
     "bench": EVERYTHING,
 }

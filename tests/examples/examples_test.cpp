@@ -1,4 +1,5 @@
 #include <cstdlib>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -105,6 +106,55 @@ TEST(WallFollower, KeepsItsDistanceToTheWall) {
   }
   ASSERT_GT(rows, 400);
   EXPECT_GT(near_the_wall, rows * 8 / 10);
+}
+
+/// The last line of `text`, in words.
+std::vector<std::string> last_words(const std::string& text) {
+  std::istringstream lines(text);
+  std::string last;
+  for (std::string line; std::getline(lines, line);) last = line;
+  std::istringstream words(last);
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
+/// Number behind `word` in `text`.
+double number_after(const std::string& text, const std::string& word) {
+  const std::size_t at = text.find(word);
+  return at == std::string::npos ? -1 : std::stod(text.substr(at + word.size()));
+}
+
+TEST(EvolvedWallFollower, FinishesItsCourseAsARobotProgram) {
+  const ProgramRun evolution =
+      testing::run_program({{EYEBRIDGE_EVOLVE_WALL_FOLLOWER, "6", "1"}, {}, ""});
+  ASSERT_EQ(evolution.exit_code, 0) << evolution.out << evolution.err;
+  EXPECT_THAT(evolution.out, HasSubstr("finished its course 3 times of 3\n"));
+  EXPECT_GT(number_after(evolution.out, "generation 6: best"),
+            number_after(evolution.out, "generation 1: best"));
+  std::vector<std::string> words = last_words(evolution.out);
+  ASSERT_EQ(words.size(), 7U) << evolution.out;
+  ASSERT_EQ(words[0], "evolved_follower");
+  words[0] = EYEBRIDGE_EVOLVED_FOLLOWER;
+  const ProgramRun r = testing::run_program(
+      {words, {{"EYEBRIDGE_FAST", "true"}, {"EYEBRIDGE_WORLD", world("corridor.wld")}}, ""});
+  EXPECT_EQ(r.exit_code, 0) << r.out << r.err;
+  EXPECT_EQ(r.err, "") << "it hits nothing";
+  EXPECT_THAT(r.out, HasSubstr("result finished 1\n"));
+}
+
+TEST(EvolvedWallFollower, EvolvesTheSameWayAgain) {
+  const auto evolve = [](const char* seed) {
+    return testing::run_program({{EYEBRIDGE_EVOLVE_WALL_FOLLOWER, "2", seed}, {}, ""}).out;
+  };
+  const std::string one = evolve("1");
+  EXPECT_EQ(evolve("1"), one);
+  EXPECT_NE(evolve("2"), one);
+}
+
+TEST(EvolvedWallFollower, SaysWhatItExpects) {
+  EXPECT_EQ(testing::run_program({{EYEBRIDGE_EVOLVE_WALL_FOLLOWER, "none"}, {}, ""}).exit_code, 2);
+  const ProgramRun r = testing::run_program({{EYEBRIDGE_EVOLVED_FOLLOWER, "1"}, {}, ""});
+  EXPECT_EQ(r.exit_code, 2);
+  EXPECT_THAT(r.err, HasSubstr("expected keep gain damping speed front_stop turn"));
 }
 
 TEST(ColourFollower, FindsTheRedThing) {

@@ -12,6 +12,7 @@
 #include "firmware_entry.hpp"
 #include "host_entry.hpp"
 #include "plant_link_entry.hpp"
+#include "sweep_entry.hpp"
 
 namespace eyebridge::fuzz {
 namespace {
@@ -43,6 +44,8 @@ constexpr Target kTargets[] = {{"world", world},
                                {"serial_devices", serial_devices},
                                {"sound", sound},
                                {"sample", sample},
+                               {"sweep", sweep},
+                               {"outcome", outcome},
                                {"recording", recording},
                                {"terminal_input", terminal_input},
                                {"camera_frame", camera_frame},

@@ -133,8 +133,10 @@ TEST(SimBackend, TellsItsTraceOfItsOwnContactsAndTheLogOfPushesAsInfo) {
 
 TEST(SimBackend, SaysThatItDrivesTheFirstOfSeveralRobots) {
   const Rig rig = open({{"fast", "true"}}, rig_scenario(0.5));
-  EXPECT_THAT(rig.log->messages(Severity::Info),
-              ElementsAre("this program drives robot 1 of 2, the others stand still"));
+  EXPECT_THAT(
+      rig.log->messages(Severity::Info),
+      ElementsAre("this program drives robot 1 of 2, the others stand still; all have one with "
+                  "--robots all"));
   rig.wait(1.0);
   EXPECT_EQ(rig.backend->world()->robot_pose(2).value(), (Pose{3.5, 1.5, kPi}));
 }

@@ -1,6 +1,7 @@
 """The examples in Python, by what they do."""
 
 import csv
+import re
 import sys
 
 from support import SOURCE, ProgramTest, main
@@ -25,6 +26,15 @@ class Examples(ProgramTest):
     def test_colour_search_finds_the_red_thing(self):
         run = self.run_example("colour_search.py", "colour-targets.sim")
         self.assertEqual((run.out, run.err), ("found it\n", ""))
+
+    def test_evolve_network_learns_to_drive_without_bumping(self):
+        run = self.run_words([sys.executable, SOURCE / "examples" / "training" / "evolve_network.py", "30", "1"])
+        self.assertEqual((run.returncode, run.err), (0, ""))
+        earned = [float(number) for number in re.findall(r"earned ([-\d.]+)", run.out)]
+        bumped = [int(number) for number in re.findall(r"bumped (\d+)%", run.out)]
+        self.assertEqual(len(earned), 31, run.out)
+        self.assertGreater(earned[-1], 5 * earned[0], run.out)
+        self.assertLess(bumped[-1], bumped[0] / 2, run.out)
 
 
 if __name__ == "__main__":

@@ -1,11 +1,15 @@
 // Several robots that run programs in one process.
 #include <algorithm>
+#include <atomic>
+#include <set>
 #include <sstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sched.h>
 
 #include "named_program.hpp"
 
@@ -16,8 +20,8 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using ::testing::StartsWith;
 using testing::run_named;
+using ::testing::StartsWith;
 
 using Settings = std::map<std::string, std::string>;
 
@@ -50,6 +54,13 @@ TEST(SeveralRobots, EachHasItsOwnVariablesTimeAndNumber) {
                           "3: counted 8 calls 8 mine 10 camera 320 x 40 at 800 alone"))
       << r.err;
   EXPECT_THAT(r.err, HasSubstr("eyebridge: 3 robots, "));
+}
+
+TEST(SeveralRobots, VariablesAreSharedWhenAskedFor) {
+  const auto r = run_named("several", several("3", {{"EYEBRIDGE_SHARED_GLOBALS", "true"}}));
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  // 6 + 7 + 8 rounds on one counter; the first robots have ended when the last one has counted all.
+  EXPECT_THAT(r.out, HasSubstr("3: counted 21 calls 21 mine "));
 }
 
 TEST(SeveralRobots, InRealTimeTheyAreTheSame) {
@@ -85,12 +96,47 @@ TEST(SeveralRobots, ARobotWhoseProgramEndedKeepsItsLastCommand) {
   EXPECT_EQ(r.out, "1 said gone at 1500; went on 200 mm\n") << r.err;
 }
 
-TEST(SeveralRobots, ARunRepeatsToTheBit) {
-  const std::string first = state_of(run_named("several", several("5")).err);
-  ASSERT_NE(first, "");
-  for (int i = 0; i < 5; ++i) {
-    EXPECT_EQ(state_of(run_named("several", several("5")).err), first);
+/// Lets this process, and what it starts, run on the first processor only while it lives.
+class OneProcessor {
+ public:
+  OneProcessor() {
+    sched_getaffinity(0, sizeof before_, &before_);
+    cpu_set_t first;
+    CPU_ZERO(&first);
+    for (int cpu = 0; cpu < CPU_SETSIZE && CPU_COUNT(&first) == 0; ++cpu) {
+      if (CPU_ISSET(cpu, &before_)) CPU_SET(cpu, &first);
+    }
+    sched_setaffinity(0, sizeof first, &first);
   }
+  ~OneProcessor() { sched_setaffinity(0, sizeof before_, &before_); }
+  OneProcessor(const OneProcessor&) = delete;
+  OneProcessor& operator=(const OneProcessor&) = delete;
+
+ private:
+  cpu_set_t before_{};
+};
+
+/// Fifty runs of `program`, half of them on one processor beside a busy thread: their one state.
+std::string state_of_fifty(const std::string& program) {
+  std::set<std::string> states;
+  for (int i = 0; i < 25; ++i) states.insert(state_of(run_named(program, several("5")).err));
+  const OneProcessor one;
+  std::atomic<bool> stop = false;
+  std::thread busy([&] {
+    while (!stop) {
+    }
+  });
+  for (int i = 0; i < 25; ++i) states.insert(state_of(run_named(program, several("5")).err));
+  stop = true;
+  busy.join();
+  EXPECT_EQ(states.size(), 1U);
+  return *states.begin();
+}
+
+// Whatever the build: these states are the same in debug, release and sanitized ones.
+TEST(SeveralRobots, AHundredRunsAreOneRun) {
+  EXPECT_EQ(state_of_fifty("several"), "state PINNED_A");
+  EXPECT_EQ(state_of_fifty("several_crew"), "state PINNED_B");
 }
 
 TEST(SeveralRobots, ThreadsOfProgramsTakeTurns) {
@@ -114,10 +160,10 @@ TEST(SeveralRobots, ThreadsOfProgramsWorkInRealTime) {
 }
 
 TEST(SeveralRobots, OneThatHangsIsToldOfAndEnded) {
-  const auto r = run_named("several_hang", several("3", {{"EYEBRIDGE_HANG_LIMIT", "6s"}}));
+  const auto r = run_named("several_hang", several("3", {{"EYEBRIDGE_HANG_LIMIT", "1s"}}));
   EXPECT_EQ(r.exit_code, 124) << r.err;
   EXPECT_EQ(r.out, "1 at 10100\n3 at 10100\n");
-  EXPECT_THAT(r.err, AllOf(HasSubstr("warning: a program has computed for 5 s without a call"),
+  EXPECT_THAT(r.err, AllOf(HasSubstr("warning: a program has computed for 0.5 s without a call"),
                            HasSubstr("robot 2: error: the program has made no call for too long")));
 }
 

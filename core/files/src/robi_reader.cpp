@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kMaxSize = 10000;  // millimetres: no robot or mounting is larger
 constexpr std::array<std::string_view, 22> kRobiKeywords = {
-    "name",  "diameter", "speed", "turn",      "model",     "axis",     "axel",
-    "psd",   "camera",   "wheel", "drive",     "mass",      "collider", "fisheye",
-    "lidar", "ir",       "bump",  "psd_range", "psd_table", "accel",    "error", "kicker"};
+    "name",   "diameter",  "speed",     "turn",  "model",    "axis",    "axel",  "psd",
+    "camera", "wheel",     "drive",     "mass",  "collider", "fisheye", "lidar", "ir",
+    "bump",   "psd_range", "psd_table", "accel", "error",    "kicker"};
 
 class RobiReader {
  public:

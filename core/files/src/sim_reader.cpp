@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t kMaxThings = 100000;
 constexpr std::array<std::string_view, 15> kSimKeywords = {
-    "world",  "maze", "robi", "robot", "obj",      "object",      "settings",
-    "marker", "box",  "mass", "fixed", "friction", "restitution", "path", "error"};
+    "world", "maze", "robi",  "robot",    "obj",         "object", "settings", "marker",
+    "box",   "mass", "fixed", "friction", "restitution", "path",   "error"};
 constexpr std::string_view kRobotForm = "NAME x y phi [program]' or 'NAME S [phi] [program]";
 
 bool is_start_letter(std::string_view word) {

@@ -145,6 +145,16 @@ void bind_robot(py::module_& module) {
           [](const RobotHandle& r) {
             return as_tuple(of(r, [](auto& sim, auto i) { return sim.odometry(i); }));
           })
+      .def_property_readonly("distance",
+                             [](const RobotHandle& r) {
+                               const py::gil_scoped_release others_run;
+                               return r.simulation->distance(r.index);
+                             })
+      .def_property_readonly("collisions",
+                             [](const RobotHandle& r) {
+                               const py::gil_scoped_release others_run;
+                               return r.simulation->collisions(r.index);
+                             })
       .def_property_readonly("driving",
                              [](const RobotHandle& r) {
                                return of(r, [](auto& sim, auto i) {

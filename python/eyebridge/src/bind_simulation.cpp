@@ -33,17 +33,13 @@ Shared make(std::shared_ptr<files::Scenario> scenario, std::uint64_t seed, doubl
 
 void step(SharedSimulation& shared, long long steps) {
   if (steps < 0) refuse("steps", steps, "0 or more");
-  shared.moving([&](auto& sim) {
-    for (long long i = 0; i < steps; ++i) sim.step();
-  });
+  shared.advance(steps);
 }
 
 void run(SharedSimulation& shared, double seconds) {
   if (!(seconds >= 0 && seconds < 1e9)) refuse("seconds", seconds, "0 ... 1e9");
-  shared.moving([&](auto& sim) {
-    const double length = sim.settings().step;
-    for (long long left = std::llround(seconds / length); left > 0; --left) sim.step();
-  });
+  const double length = shared.with([](auto& sim) { return sim.settings().step; });
+  shared.advance(std::llround(seconds / length));
 }
 
 /// `use(simulation)` without Python's lock: whoever waits for the simulation lets others run.

@@ -9,5 +9,6 @@ void bind_scenario(pybind11::module_& module);
 void bind_camera(pybind11::module_& module);
 void bind_robot(pybind11::module_& module);
 void bind_simulation(pybind11::module_& module);
+void bind_batch(pybind11::module_& module);
 
 }  // namespace eyebridge::python

@@ -14,4 +14,5 @@ PYBIND11_MODULE(_core, module) {
   eyebridge::python::bind_camera(module);
   eyebridge::python::bind_robot(module);
   eyebridge::python::bind_simulation(module);
+  eyebridge::python::bind_batch(module);
 }

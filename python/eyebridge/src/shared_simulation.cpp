@@ -5,33 +5,43 @@ namespace eyebridge::python {
 SharedSimulation::SharedSimulation(std::shared_ptr<const files::Scenario> scenario,
                                    const robot::SimulationSettings& settings)
     : scenario_(std::move(scenario)),
-      model_(std::make_shared<const world::WorldModel>(scenario_->world)),
-      settings_(settings),
+      seed_(settings.seed),
+      episode_(std::make_unique<episode::Episode>(scenario_, settings)),
       table_(std::make_shared<StateTable>()) {
   table_->poses.resize(3 * robot_count());
   table_->twists.resize(2 * robot_count());
-  begin();
+  write_table();
 }
 
-void SharedSimulation::begin() {
-  simulation_.emplace(model_, settings_);
-  for (const files::RobotPlacement& placed : scenario_->robots) {
-    simulation_->add_robot(scenario_->models.at(placed.model), placed.pose);
-  }
+void SharedSimulation::advance(long long steps) {
+  const std::lock_guard lock(mutex_);
+  episode::Episode& episode = opened();
+  for (long long i = 0; i < steps; ++i) episode.step();
   write_table();
+}
+
+double SharedSimulation::distance(robot::RobotIndex robot) const {
+  const std::lock_guard lock(mutex_);
+  return opened().tally().distance(robot);
+}
+
+std::uint64_t SharedSimulation::collisions(robot::RobotIndex robot) const {
+  const std::lock_guard lock(mutex_);
+  return opened().tally().collisions(robot);
 }
 
 void SharedSimulation::reset(std::optional<std::uint64_t> seed) {
   const std::lock_guard lock(mutex_);
-  (void)opened();  // throws once closed
-  if (seed) settings_.seed = *seed;
+  episode::Episode& episode = opened();
+  if (seed) seed_ = *seed;
   ++generation_;
-  begin();
+  episode.reset(seed_);
+  write_table();
 }
 
 void SharedSimulation::close() {
   const std::lock_guard lock(mutex_);
-  simulation_.reset();
+  episode_.reset();
 }
 
 std::uint64_t SharedSimulation::generation() const {
@@ -39,18 +49,19 @@ std::uint64_t SharedSimulation::generation() const {
   return generation_;
 }
 
-robot::Simulation& SharedSimulation::opened() const {
-  if (!simulation_) throw std::runtime_error("this simulation is closed");
-  return *simulation_;
+episode::Episode& SharedSimulation::opened() const {
+  if (!episode_) throw std::runtime_error("this simulation is closed");
+  return *episode_;
 }
 
 void SharedSimulation::write_table() {
-  if (!simulation_) return;
+  if (!episode_) return;
+  const robot::Simulation& simulation = episode_->simulation();
   double* pose_out = table_->poses.data();
   double* twist_out = table_->twists.data();
   for (robot::RobotIndex i = 0; i < robot_count(); ++i) {
-    const Pose pose = simulation_->pose(i);
-    const Twist twist = simulation_->twist(i);
+    const Pose pose = simulation.pose(i);
+    const Twist twist = simulation.twist(i);
     *pose_out++ = pose.x;
     *pose_out++ = pose.y;
     *pose_out++ = pose.theta;

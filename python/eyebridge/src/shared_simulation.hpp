@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "eyebridge/files/scenario.hpp"
-#include "eyebridge/robot/simulation.hpp"
+#include "eyebridge/episode/episode.hpp"
 
 namespace eyebridge::python {
 
@@ -32,7 +31,7 @@ class SharedSimulation {
   template <class Use>
   auto with(Use&& use) const {
     const std::lock_guard lock(mutex_);
-    return std::forward<Use>(use)(opened());
+    return std::forward<Use>(use)(opened().simulation());
   }
   /// The same for what moves a robot: the table follows.
   template <class Use>
@@ -42,8 +41,14 @@ class SharedSimulation {
       SharedSimulation& shared;
       ~Follow() { shared.write_table(); }
     } follow{*this};
-    return std::forward<Use>(use)(opened());
+    return std::forward<Use>(use)(opened().simulation());
   }
+
+  /// So many steps. Throws std::runtime_error once closed.
+  void advance(long long steps);
+  /// What `robot` has driven since the start, metres, and how often it hit something.
+  [[nodiscard]] double distance(robot::RobotIndex robot) const;
+  [[nodiscard]] std::uint64_t collisions(robot::RobotIndex robot) const;
 
   /// Everything as at the start, with another seed if one is given.
   void reset(std::optional<std::uint64_t> seed);
@@ -57,15 +62,13 @@ class SharedSimulation {
   [[nodiscard]] std::uint64_t generation() const;
 
  private:
-  [[nodiscard]] robot::Simulation& opened() const;
-  void begin();
+  [[nodiscard]] episode::Episode& opened() const;
   void write_table();
 
   const std::shared_ptr<const files::Scenario> scenario_;
-  const std::shared_ptr<const world::WorldModel> model_;
-  robot::SimulationSettings settings_;
+  std::uint64_t seed_;
   mutable std::mutex mutex_;
-  mutable std::optional<robot::Simulation> simulation_;
+  std::unique_ptr<episode::Episode> episode_;  ///< Null once closed.
   std::shared_ptr<StateTable> table_;
   std::uint64_t generation_ = 0;
 };

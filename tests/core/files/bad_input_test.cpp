@@ -47,8 +47,10 @@ TEST(BadInput, WarningsAreLimitedHoweverOddTheFile) {
 
 TEST(BadInput, AnyBytesGiveAModelOrAConfigError) {
   const std::string alphabet = "0123456789 \n\n.-|_ouS'\"#;%e\t\r";
-  const char* const words[] = {"floor ", "push ", "pop\n",  "psd ",    "error ", "drive ", "world ",
-                               "robi ",  "S4 ",   "wheel ", "camera ", "1e308 ", "-0 ",    "nan "};
+  const char* const words[] = {"floor ",           "push ",     "pop\n",   "psd ",    "error ",
+                               "drive ",           "world ",    "robi ",   "S4 ",     "wheel ",
+                               "camera ",          "1e308 ",    "-0 ",     "nan ",    "box ",
+                               "Can 1 2 3\npath ", "friction ", "kicker ", "fixed\n", "loop "};
   std::uint32_t state = 12345;
   const auto next = [&] { return (state = state * 1664525U + 1013904223U) >> 8U; };
   int read = 0;

@@ -50,6 +50,8 @@ class SharedWorld {
   virtual void begin_time() = 0;
   /// Makes one step. In virtual time only, where whoever implements Turns calls it between rounds.
   virtual void step() = 0;
+  /// The last program has ended: the run's report says so.
+  virtual void end() noexcept = 0;
   /// The state of everything that moves: the same for the same run.
   [[nodiscard]] virtual StateHash hash() = 0;
   /// True while somebody reads or changes the world: asked by who may have been stopped in the

@@ -1,5 +1,5 @@
-/* Tasks of several robots: those of odd numbers take turns by preemption, the others by themselves. Consumers wait at a
-   semaphore for what a producer and a timer give. */
+/* Tasks of several robots: those of odd numbers take turns by preemption, the others by themselves.
+   Consumers wait at a semaphore for what a producer and a timer give. */
 #include "eyebot.h"
 
 struct sem full, done;

@@ -22,9 +22,9 @@ struct RangeSensorModel {
   double min_range = 0.0;       ///< Nearer surfaces read as `out_of_range`, metres.
   double max_range = 9.999;     ///< Farther surfaces read as `out_of_range`, metres.
   double out_of_range = 9.999;  ///< Metres: EyeSim's 9999 mm.
-  RangeError error;
-  int semantics = 0;  ///< As classic programs ask for it, PSDInit(-205); 0: by name only.
-  RangeTable table;   ///< What `error.quantised` rounds to; empty: the sensor has no table.
+  RangeError error{};
+  int semantics = 0;   ///< As classic programs ask for it, PSDInit(-205); 0: by name only.
+  RangeTable table{};  ///< What `error.quantised` rounds to; empty: the sensor has no table.
 
   friend bool operator==(const RangeSensorModel&, const RangeSensorModel&) = default;
 };
@@ -35,7 +35,7 @@ struct ProximityModel {
   std::string name;
   Pose pose_in_robot;
   double threshold = 0.15;  ///< Metres.
-  ProximityError error;
+  ProximityError error{};
   int semantics = 0;  ///< As RangeSensorModel's.
 
   friend bool operator==(const ProximityModel&, const ProximityModel&) = default;
@@ -47,7 +47,7 @@ struct BumperModel {
   std::string name;
   double start = 0.0;  ///< Bearing in the robot, radians; the sector goes
   double end = 0.0;    ///< counter-clockwise from `start` to `end`.
-  BumperError error;
+  BumperError error{};
   int semantics = 0;  ///< As RangeSensorModel's.
 
   friend bool operator==(const BumperModel&, const BumperModel&) = default;
@@ -61,7 +61,7 @@ struct LidarModel {
   Pose pose_in_robot;
   double height = 0.1;       ///< Metres above the floor.
   double max_range = 9.999;  ///< Metres; also what "nothing hit" reads.
-  LidarError error;
+  LidarError error{};
 
   friend bool operator==(const LidarModel&, const LidarModel&) = default;
 };
@@ -76,7 +76,7 @@ struct CameraModel {
   double max_pan = deg_to_rad(90);   ///< Servo 1's throw to either side, radians.
   double max_tilt = deg_to_rad(90);  ///< Servo 2's throw to either side, radians.
   double horizontal_field_of_view = deg_to_rad(60);  ///< Radians.
-  CameraError error;
+  CameraError error{};
 
   friend bool operator==(const CameraModel&, const CameraModel&) = default;
 };

@@ -1,0 +1,229 @@
+#include "sweep_plan.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <sched.h>
+
+#include "check_settings.hpp"
+#include "config/toml_text.hpp"
+#include "eyebridge/base/text.hpp"
+#include "eyebridge/hal/config.hpp"
+#include "program.hpp"
+#include "setting_flags.hpp"
+#include "sweep/sweep_file.hpp"
+
+namespace eyebridge::apps {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Adds `value` to the axis of a flag that may be given several times; the first of them takes the
+/// place of what the file said.
+void add_value(SweepPlan& plan, std::set<std::string>& begun, AxisKind kind,
+               const std::string& name, std::vector<AxisValue> values) {
+  Axis* axis = plan.find(kind, name);
+  if (axis == nullptr || begun.insert(std::to_string(static_cast<int>(kind)) + name).second) {
+    plan.put({kind, name, std::move(values)});
+    begun.insert(std::to_string(static_cast<int>(kind)) + name);
+  } else {
+    axis->values.insert(axis->values.end(), values.begin(), values.end());
+  }
+}
+
+void add_pair(SweepPlan& plan, std::set<std::string>& begun, AxisKind kind, const char* flag,
+              const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw ConfigError({flag}, fmt::format("found {}, expected NAME=VALUE", in_quotes(text)));
+  }
+  const std::string name = text.substr(0, equals);
+  if (kind == AxisKind::Environment && name.starts_with("EYEBRIDGE_")) {
+    throw ConfigError({flag}, fmt::format("found {}, expected the setting itself", name));
+  }
+  add_value(plan, begun, kind, name, {{text.substr(equals + 1), {flag}}});
+}
+
+/// One core of those that this process may use.
+int core_count() {
+  cpu_set_t cores;
+  if (sched_getaffinity(0, sizeof cores, &cores) == 0) return CPU_COUNT(&cores);
+  return static_cast<int>(std::max(std::thread::hardware_concurrency(), 1U));
+}
+
+void find_programs(SweepPlan& plan) {
+  Axis* programs = plan.find(AxisKind::Program, "program");
+  if (programs == nullptr) return;  // cells_of() says so
+  for (AxisValue& value : programs->values) {
+    try {
+      value.text = fs::absolute(find_program(value.text)).string();
+    } catch (const ConfigError& error) {
+      if (value.where.line == 0) throw;
+      throw ConfigError(value.where, error.where().file + ": " + error.text());
+    }
+  }
+}
+
+/// Runs have working folders of their own: what lies here is named from the root.
+std::string from_the_root(const std::string& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored) ? fs::absolute(path).lexically_normal().string() : path;
+}
+
+void make_paths_absolute(SweepPlan& plan) {
+  for (Axis& axis : plan.axes) {
+    if (axis.kind != AxisKind::Setting) continue;
+    if (hal::find_setting(axis.name)->kind != hal::Setting::Kind::Path) continue;
+    for (AxisValue& value : axis.values) value.text = from_the_root(value.text);
+  }
+}
+
+/// Settings of the eyebridge.toml in this folder, which the runs do not see, and --fast.
+std::map<std::string, std::string> settings_from_here() {
+  std::map<std::string, std::string> out;
+  const hal::Config config = hal::Config::from_process({});
+  for (const hal::Setting& setting : hal::settings()) {
+    const hal::ConfigValue& value = config.value(setting.key);
+    if (value.where.file != "eyebridge.toml") continue;
+    out[std::string(setting.key)] =
+        setting.kind == hal::Setting::Kind::Path ? from_the_root(value.text) : value.text;
+  }
+  if (config.value("fast").is_default()) out["fast"] = "true";
+  for (const char* of_one_run : {"out", "record"}) out.erase(of_one_run);
+  return out;
+}
+
+/// `error`, where the axis was written whose value it is about.
+[[noreturn]] void rethrow_in_place(const SweepPlan& plan, const Cell& cell,
+                                   const ConfigError& error) {
+  for (const Axis& axis : plan.axes) {
+    if (axis.kind != AxisKind::Setting) continue;
+    const std::string& text = cell.settings.at(axis.name);
+    const bool meant = error.where().file == hal::Config::flag_name(axis.name) ||
+                       (!text.empty() && error.where().file == text);
+    const auto written = std::ranges::find(axis.values, text, &AxisValue::text);
+    if (!meant || written->where.line == 0) continue;
+    const bool same = error.where().file == hal::Config::flag_name(axis.name);
+    throw ConfigError(written->where, same ? error.text() : error.what());
+  }
+  throw error;
+}
+
+void check_all_settings(const SweepPlan& plan, const RunSettings& settings) {
+  std::set<std::string> checked;
+  for (const Cell& cell : cells_of(plan)) {
+    SettingFlags flags = settings.base;
+    for (const auto& [key, text] : cell.settings) flags[key] = text;
+    // Of all seeds one tells enough.
+    SettingFlags distinct = flags;
+    distinct.erase("seed");
+    if (!checked.insert(cell.program + '\n' + hal::Config::flags_variable(distinct)).second)
+      continue;
+    try {
+      check_settings(hand_on(flags, cell.program));
+    } catch (const ConfigError& error) {
+      rethrow_in_place(plan, cell, error);
+    }
+  }
+  unsetenv("EYEBRIDGE_FLAGS");
+}
+
+}  // namespace
+
+void add_sweep_flags(CLI::App& command, SweepFlags& flags) {
+  for (const hal::Setting& setting : hal::settings()) {
+    const std::string key(setting.key);
+    const auto store = [&flags, key](const CLI::results_t& values) {
+      for (const std::string& value : values) {
+        flags.settings.emplace_back(key, value.empty() ? "true" : value);
+      }
+      return true;
+    };
+    CLI::Option* option =
+        command.add_option(hal::Config::flag_name(key), store, std::string(setting.help));
+    option->type_name("")->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    if (setting.kind == hal::Setting::Kind::Boolean) {
+      option->type_size(0)->expected(0, 1);
+    } else {
+      option->type_size(1)->expected(1)->allow_extra_args(false);
+    }
+  }
+  command.add_option("--env", flags.environment, "A variable of the program's environment")
+      ->type_name("NAME=VALUE")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command.add_option("--parameter", flags.parameters, "A value for {NAME} among the arguments")
+      ->type_name("NAME=VALUE")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command.add_option("--results", flags.results, "The results, an SQLite file [sweep.db]")
+      ->type_name("FILE");
+  command.add_option("--wall-limit", flags.wall_limit, "A run that takes longer hangs [10min]")
+      ->type_name("TIME");
+  command.add_option("--jobs", flags.jobs, "Runs at a time [one a core]")->type_name("N");
+}
+
+SweepPlan make_plan(const SweepFlags& flags, const std::vector<std::string>& words) {
+  SweepPlan plan;
+  const bool from_file = !words.empty() && fs::path(words.front()).extension() == ".toml";
+  if (from_file) {
+    const std::optional<std::string> text = hal::read_toml_file(words.front());
+    if (!text) throw ConfigError({words.front()}, "no such sweep file");
+    plan = read_sweep(*text, words.front());
+    if (words.size() > 1) {
+      throw ConfigError({words[1]}, "found it after the sweep file, expected options before it");
+    }
+  } else if (!words.empty()) {
+    if (words.front().starts_with('-')) {
+      throw ConfigError({words.front()},
+                        "unknown option; eyebridge sweep --help lists those there are");
+    }
+    plan.put({AxisKind::Program, "program", {{words.front(), {"program"}}}});
+    for (const std::string& word : std::vector(words.begin() + 1, words.end())) {
+      plan.arguments.push_back({word, {word}});
+    }
+  }
+  std::set<std::string> begun;
+  for (const auto& [key, text] : flags.settings) {
+    const SourceLocation where{hal::Config::flag_name(key)};
+    check_can_vary(key, where);
+    std::vector<AxisValue> values = {{text, where}};
+    if (key == "seed") values = read_range(text, where);
+    add_value(plan, begun, AxisKind::Setting, key, std::move(values));
+  }
+  for (const std::string& text : flags.environment) {
+    add_pair(plan, begun, AxisKind::Environment, "--env", text);
+  }
+  for (const std::string& text : flags.parameters) {
+    add_pair(plan, begun, AxisKind::Parameter, "--parameter", text);
+  }
+  if (!flags.results.empty()) plan.results = flags.results;
+  if (!flags.wall_limit.empty()) {
+    plan.wall_limit = parse_duration(flags.wall_limit, {"--wall-limit"});
+  }
+  if (!flags.jobs.empty()) plan.jobs = read_jobs(flags.jobs, {"--jobs"});
+  return plan;
+}
+
+RunSettings prepare(SweepPlan& plan) {
+  find_programs(plan);
+  make_paths_absolute(plan);
+  RunSettings settings;
+  settings.command = fs::read_symlink("/proc/self/exe");
+  settings.folder = fs::absolute(plan.results + ".runs");
+  settings.base = settings_from_here();
+  settings.wall_limit = plan.wall_limit;
+  settings.jobs = plan.jobs > 0 ? plan.jobs : core_count();
+  check_all_settings(plan, settings);
+  return settings;
+}
+
+}  // namespace eyebridge::apps

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sweep/plan.hpp"
+#include "sweep/run_cells.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace eyebridge::apps {
+
+/// What `eyebridge sweep` was told on its command line.
+struct SweepFlags {
+  /// Settings as flags gave them, in order: key, value.
+  std::vector<std::pair<std::string, std::string>> settings;
+  std::vector<std::string> environment;  ///< NAME=VALUE
+  std::vector<std::string> parameters;   ///< NAME=VALUE
+  std::string results;
+  std::string wall_limit;
+  std::string jobs;
+};
+
+/// Adds the flags of a plan to `command`; what is given lands in `flags`, which must outlive the
+/// parsing.
+void add_sweep_flags(CLI::App& command, SweepFlags& flags);
+
+/// The plan of `words` (a sweep file, or a program and its arguments, or nothing) and `flags`,
+/// which take the place of what the file says. Throws ConfigError.
+SweepPlan make_plan(const SweepFlags& flags, const std::vector<std::string>& words);
+
+/// Everything that can be wrong before the first run: finds all programs, checks every combination
+/// of settings as `eyebridge run` does. Makes paths in `plan` absolute and returns what all runs
+/// have in common. Throws ConfigError.
+RunSettings prepare(SweepPlan& plan);
+
+}  // namespace eyebridge::apps

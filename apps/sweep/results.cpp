@@ -1,0 +1,245 @@
+#include "sweep/results.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+
+#include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/hash.hpp"
+
+namespace eyebridge::apps {
+namespace {
+
+namespace sqlite = camera::sqlite;
+
+constexpr int kPatience_ms = 10'000;  // for people who look at the file meanwhile
+constexpr const char* kVersion = "1";
+// "EBSW"; a file that has another number is not ours.
+constexpr const char* kSchema =
+    "BEGIN IMMEDIATE; PRAGMA application_id=0x45425357;"
+    "CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL);"
+    "CREATE TABLE input(path TEXT PRIMARY KEY, hash TEXT NOT NULL);"
+    "CREATE TABLE run(id INTEGER PRIMARY KEY, key TEXT NOT NULL UNIQUE, how TEXT NOT NULL,"
+    " reason TEXT NOT NULL, exit_code INTEGER, signal INTEGER, time REAL, distance REAL,"
+    " collisions INTEGER, state_hash TEXT, wall REAL NOT NULL, cpu REAL NOT NULL);"
+    "CREATE TABLE coordinate(run INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,"
+    " name TEXT NOT NULL, value TEXT NOT NULL, PRIMARY KEY(run, name));"
+    "CREATE TABLE result(run INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,"
+    " name TEXT NOT NULL, value NOT NULL, PRIMARY KEY(run, name));"
+    "INSERT INTO meta VALUES('version','1'); COMMIT;";
+
+sqlite::Database open_file(const std::filesystem::path& path, int flags) {
+  sqlite3* opened = nullptr;
+  const int code = sqlite3_open_v2(path.c_str(), &opened, flags, nullptr);
+  sqlite::Database database(opened);
+  if (code != SQLITE_OK) throw std::runtime_error(sqlite3_errmsg(opened));
+  sqlite3_busy_timeout(opened, kPatience_ms);
+  return database;
+}
+
+bool is_empty(sqlite3* database) {
+  const auto row = sqlite::prepare(database, "SELECT count(*) FROM sqlite_master");
+  return sqlite::step(row) && sqlite::integer(row, 0) == 0;
+}
+
+void check_version(sqlite3* database) {
+  const auto id = sqlite::prepare(database, "PRAGMA application_id");
+  if (!sqlite::step(id) || sqlite::integer(id, 0) != 0x45425357) {
+    throw std::runtime_error("found another kind of file");
+  }
+  const auto row = sqlite::prepare(database, "SELECT value FROM meta WHERE key='version'");
+  if (!sqlite::step(row) || sqlite::text(row, 0) != kVersion) {
+    throw std::runtime_error("found another version");
+  }
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::runtime_error& error) {
+  throw ConfigError({path.string()}, std::string(error.what()) +
+                                         "; expected results of eyebridge sweep, or no file");
+}
+
+std::string hash_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  StateHash hash;
+  std::array<char, 65536> block{};
+  while (file.read(block.data(), block.size()), file.gcount() > 0) {
+    for (std::streamsize i = 0; i < file.gcount(); ++i) {
+      hash.add_byte(static_cast<std::uint8_t>(block[static_cast<std::size_t>(i)]));
+    }
+  }
+  return fmt::format("{:016x}", hash.value());
+}
+
+/// Columns that are null without a value.
+void bind_number(const sqlite::Statement& statement, int column, double value) {
+  sqlite3_bind_double(statement.get(), column, value);
+}
+template <class Number>
+void bind_optional(const sqlite::Statement& statement, int column,
+                   const std::optional<Number>& value) {
+  if (!value) return;
+  if constexpr (std::is_floating_point_v<Number>) {
+    bind_number(statement, column, *value);
+  } else {
+    sqlite::bind(statement, column, static_cast<std::int64_t>(*value));
+  }
+}
+
+/// The whole of `text` as a finite number.
+std::optional<double> as_number(const std::string& text) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || stopped != end || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::int64_t add_run(sqlite3* database, const Cell& cell, const Outcome& o) {
+  const auto add = sqlite::prepare(
+      database,
+      "INSERT OR REPLACE INTO run(key,how,reason,exit_code,signal,time,distance,collisions,"
+      "state_hash,wall,cpu) VALUES(?,?,?,?,?,?,?,?,?,?,?)");
+  sqlite::bind(add, 1, cell.key());
+  sqlite::bind(add, 2, o.how);
+  sqlite::bind(add, 3, o.reason);
+  bind_optional(add, 4, o.exit_code);
+  bind_optional(add, 5, o.signal);
+  bind_optional(add, 6, o.time);
+  bind_optional(add, 7, o.distance);
+  bind_optional(add, 8, o.collisions);
+  if (!o.state_hash.empty()) sqlite::bind(add, 9, o.state_hash);
+  bind_number(add, 10, o.wall);
+  bind_number(add, 11, o.cpu);
+  sqlite::step(add);
+  return sqlite3_last_insert_rowid(database);
+}
+
+void add_pair(const sqlite::Statement& add, std::int64_t run, const std::string& name,
+              const std::string& value, bool maybe_number) {
+  sqlite::reset(add);
+  sqlite::bind(add, 1, run);
+  sqlite::bind(add, 2, name);
+  const auto number = maybe_number ? as_number(value) : std::nullopt;
+  if (number) {
+    bind_number(add, 3, *number);
+  } else {
+    sqlite::bind(add, 3, value);
+  }
+  sqlite::step(add);
+}
+
+}  // namespace
+
+ResultsFile::ResultsFile(const std::filesystem::path& path) : file_(path.string()) {
+  lock_.reset(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+  if (!lock_.valid()) throw ConfigError({file_}, std::string("cannot write: ") + strerror(errno));
+  if (flock(lock_.get(), LOCK_EX | LOCK_NB) != 0) {
+    throw ConfigError({file_},
+                      "another sweep is writing it; expected to be alone (--results "
+                      "names another file)");
+  }
+  try {
+    database_ = open_file(path, SQLITE_OPEN_READWRITE);
+    sqlite::run(database_.get(), "PRAGMA foreign_keys=ON; PRAGMA synchronous=FULL");
+    if (is_empty(database_.get())) sqlite::run(database_.get(), kSchema);
+    check_version(database_.get());
+  } catch (const std::runtime_error& error) {
+    refuse(path, error);
+  }
+}
+
+void ResultsFile::note_input(const std::filesystem::path& path) {
+  const std::string hash = hash_of(path);
+  const auto present = sqlite::prepare(database_.get(), "SELECT hash FROM input WHERE path=?");
+  sqlite::bind(present, 1, path.string());
+  if (sqlite::step(present)) {
+    if (sqlite::text(present, 0) == hash) return;
+    throw ConfigError({file_},
+                      fmt::format("holds runs of another version of {}; expected the same, "
+                                  "or another file (--results)",
+                                  path.string()));
+  }
+  const auto add = sqlite::prepare(database_.get(), "INSERT INTO input VALUES(?,?)");
+  sqlite::bind(add, 1, path.string());
+  sqlite::bind(add, 2, hash);
+  sqlite::step(add);
+}
+
+std::set<std::string> ResultsFile::keys(bool well_only) const {
+  const auto row = sqlite::prepare(
+      database_.get(), well_only ? "SELECT key FROM run WHERE how IN ('ended','time limit')"
+                                 : "SELECT key FROM run");
+  std::set<std::string> out;
+  while (sqlite::step(row)) out.insert(sqlite::text(row, 0));
+  return out;
+}
+
+void ResultsFile::add(const Cell& cell, const Outcome& outcome) {
+  sqlite3* database = database_.get();
+  sqlite::run(database, "BEGIN IMMEDIATE");
+  try {
+    const std::int64_t run = add_run(database, cell, outcome);
+    const auto coordinate = sqlite::prepare(database, "INSERT INTO coordinate VALUES(?,?,?)");
+    for (const auto& [name, value] : cell.coordinates()) {
+      add_pair(coordinate, run, name, value, false);
+    }
+    const auto result = sqlite::prepare(database, "INSERT INTO result VALUES(?,?,?)");
+    for (const auto& [name, value] : outcome.results) add_pair(result, run, name, value, true);
+    sqlite::run(database, "COMMIT");
+  } catch (...) {
+    sqlite3_exec(database, "ROLLBACK", nullptr, nullptr, nullptr);
+    throw;
+  }
+}
+
+std::vector<ResultRow> read_results_file(const std::filesystem::path& path) {
+  constexpr std::array<std::string_view, 5> kColumns = {"time", "distance", "collisions", "wall",
+                                                        "cpu"};
+  try {
+    const sqlite::Database database = open_file(path, SQLITE_OPEN_READONLY);
+    check_version(database.get());
+    const auto runs = sqlite::prepare(
+        database.get(), "SELECT id,how,time,distance,collisions,wall,cpu FROM run ORDER BY id");
+    const auto coordinates =
+        sqlite::prepare(database.get(), "SELECT name,value FROM coordinate WHERE run=?");
+    const auto results = sqlite::prepare(
+        database.get(),
+        "SELECT name,value FROM result WHERE run=? AND typeof(value) IN ('real','integer')");
+    std::vector<ResultRow> rows;
+    while (sqlite::step(runs)) {
+      ResultRow& row = rows.emplace_back();
+      row.how = sqlite::text(runs, 1);
+      for (int i = 0; i < static_cast<int>(kColumns.size()); ++i) {
+        if (sqlite::is_null(runs, 2 + i)) continue;
+        row.values[std::string(kColumns[static_cast<std::size_t>(i)])] =
+            sqlite3_column_double(runs.get(), 2 + i);
+      }
+      for (const auto* pairs : {&coordinates, &results}) {
+        sqlite::reset(*pairs);
+        sqlite::bind(*pairs, 1, sqlite::integer(runs, 0));
+      }
+      while (sqlite::step(coordinates)) {
+        row.coordinates[sqlite::text(coordinates, 0)] = sqlite::text(coordinates, 1);
+      }
+      while (sqlite::step(results)) {
+        std::string name = sqlite::text(results, 0);
+        // A program may call its own numbers as we call ours.
+        if (std::ranges::find(kColumns, name) != kColumns.end()) name = "result." + name;
+        row.values[name] = sqlite3_column_double(results.get(), 1);
+      }
+    }
+    return rows;
+  } catch (const std::runtime_error& error) {
+    refuse(path, error);
+  }
+}
+
+}  // namespace eyebridge::apps
