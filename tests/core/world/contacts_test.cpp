@@ -42,26 +42,36 @@ TEST(Contacts, ABookTellsOncePerContact) {
 }
 
 TEST(Contacts, AWallThatHeldARobotBeforeIsToldOfAgain) {
-  World world(shared(room(4, 2)));
-  const BodyId robot = world.add_robot({3.5, 1, 0}, 0.1, 0.1, {});
+  WorldModel model = room(4, 2);
+  Wall slanted;
+  slanted.a = {3.2, 0.1};
+  slanted.b = {3.9, 1.7};
+  model.walls.push_back(slanted);
+  World world(shared(std::move(model)));
+  const BodyId robot = world.add_robot({3.2, 1, 0}, 0.1, 0.1, {});
   const auto go = [&](double way) {
     world.move(robot, {{way, 0.0}, {}}, kTouchStep);
     world.step_objects(kTouchStep);
     return world.bumps().size();
   };
-  std::size_t told = 0;
-  for (int i = 0; i < 60; ++i) told += go(0.01);
-  EXPECT_EQ(told, 1u) << "held all the time";
-  const Vec2 held = world.position(robot);
-  world.set_pose(robot, world.pose(robot));
-  EXPECT_EQ(go(0.01), 1u) << "a person put it there";
-  // These two numbers are so near that there and back is exact.
-  const double way = held.x - 3.5;
-  EXPECT_EQ(go(-way), 0u);
-  told = go(way);
-  EXPECT_NEAR(norm(world.position(robot) - held), 0.0, 1e-12);
-  told += go(0.01);
-  EXPECT_EQ(told, 1u) << "the same place, but it was away";
+  for (int row = 0; row < 40; ++row) {
+    world.set_pose(robot, {3.2, 0.9 + 0.005 * row, 0});
+    std::size_t told = 0;
+    for (int i = 0; i < 50; ++i) told += go(0.01);
+    EXPECT_EQ(told, 1u) << "held all the time";
+    const Vec2 held = world.position(robot);
+    world.set_pose(robot, world.pose(robot));
+    EXPECT_EQ(go(0.01), 1u) << "a person put it there";
+    for (int i = 0; i < 20; ++i) {
+      // These two numbers are so near that there and back is exact.
+      const double way = held.x - (3.2 + 0.003 * i);
+      EXPECT_EQ(go(-way), 0u);
+      told = go(way);
+      EXPECT_NEAR(norm(world.position(robot) - held), 0.0, 1e-12);
+      told += go(0.01);
+      EXPECT_EQ(told, 1u) << "the same place, but it was " << way << " m away";
+    }
+  }
 }
 
 /// Robots, balls, cans and boxes in a room.
