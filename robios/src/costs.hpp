@@ -2,6 +2,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstddef>
 #include <string_view>
 
 #include "eyebridge/base/clock.hpp"
@@ -51,14 +52,15 @@ inline constexpr Time kOtherCallCost = std::chrono::microseconds(100);
 
 /// How long the call named `call` takes on a real robot, for virtual clocks.
 constexpr Time cost_of(std::string_view call) {
-  const CallCost* best = nullptr;
+  // By values: g++ 12 with UBSan does not take comparisons of pointers for constants.
+  Time cost = kOtherCallCost;
+  std::size_t longest = 0;
   for (const CallCost& row : kCallCosts) {
-    if (call.starts_with(row.prefix) &&
-        (best == nullptr || row.prefix.size() > best->prefix.size())) {
-      best = &row;
-    }
+    if (row.prefix.size() <= longest || !call.starts_with(row.prefix)) continue;
+    longest = row.prefix.size();
+    cost = row.cost;
   }
-  return best != nullptr ? best->cost : kOtherCallCost;
+  return cost;
 }
 
 /// A call of the API by its name, which is a literal: what it costs is known when it is compiled.
