@@ -12,6 +12,10 @@
 #include "flow.hpp"
 #include "robot.hpp"
 
+#if defined(__SANITIZE_ADDRESS__)
+#include <sanitizer/asan_interface.h>
+#endif
+
 namespace eyebridge::robios {
 namespace {
 
@@ -41,6 +45,11 @@ thread_local const void* last_address = nullptr;
 bool redirect(ucontext_t& context, void* top) {
   // 256 bytes below where the program's first function had its frame: nothing there is needed.
   const auto stack = (reinterpret_cast<std::uintptr_t>(top) - 256) & ~std::uintptr_t{15};
+#if defined(__SANITIZE_ADDRESS__)
+  // The functions that are given up left their marks on what is used again.
+  constexpr std::size_t kUsedAgain = 256 * 1024;
+  __asan_unpoison_memory_region(static_cast<char*>(top) - kUsedAgain, kUsedAgain);
+#endif
 #if defined(__x86_64__)
   context.uc_mcontext.gregs[REG_RIP] = reinterpret_cast<greg_t>(&give_up);
   context.uc_mcontext.gregs[REG_RSP] = static_cast<greg_t>(stack - 8);  // as after a call

@@ -116,17 +116,23 @@ class OneProcessor {
   cpu_set_t before_{};
 };
 
+#if defined(__SANITIZE_ADDRESS__)
+constexpr int kRuns = 3;  // each takes thirty times as long
+#else
+constexpr int kRuns = 25;
+#endif
+
 /// Fifty runs of `program`, half of them on one processor beside a busy thread: their one state.
 std::string state_of_fifty(const std::string& program) {
   std::set<std::string> states;
-  for (int i = 0; i < 25; ++i) states.insert(state_of(run_named(program, several("5")).err));
+  for (int i = 0; i < kRuns; ++i) states.insert(state_of(run_named(program, several("5")).err));
   const OneProcessor one;
   std::atomic<bool> stop = false;
   std::thread busy([&] {
     while (!stop) {
     }
   });
-  for (int i = 0; i < 25; ++i) states.insert(state_of(run_named(program, several("5")).err));
+  for (int i = 0; i < kRuns; ++i) states.insert(state_of(run_named(program, several("5")).err));
   stop = true;
   busy.join();
   EXPECT_EQ(states.size(), 1U);
