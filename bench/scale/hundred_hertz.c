@@ -1,9 +1,11 @@
-// A program that asks where it is and waits, 100 times a second: hundred_hertz SECONDS [threads]. `./test scale` times how
-// fast many of them run in virtual time; with "threads" the loop is in a thread that the program makes.
-#include <eyebot.h>
+// A program that asks where it is and waits, 100 times a second: hundred_hertz SECONDS [threads].
+// `./test scale` times how fast many of them run in virtual time; with "threads" the loop is in a
+// thread that the program makes.
 #include <pthread.h>
 #include <stdlib.h>
 #include <unistd.h>
+
+#include <eyebot.h>
 
 static int rounds;
 

@@ -104,7 +104,7 @@ struct Fleet::InRealTime final : Scheduler {
   std::unique_ptr<Barrier> barrier;
 };
 
-Fleet::Fleet(hal::Config config, std::vector<std::string> words)
+Fleet::Fleet(hal::Config config, const std::vector<std::string>& words)
     : config_(std::move(config)), log_(lowest_severity(config_)) {
   if (config_.boolean("fast")) {
     scheduler_ = std::make_unique<InLockstep>(config_.number("hang_limit"));

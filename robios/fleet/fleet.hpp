@@ -17,7 +17,7 @@ class Strands;
 class Fleet {
  public:
   /// `words` as programs_of() takes them. Throws ConfigError.
-  Fleet(hal::Config config, std::vector<std::string> words);
+  Fleet(hal::Config config, const std::vector<std::string>& words);
   ~Fleet();
   Fleet(const Fleet&) = delete;
   Fleet& operator=(const Fleet&) = delete;

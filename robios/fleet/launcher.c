@@ -27,8 +27,8 @@ EXPORTED void abort(void) {
   for (;;) pause();
 }
 
-/* For the leak checker: what a robot's program still has at its end was on a stack that is gone, and would have gone with
-   the process. */
+/* For the leak checker: what a robot's program still has at its end was on a stack that is gone,
+   and would have gone with the process. */
 EXPORTED int __lsan_is_turned_off(void);
 int __lsan_is_turned_off(void) { return 1; }
 

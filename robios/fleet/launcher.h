@@ -6,6 +6,7 @@
 extern "C" {
 #endif
 
+/* NOLINTBEGIN(readability-identifier-naming): the names of C */
 enum {
   EYEBRIDGE_NO_TURNS = 0,   /* no robot's, or real time */
   EYEBRIDGE_IN_PROGRAM = 1, /* in a robot's program */
@@ -55,6 +56,8 @@ extern struct eyebridge_robot_calls eyebridge_calls;
 /* Runs the robots that the settings want. `argv`: PROGRAM and its arguments; without them the
    scenario names programs. Returns the exit code. Exported by the libraries. */
 int EYEBRIDGERobotsMain(int argc, char** argv, struct eyebridge_robot_calls* calls);
+
+/* NOLINTEND(readability-identifier-naming) */
 
 #ifdef __cplusplus
 }

@@ -22,11 +22,13 @@ static inline void* eyebridge_next(const char* name, void** known) {
   return found;
 }
 
+/* NOLINTBEGIN(bugprone-macro-parentheses): a type and a list of parameters */
 /* NEXT(int, pthread_join, (pthread_t, void**)) names a pointer `next_pthread_join` of that type. */
 #define NEXT(RESULT, NAME, ARGUMENTS) \
   static void* known_##NAME;          \
   RESULT(*next_##NAME) ARGUMENTS;     \
   *(void**)&next_##NAME = eyebridge_next(#NAME, &known_##NAME)
+/* NOLINTEND(bugprone-macro-parentheses) */
 
 #define TURNS() (eyebridge_calls.turns != NULL ? eyebridge_calls.turns() : EYEBRIDGE_NO_TURNS)
 #define TAKES_TURNS() (TURNS() == EYEBRIDGE_IN_PROGRAM)

@@ -14,8 +14,8 @@
 
 namespace eyebridge::robios {
 
-/// Black pixels that take no memory before they are drawn: hundreds of robots have a screen each, and
-/// most of them show a few lines.
+/// Black pixels that take no memory before they are drawn: hundreds of robots have a screen each,
+/// and most of them show a few lines.
 class LazyPixels {
  public:
   explicit LazyPixels(std::size_t count)
