@@ -21,7 +21,7 @@ Rig tilted_rig(double bias, double sigma) {
   files::Scenario scenario = rig_scenario(0.5);
   robot::LidarModel& model = *scenario.models.front().lidar;
   model.tilt = kTilt;
-  model.error = {bias, sigma, 0.0};
+  model.error = {{bias, sigma, 0.0}};
   Rig rig;
   rig.log = std::make_unique<KeepingLog>();
   const Config config = rig_config({{"fast", "true"}});

@@ -17,7 +17,7 @@ namespace {
 using ::testing::ElementsAre;
 
 struct Rig {
-  explicit Rig(BatchSettings settings) : batch({room()}, settings) {
+  explicit Rig(const BatchSettings& settings) : batch({room()}, settings) {
     actions.resize(2 * settings.worlds);
     resets.resize(settings.worlds);
   }
@@ -137,7 +137,7 @@ TEST(EpisodeBatch, KnowsWhatTheRobotCanDo) {
 }
 
 TEST(EpisodeBatch, RefusesWhatCannotBe) {
-  const auto refused = [](BatchSettings settings) {
+  const auto refused = [](const BatchSettings& settings) {
     EXPECT_THROW(EpisodeBatch({room()}, settings), std::invalid_argument);
   };
   refused({.worlds = 0});

@@ -20,7 +20,7 @@ struct Crowd {
       if (i % 6 == 2) model.drive_error.left_scale = 0.01;
       if (i % 6 == 3) model.drive_error.encoder_quantised = true;
       if (i % 6 == 5) model.drive_error.angular_sigma = 0.1;
-      sim.add_robot(model, {0.4 + 0.5 * (i % 4), 0.4 + 0.5 * (i / 4), 0.5 * i});
+      sim.add_robot(model, {0.4 + 0.5 * (i % 4), 0.4 + 0.5 * static_cast<double>(i / 4), 0.5 * i});
     }
     sim.on_collision([this](const CollisionEvent&) { ++collisions; });
   }
@@ -73,7 +73,7 @@ TEST(Cruise, WhatIsNotComputedAgainIsTheSame) {
     slow.step();
     if (step % 7 != 0) continue;  // who looks must not be what keeps them alike
     ASSERT_EQ(fast.sim.state_hash(), slow.sim.state_hash()) << step;
-    const auto robot = static_cast<RobotIndex>(step % kRobots);
+    const auto robot = static_cast<RobotIndex>(step) % kRobots;
     ASSERT_EQ(fast.sim.odometry(robot), slow.sim.odometry(robot)) << step;
     ASSERT_EQ(fast.sim.twist(robot), slow.sim.twist(robot)) << step;
     ASSERT_EQ(fast.sim.measured_twist(robot), slow.sim.measured_twist(robot)) << step;

@@ -62,7 +62,8 @@ struct Fair {
     for (RobotIndex i = 0; i < kMany; ++i) {
       RobotModel model = seeing_robot();
       if (i % 2 == 0) model.drive.linear_acceleration = model.drive.angular_acceleration = 0.0;
-      sim.add_robot(erring(model, i % 5), {0.4 + 0.5 * (i % 4), 0.4 + 1.6 * (i / 4), 0.7 * i});
+      sim.add_robot(erring(model, i % 5),
+                    {0.4 + 0.5 * (i % 4), 0.4 + 1.6 * static_cast<double>(i / 4), 0.7 * i});
     }
   }
 
@@ -116,7 +117,7 @@ TEST(CruiseAmongThings, WhatIsNotComputedAgainIsTheSame) {
     slow.step();
     if (step % 7 != 0) continue;  // who looks must not be what keeps them alike
     ASSERT_EQ(fast.sim.state_hash(), slow.sim.state_hash()) << step;
-    const auto robot = static_cast<RobotIndex>(step % kMany);
+    const auto robot = static_cast<RobotIndex>(step) % kMany;
     ASSERT_EQ(fast.sim.encoder_ticks(robot, 1), slow.sim.encoder_ticks(robot, 1)) << step;
     std::vector<double> at_once(6);
     fast.sim.read_ranges(robot, at_once);
@@ -147,7 +148,7 @@ TEST(CruiseAmongThings, RaysBesideRobotsThatCruiseMeetBoxesAsSingleRaysDo) {
   for (int step = 0; step < 1000; ++step) {
     fair.step();
     if (step % 20 != 0) continue;
-    const auto robot = static_cast<RobotIndex>(step / 20 % kMany);
+    const auto robot = static_cast<RobotIndex>(step / 20) % kMany;
     fair.sim.read_lidar(robot, 2 * kPi, scan);
     const LidarModel& lidar = *fair.sim.model(robot).lidar;
     const world::BodyId self = fair.sim.body(robot);

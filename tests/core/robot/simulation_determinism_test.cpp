@@ -13,10 +13,10 @@ RobotModel erring_model() {
   model.drive_error = {0.05, 0.05, 0.01, -0.005, true};
   model.range_sensors.resize(2);
   model.range_sensors[1].pose_in_robot = {0.0, 0.05, kPi / 2};
-  for (RangeSensorModel& sensor : model.range_sensors) sensor.error = {0.001, 0.005, 0.02};
+  for (RangeSensorModel& sensor : model.range_sensors) sensor.error = {{0.001, 0.005, 0.02}};
   model.proximity_sensors.resize(1);
   model.proximity_sensors[0].error.flip = 0.05;
-  model.bumpers = {{1, "front", -0.8, 0.8, 0.1}};
+  model.bumpers = {{1, "front", -0.8, 0.8, {0.1}}};
   model.lidar = LidarModel{};
   model.lidar->error.sigma = 0.01;
   model.compass_error.sigma = 0.03;
@@ -69,7 +69,7 @@ TEST(Determinism, WithoutErrorsTheSeedDoesNotMatter) {
     RobotModel model;
     model.range_sensors.resize(1);
     model.proximity_sensors.resize(1);
-    model.bumpers = {{1, "ring", 0.0, 2 * kPi, 0.0}};
+    model.bumpers = {{1, "ring", 0.0, 2 * kPi, {0.0}}};
     model.lidar = LidarModel{};
     Rig rig(model, {2.0, 2.0, 0.3}, settings);
     rig.sim.drive(rig.robot, {5.0, 3.0, 0.4});

@@ -47,7 +47,7 @@ TEST(RangeSensor, OutsideItsLimitsReadsOutOfRange) {
 TEST(RangeSensor, ItsTruthHasNoErrorAndDrawsNothing) {
   RobotModel model;
   model.range_sensors = {psd(0.0), psd(kPi)};
-  model.range_sensors[0].error = {0.1, 0.02, 0.0};
+  model.range_sensors[0].error = {{0.1, 0.02, 0.0}};
   model.range_sensors[1].max_range = 0.5;
   Rig asked(model);
   Rig unasked(model);
@@ -64,7 +64,7 @@ TEST(RangeSensor, AllAtOnceReadAsOneByOne) {
     psd.pose_in_robot = {i < 20 ? 0.0 : 0.05, i < 24 ? 0.0 : -0.02, 2 * kPi * random.uniform()};
     psd.max_range = psd.out_of_range = i % 7 == 0 ? 1.5 : 4.0;
     psd.min_range = 0.2;
-    if (i % 3 == 0) psd.error = {0.01, 0.02, 0.03};
+    if (i % 3 == 0) psd.error = {{0.01, 0.02, 0.03}};
     model.range_sensors.push_back(psd);
   }
   Rig together(model, {1.0, 1.5, 0.3});
@@ -136,14 +136,14 @@ TEST(Bumper, TellsOnWhichSideTheWallIs) {
 
 TEST(Bumper, IsOpenAwayFromEverything) {
   RobotModel model;
-  model.bumpers = {{1, "ring", 0.0, 2 * kPi, 0.0}};
+  model.bumpers = {{1, "ring", 0.0, 2 * kPi, {0.0}}};
   Rig rig(model, {4.0 - model.radius() - 0.01, 2.0, 0.0});
   EXPECT_FALSE(rig.sim.read_bumper(rig.robot, 0));
 }
 
 TEST(Bumper, MissesAsOftenAsItWasTold) {
   RobotModel model;
-  model.bumpers = {{1, "ring", 0.0, 2 * kPi, 0.25}};
+  model.bumpers = {{1, "ring", 0.0, 2 * kPi, {0.25}}};
   Rig rig(model, {4.0 - model.radius() - 1e-4, 2.0, 0.0});
   int seen = 0;
   for (int i = 0; i < 4000; ++i) seen += rig.sim.read_bumper(rig.robot, 0) ? 1 : 0;
@@ -207,7 +207,7 @@ TEST(Lidar, TiltedDownItSeesTheFloor) {
 TEST(Lidar, ErrorsSpreadTheReadings) {
   RobotModel model;
   model.lidar = LidarModel{};
-  model.lidar->error = {0.1, 0.02, 0.0};
+  model.lidar->error = {{0.1, 0.02, 0.0}};
   Rig rig(model);
   std::vector<double> ranges(1);
   double sum = 0.0;

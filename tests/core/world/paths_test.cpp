@@ -106,7 +106,7 @@ TEST(Paths, ItHeadsForItsPointFromWhereAPersonPutsIt) {
 
 TEST(Paths, AWallOnTheWayIsFoundForDiscsAndBoxes) {
   const WorldModel model = room(4, 2);
-  const auto wall = [&](ObjectSpec object) { return wall_on_path(model, object); };
+  const auto wall = [&](const ObjectSpec& object) { return wall_on_path(model, object); };
   EXPECT_EQ(wall(post(1, 1, {1, true, {{3, 1}, {3, 1.9}}})), std::nullopt);
   EXPECT_EQ(wall(post(1, 1, {1, true, {{3, 1}, {3, 1.96}}})), 2u);
   ObjectSpec box = post(1, 1, {1, false, {{0.24, 1}}});

@@ -68,8 +68,8 @@ TEST(Sweep, GivesExactlyTheRangesOfALoopOverAllWallsAndBodies) {
       world.set_pose(static_cast<BodyId>(i % 40), {5 * random.uniform(), 4 * random.uniform(), 0});
       Fan rays = random_fan(segments, 4.0, random);
       if (i % 10 == 0) rays.origin = world.position(3) + Vec2{world.radius(3) * 0.9, 0};
-      const double max_range =
-          std::vector<double>{0.3, 2.5, 8.0, std::numeric_limits<double>::infinity()}[i % 4];
+      const double max_range = std::vector<double>{
+          0.3, 2.5, 8.0, std::numeric_limits<double>::infinity()}[static_cast<std::size_t>(i % 4)];
       const BodyId ignore = i % 3 == 0 ? kNoBody : static_cast<BodyId>(random.bits() % 40);
       ranges.assign(rays.directions.size(), -1.0);
       if (rays.directions.size() <= Sweep::kFew) {
@@ -135,7 +135,7 @@ TEST(NearWalls, ListsEveryWallInReachOnceAndGivesUpWhereThereAreMany) {
   int given_up = 0;
   for (int i = 0; i < 2000; ++i) {
     const Vec2 p{5 * random.uniform(), 5 * random.uniform()};
-    const double reach = std::vector<double>{0.2, 1.0, 5.0}[i % 3];
+    const double reach = std::vector<double>{0.2, 1.0, 5.0}[static_cast<std::size_t>(i % 3)];
     const auto list = near.around(p, reach);
     if (!list) {
       ++given_up;
