@@ -79,10 +79,10 @@ void on_crash(int signal, siginfo_t* info, void* context) {
     last_address = info->si_addr;
     return;
   }
+  if (signal == kHang) return;
   if (robot != nullptr) {
     say("eyebridge: error: a robot's program crashed while it had the world: all robots end\n");
   }
-  if (signal == kHang) return;
   ::signal(signal, SIG_DFL);
   raise(signal);
 }

@@ -67,11 +67,6 @@ class Stack {
   [[nodiscard]] char* bottom() const { return static_cast<char*>(base_) + Fiber::kGuardSize; }
   [[nodiscard]] char* top() const { return static_cast<char*>(base_) + size_; }
   [[nodiscard]] std::size_t usable() const { return size_ - Fiber::kGuardSize; }
-  [[nodiscard]] bool owns(const void* address) const {
-    const auto at = reinterpret_cast<std::uintptr_t>(address);
-    const auto base = reinterpret_cast<std::uintptr_t>(base_);
-    return at >= base && at < base + size_;
-  }
 
  private:
   std::size_t size_;
@@ -94,7 +89,6 @@ struct Fiber::Impl {
     flow = {};
     *__cxxabiv1::__cxa_get_globals() = {};
     me.body();
-    me.done = true;
     for (;;) {
       me.switching.leave_for_good();
       context::jump_fcontext(me.resumer, nullptr);
@@ -106,18 +100,12 @@ struct Fiber::Impl {
   context::fcontext_t context;            ///< Where it goes on.
   context::fcontext_t resumer = nullptr;  ///< Where resume() goes on.
   SanitizedSwitch switching;
-  bool done = false;
   bool is_given_up = false;
 };
 
 Fiber::Fiber(std::function<void()> body, std::size_t stack_size)
     : impl_(std::make_unique<Impl>(std::move(body), stack_size)) {}
 Fiber::~Fiber() = default;
-
-Fiber* Fiber::current() { return running; }
-bool Fiber::is_done() const { return impl_->done; }
-void* Fiber::stack_top() const { return impl_->stack.top(); }
-bool Fiber::owns(const void* address) const { return impl_->stack.owns(address); }
 
 void Fiber::resume() {
   const Kept mine;

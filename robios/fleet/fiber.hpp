@@ -35,13 +35,6 @@ class Fiber {
   /// As suspend(), of a fiber that runs and was given up by its owner: it is deleted once it has
   /// been left.
   [[noreturn]] void leave_for_good();
-  /// The fiber that runs now; null outside of all.
-  static Fiber* current();
-  [[nodiscard]] bool is_done() const;
-
-  /// Highest address of the stack, and whether `address` lies in the stack or its guard.
-  [[nodiscard]] void* stack_top() const;
-  [[nodiscard]] bool owns(const void* address) const;
 
  private:
   struct Impl;

@@ -1,16 +1,13 @@
 #include "fleet.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <cstdio>
-#include <cstring>
 #include <ctime>
 #include <utility>
 
 #include <fmt/format.h>
 #include <pthread.h>
-#include <unistd.h>
 
 #include "crash_handler.hpp"
 #include "fiber_robot.hpp"
@@ -28,8 +25,14 @@ struct Fleet::Scheduler {
   virtual ~Scheduler() = default;
   /// For the world; null in real time.
   virtual hal::Turns* turns() = 0;
+  /// What programs' threads wait for each other with; null in real time.
+  virtual Strands* strands() = 0;
+  /// So many robots will have a program: before the first one.
+  virtual void expect(std::size_t programs) = 0;
   virtual std::unique_ptr<Robot> make(std::size_t index, RobotProgram program,
                                       hal::SharedWorld& world) = 0;
+  /// The next robot of the world, in the order of their numbers; null for one without a program.
+  virtual void add(Robot* robot) = 0;
   virtual void run(Fleet& fleet) = 0;
   /// Called ten times a second from a thread of ours.
   virtual void look() = 0;
@@ -38,16 +41,6 @@ struct Fleet::Scheduler {
 namespace {
 
 Fleet* the_fleet = nullptr;  // For signals, which know no objects.
-
-/// Becomes the launcher of the other generation's programs.
-void become_other(std::vector<std::string> words) {
-  std::string launcher = launcher_of(true).string();
-  std::vector<char*> argv{launcher.data()};
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  execv(launcher.c_str(), argv.data());
-  throw ConfigError({launcher}, std::string("cannot be started: ") + std::strerror(errno));
-}
 
 double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
@@ -59,14 +52,23 @@ struct Fleet::InLockstep final : Scheduler {
                  hang_limit) {}
 
   hal::Turns* turns() override { return &lockstep; }
+  Strands* strands() override { return &threads; }
+  void expect(std::size_t /*programs*/) override {}
   std::unique_ptr<Robot> make(std::size_t index, RobotProgram program,
                               hal::SharedWorld& /*world*/) override {
-    return std::make_unique<FiberRobot>(index, std::move(program), lockstep, strands);
+    return std::make_unique<FiberRobot>(index, std::move(program), lockstep, threads);
+  }
+  void add(Robot* robot) override {
+    lockstep.add([this, robot] {
+      if (robot == nullptr) lockstep.drop_robot();
+      robot->run();
+    });
   }
   void run(Fleet& fleet) override {
     const CrashStack stack;
     thread = pthread_self();
     lockstep.run(fleet.world_->step_length(), [&fleet] { fleet.world_->step(); });
+    for (const auto& robot : fleet.robots_) robot->end_stuck();
   }
   void look() override { watchdog.look(processor_time()); }
   static void tell(double seconds) {
@@ -77,17 +79,20 @@ struct Fleet::InLockstep final : Scheduler {
   }
 
   Lockstep lockstep;
-  Strands strands{lockstep};
+  Strands threads{lockstep};
   Watchdog watchdog;
   pthread_t thread{};
 };
 
 struct Fleet::InRealTime final : Scheduler {
   hal::Turns* turns() override { return nullptr; }
+  Strands* strands() override { return nullptr; }
+  void expect(std::size_t programs) override { barrier = std::make_unique<Barrier>(programs); }
   std::unique_ptr<Robot> make(std::size_t index, RobotProgram program,
                               hal::SharedWorld& world) override {
     return std::make_unique<ThreadRobot>(index, std::move(program), *barrier, world);
   }
+  void add(Robot* /*robot*/) override {}  // run() starts them all
   void run(Fleet& fleet) override {
     for (const auto& robot : fleet.robots_) static_cast<ThreadRobot&>(*robot).start();
     constexpr double kPatience_s = 5.0;
@@ -122,33 +127,21 @@ void Fleet::add_robots(const std::vector<std::string>& words) {
       config_.is_set("world") ? config_.path("world") : std::filesystem::path("the empty room");
   std::vector<RobotProgram> programs = programs_of(world_->robots(), words, scenario);
   const auto runs = [](const RobotProgram& program) { return !program.file.empty(); };
-  if (is_of_other_generation(std::ranges::find_if(programs, runs)->file)) become_other(words);
-  if (auto* real = dynamic_cast<InRealTime*>(scheduler_.get())) {
-    const auto count = std::ranges::count_if(programs, runs);
-    real->barrier = std::make_unique<Barrier>(static_cast<std::size_t>(count));
-  }
-  auto* const lockstep = dynamic_cast<InLockstep*>(scheduler_.get());
+  if (is_of_other_generation(std::ranges::find_if(programs, runs)->file))
+    become_launcher(true, words);
+  scheduler_->expect(static_cast<std::size_t>(std::ranges::count_if(programs, runs)));
   const auto out = config_.is_set("out") ? config_.path("out") : std::filesystem::path();
   for (std::size_t i = 0; i < programs.size(); ++i) {
-    // In the order of all robots, so that an index is a robot's.
     Robot* robot = nullptr;
     if (runs(programs[i])) {
       robot = robots_.emplace_back(scheduler_->make(i, std::move(programs[i]), *world_)).get();
     }
-    if (lockstep != nullptr) {
-      lockstep->lockstep.add([robot, lockstep] {
-        if (robot == nullptr) lockstep->lockstep.drop_robot();
-        robot->run();
-      });
-    }
+    scheduler_->add(robot);  // before its session, whose clock asks for its turn
     if (robot != nullptr) robot->begin(config_, {world_, i}, out);
   }
 }
 
-Strands* Fleet::strands() {
-  auto* const scheduler = dynamic_cast<InLockstep*>(scheduler_.get());
-  return scheduler != nullptr ? &scheduler->strands : nullptr;
-}
+Strands* Fleet::strands() { return scheduler_->strands(); }
 
 int Fleet::run() {
   handle_crashes();

@@ -1,12 +1,17 @@
 #include "generation.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <functional>
 #include <iterator>
 #include <string>
 
 #include <dlfcn.h>
+#include <unistd.h>
+
+#include "eyebridge/base/config_error.hpp"
 
 namespace eyebridge::robios {
 namespace {
@@ -35,9 +40,16 @@ bool is_of_other_generation(const std::filesystem::path& program) {
                      std::boyer_moore_horspool_searcher(other.begin(), other.end())) != file.end();
 }
 
-std::filesystem::path launcher_of(bool other_generation) {
-  return this_library().parent_path() /
-         (this_is_classic() != other_generation ? "eyebridge-robots-classic" : "eyebridge-robots");
+void become_launcher(bool other_generation, std::vector<std::string> words) {
+  const bool is_classic = this_is_classic() != other_generation;
+  std::string launcher =
+      this_library().parent_path() / (is_classic ? "eyebridge-robots-classic" : "eyebridge-robots");
+  std::vector<char*> argv{launcher.data()};
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  execv(launcher.c_str(), argv.data());
+  throw ConfigError({launcher}, std::string("cannot be started for several robots: ") +
+                                    std::strerror(errno) + "; expected it beside the library");
 }
 
 }  // namespace eyebridge::robios

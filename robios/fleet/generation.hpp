@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace eyebridge::robios {
 
@@ -11,7 +13,8 @@ namespace eyebridge::robios {
 /// that cannot be read is not.
 bool is_of_other_generation(const std::filesystem::path& program);
 
-/// The launcher for programs of this library, or of the other one.
-std::filesystem::path launcher_of(bool other_generation);
+/// Becomes the launcher for programs of this library, or of the other one, with `words` (a program
+/// and its arguments, or nothing). Throws ConfigError when the system refuses; returns never.
+[[noreturn]] void become_launcher(bool other_generation, std::vector<std::string> words);
 
 }  // namespace eyebridge::robios

@@ -63,6 +63,14 @@ void Robot::fail(const std::string& how, int code) {
   __builtin_unreachable();
 }
 
+void Robot::end_stuck() {
+  if (ended_) return;
+  session_->log().write(Severity::Error,
+                        "all threads of the program wait for each other, and nobody else can wake "
+                        "one of them; it ends");
+  end(1);
+}
+
 bool Robot::may_be_stopped() const {
   if (flow.calls == 0) return true;
   // Others hold the world for microseconds; a tenth of a second is for ever.
@@ -72,10 +80,6 @@ bool Robot::may_be_stopped() const {
     syscall(SYS_nanosleep, &pause, nullptr);
   }
   return false;
-}
-
-std::string Robot::name() const {
-  return fmt::format("robot {} ({})", index_ + 1, program_.file.filename().string());
 }
 
 Robot* Robot::current() {

@@ -37,13 +37,13 @@ class Robot : public Runner {
   /// The robot's program crashed or hangs in the calling flow: tells so and leaves. Inside a call
   /// of ours it leaves without results.
   [[noreturn]] void fail(const std::string& how, int code);
+  /// All flows of the robot wait for ever: tells so and ends it, from outside of them.
+  void end_stuck();
   /// False when the calling flow was stopped while it had locked what others need. For signal
   /// handlers.
   [[nodiscard]] bool may_be_stopped() const;
 
   [[nodiscard]] std::size_t index() const { return index_; }
-  /// "robot 2 (explorer)".
-  [[nodiscard]] std::string name() const;
   [[nodiscard]] Session& session() const { return *session_; }
   [[nodiscard]] bool has_ended() const { return ended_; }
   [[nodiscard]] int exit_code() const { return exit_code_; }

@@ -1,13 +1,10 @@
 // `./prog` with --robots (EYEBRIDGE_ROBOTS, eyebridge.toml): before its main() the program becomes
 // the launcher, which runs it once for each robot.
 
-#include <array>
-#include <cerrno>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <dlfcn.h>
@@ -49,19 +46,18 @@ bool wants_several() {
   }
 }
 
-__attribute__((constructor)) void start_several(int argc, char** argv, char** environment) {
+__attribute__((constructor)) void start_several(int argc, char** argv, char** /*environment*/) {
   Dl_info library{};
   if (dladdr(reinterpret_cast<void*>(&start_several), &library) == 0) return;
   if (argc < 1 || !belongs_to_program(library.dli_fname) || !wants_several()) return;
-  std::string launcher = launcher_of(false).string();
-  std::string program = program_file().string();
-  std::vector<char*> words{launcher.data(), program.data()};
+  std::vector<std::string> words{program_file().string()};
   words.insert(words.end(), argv + 1, argv + argc);
-  words.push_back(nullptr);
-  execve(launcher.c_str(), words.data(), environment);
-  fmt::print(stderr, "eyebridge: {}: cannot be started for several robots: {}\n", launcher,
-             std::strerror(errno));
-  _exit(1);
+  try {
+    become_launcher(false, std::move(words));
+  } catch (const ConfigError& error) {
+    fmt::print(stderr, "eyebridge: {}\n", error.what());
+    _exit(1);
+  }
 }
 
 }  // namespace

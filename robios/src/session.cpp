@@ -148,8 +148,6 @@ void Session::leave(int code) {
   std::exit(code);
 }
 
-bool Session::is_running() const { return impl_->stage == Impl::Stage::Running; }
-
 void Session::await_end() {
   if (impl_->claim_end()) return;
   if (impl_->runner != nullptr) impl_->runner->hold_thread();

@@ -112,8 +112,6 @@ class Session {
   /// `function` as the robot's timers call it: in one of the robot's own threads.
   [[nodiscard]] std::function<void()> bound(void (*function)());
 
-  /// True until the run ends.
-  [[nodiscard]] bool is_running() const;
   /// Ends the program with this exit code.
   [[noreturn]] void leave(int code);
 

@@ -173,6 +173,13 @@ TEST(SeveralRobots, OneThatHangsIsToldOfAndEnded) {
                            HasSubstr("robot 2: error: the program has made no call for too long")));
 }
 
+TEST(SeveralRobots, OneWhoseThreadsWaitForEachOtherIsTold) {
+  const auto r = run_named("several_stuck", several("2"));
+  EXPECT_EQ(r.exit_code, 1);
+  EXPECT_EQ(r.out, "robot 2 is done\n");
+  EXPECT_THAT(r.err, HasSubstr("robot 1: error: all threads of the program wait for each other"));
+}
+
 TEST(SeveralRobots, ResultsGoToAFolderEach) {
   const testing::ScratchFolder folder;
   const auto r = run_named("several", several("2", {{"EYEBRIDGE_OUT", folder.path() + "/out"}}));
