@@ -16,7 +16,6 @@ ranges and failures: __init__.pyi; training: Episode and VectorEnv. For robot pr
 
 from ._core import Camera, ConfigError, Robot, Scenario, Simulation, default_scenario, load_scenario
 from .episode import Episode
-from .vector import VectorEnv
 
 __all__ = [
     "Camera",
@@ -29,3 +28,12 @@ __all__ = [
     "default_scenario",
     "load_scenario",
 ]
+
+
+def __getattr__(name):
+    # Of all here only VectorEnv is written with numpy: the rest is imported without.
+    if name == "VectorEnv":
+        from .vector import VectorEnv
+
+        return VectorEnv
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -20,7 +20,8 @@ struct Crowd {
       if (i % 6 == 2) model.drive_error.left_scale = 0.01;
       if (i % 6 == 3) model.drive_error.encoder_quantised = true;
       if (i % 6 == 5) model.drive_error.angular_sigma = 0.1;
-      sim.add_robot(model, {0.4 + 0.5 * (i % 4), 0.4 + 0.5 * static_cast<double>(i / 4), 0.5 * i});
+      const RobotIndex row = i / 4;
+      sim.add_robot(model, {0.4 + 0.5 * (i % 4), 0.4 + 0.5 * row, 0.5 * i});
     }
     sim.on_collision([this](const CollisionEvent&) { ++collisions; });
   }

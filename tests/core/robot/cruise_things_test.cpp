@@ -62,8 +62,8 @@ struct Fair {
     for (RobotIndex i = 0; i < kMany; ++i) {
       RobotModel model = seeing_robot();
       if (i % 2 == 0) model.drive.linear_acceleration = model.drive.angular_acceleration = 0.0;
-      sim.add_robot(erring(model, i % 5),
-                    {0.4 + 0.5 * (i % 4), 0.4 + 1.6 * static_cast<double>(i / 4), 0.7 * i});
+      const RobotIndex row = i / 4;
+      sim.add_robot(erring(model, i % 5), {0.4 + 0.5 * (i % 4), 0.4 + 1.6 * row, 0.7 * i});
     }
   }
 
