@@ -14,6 +14,7 @@
 #include "eyebridge/hal/trace.hpp"
 #include "eyebridge/robot/simulation.hpp"
 #include "sim/run_report.hpp"
+#include "sim/world_lock.hpp"
 
 namespace eyebridge::hal {
 
@@ -60,7 +61,7 @@ class SimWorld {
 
   const std::string directory_;
   const Time step_length_;
-  std::mutex mutex_;
+  WorldLock mutex_;
   robot::Simulation simulation_;
   std::uint64_t steps_ = 0;
   /// A robot somebody wants to be told of.

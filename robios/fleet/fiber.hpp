@@ -2,7 +2,15 @@
 
 #include <cstddef>
 #include <functional>
-#include <memory>
+
+#include <boost/context/detail/fcontext.hpp>
+
+#include "sanitized_switch.hpp"
+
+// What the C++ runtime keeps of a thread's exceptions: Itanium C++ ABI, section 2.2.2.
+namespace __cxxabiv1 {
+struct __cxa_eh_globals;
+}
 
 namespace eyebridge::robios {
 
@@ -28,17 +36,49 @@ class Fiber {
   Fiber(const Fiber&) = delete;
   Fiber& operator=(const Fiber&) = delete;
 
-  /// Runs the body until it suspends or returns. Not from inside a fiber.
+  /// Runs the body until it suspends or returns. Not from inside a fiber: no robot is here() while
+  /// the caller goes on.
   void resume();
-  /// Returns from the resume() of the fiber that runs now. Only in a body.
-  static void suspend();
-  /// As suspend(), of a fiber that runs and was given up by its owner: it is deleted once it has
-  /// been left.
+  /// It will be resumed soon: what it left off with may be fetched.
+  void prefetch() const {
+    constexpr std::ptrdiff_t kLine = 64;
+    constexpr int kLines = 12;  // the registers, and the frames of one call of ours
+    for (int i = 0; i < kLines; ++i)
+      __builtin_prefetch(static_cast<const char*>(context_) + i * kLine, 1);
+  }
+  /// Returns from the resume() that runs this fiber; by its body only.
+  void suspend();
+  /// As suspend(), for the last time.
   [[noreturn]] void leave_for_good();
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  /// Memory that takes none until it is touched, above a guard that nothing may touch.
+  class Stack {
+   public:
+    explicit Stack(std::size_t size);
+    ~Stack();
+    Stack(const Stack&) = delete;
+    Stack& operator=(const Stack&) = delete;
+
+    [[nodiscard]] char* bottom() const { return static_cast<char*>(base_) + kGuardSize; }
+    [[nodiscard]] char* top() const { return static_cast<char*>(base_) + size_; }
+    [[nodiscard]] std::size_t usable() const { return size_ - kGuardSize; }
+
+   private:
+    std::size_t size_;
+    void* base_;
+  };
+
+  static void enter(boost::context::detail::transfer_t from);
+
+  // First what every switch needs.
+  boost::context::detail::fcontext_t context_;            ///< Where it goes on.
+  boost::context::detail::fcontext_t resumer_ = nullptr;  ///< Where resume() goes on.
+  int* const error_;  ///< errno, which is the thread's, as are its exceptions.
+  __cxxabiv1::__cxa_eh_globals* const exceptions_;
+  SanitizedSwitch switching_;
+  Stack stack_;
+  std::function<void()> body_;
 };
 
 }  // namespace eyebridge::robios

@@ -16,7 +16,10 @@ namespace eyebridge::robios {
 inline int to_whole(double value) {
   constexpr double kMost = std::numeric_limits<int>::max();
   constexpr double kLeast = std::numeric_limits<int>::min();
-  return static_cast<int>(std::lround(std::clamp(value, kLeast, kMost)));
+  // As std::lround(), which is a call: halves go away from zero. The number is the one below 0.5.
+  constexpr double kHalf = 0.49999999999999994;
+  const double whole = std::clamp(value, kLeast, kMost);
+  return static_cast<int>(static_cast<std::int64_t>(whole + std::copysign(kHalf, whole)));
 }
 inline int to_mm(double metres) { return to_whole(m_to_mm(metres)); }
 inline int to_deg(double radians) { return to_whole(rad_to_deg(radians)); }

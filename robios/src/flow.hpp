@@ -14,7 +14,9 @@ struct Flow {
                                 ///< used again once the program is given up.
 };
 
-inline thread_local Flow flow;
+// Asked at every call: where the thread's start is, and not through a function. The library may be
+// loaded late (by Python); there is always room for so little.
+inline thread_local constinit Flow flow [[gnu::tls_model("initial-exec")]];
 
 /// Counts one call.
 class InCall {

@@ -37,7 +37,7 @@ hal::Config read_config() {
 
 }  // namespace
 
-thread_local Session* Session::here_ = nullptr;
+constinit thread_local Session* Session::here_ = nullptr;
 
 bool Session::has_begun() { return here_ != nullptr || the_session != nullptr; }
 

@@ -44,22 +44,27 @@ LogSink& Session::log() { return impl_->log; }
 
 void Session::charge(const Call& call) {
   if (impl_->is_virtual) {
-    if (!Timers::is_calling()) impl_->calls.fetch_add(1, std::memory_order_relaxed);
+    // Two threads may count one call: that there was one is all that anybody asks.
+    if (!Timers::is_calling()) {
+      impl_->calls.store(impl_->calls.load(std::memory_order_relaxed) + 1,
+                         std::memory_order_relaxed);
+    }
     const double cost = static_cast<double>(call.cost.count()) * impl_->cost_scale;
     impl_->clock.spend(Time(static_cast<Time::rep>(cost)));
-    impl_->timers.run_due();
+    if (impl_->timers.any()) impl_->timers.run_due();
   }
-  check_limit();
+  if (impl_->limit) check_limit();
 }
 
 void Session::wait_until(Time deadline) {
   for (;;) {
-    const Time until = impl_->limit ? std::min(deadline, *impl_->limit) : deadline;
-    const std::optional<Time> timer = impl_->timers.next_due();
-    impl_->clock.wait_until(timer ? std::min(*timer, until) : until);
-    impl_->timers.run_due();
-    check_limit();
-    if (impl_->clock.now() >= deadline || impl_->stage != Impl::Stage::Running) return;
+    Time until = impl_->limit ? std::min(deadline, *impl_->limit) : deadline;
+    if (impl_->timers.any()) until = std::min(until, impl_->timers.next_due().value_or(until));
+    impl_->clock.wait_until(until);
+    if (impl_->timers.any()) impl_->timers.run_due();
+    if (impl_->limit) check_limit();
+    if (until >= deadline || impl_->clock.now() >= deadline) return;
+    if (impl_->stage != Impl::Stage::Running) return;
   }
 }
 

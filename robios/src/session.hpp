@@ -143,7 +143,7 @@ class Session {
   void go_on_without_calls();
   static void watch_forks();
 
-  static thread_local Session* here_;
+  static constinit thread_local Session* here_ [[gnu::tls_model("initial-exec")]];  // as `flow`
   std::unique_ptr<Impl> impl_;
 };
 

@@ -77,13 +77,13 @@ std::optional<Time> Timers::earliest() const {
 }
 
 std::optional<Time> Timers::next_due() const {
-  if (!clock_.is_virtual() || flow.in_timer) return std::nullopt;
+  if (!any() || !clock_.is_virtual() || flow.in_timer) return std::nullopt;
   const std::lock_guard lock(mutex_);
   return stopping_ || calling_ ? std::nullopt : earliest();
 }
 
 void Timers::run_due() {
-  if (!any_ || !clock_.is_virtual() || flow.in_timer) return;
+  if (!any() || !clock_.is_virtual() || flow.in_timer) return;
   std::unique_lock lock(mutex_);
   if (stopping_ || held_ || calling_ || entries_.empty()) return;
   call_due(clock_.now(), lock);

@@ -33,6 +33,8 @@ class Timers {
   /// longer. For programs that disable interrupts.
   void hold(bool on);
 
+  /// False as long as there was never one.
+  [[nodiscard]] bool any() const { return any_.load(std::memory_order_relaxed); }
   /// Runs what is due on a virtual clock; does nothing on others, nor inside a callback.
   void run_due();
   /// When the next timer is due on a virtual clock.
@@ -59,7 +61,7 @@ class Timers {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::map<int, Entry> entries_;
-  std::atomic<bool> any_ = false;  ///< Spares run_due() the lock.
+  std::atomic<bool> any_ = false;
   int next_handle_ = 1;
   bool stopping_ = false;
   bool held_ = false;

@@ -50,11 +50,17 @@ double without_turns(double angle) {
   return std::remainder(angle, 2.0 * kPi);
 }
 
-double atan_unit(double t) {  // |t| <= tan(pi/16): the series converges fast
+/// Arc tangent of |t| <= tan(pi/16), by its series; in pairs, so that little waits for the one
+/// before.
+double atan_small(double t) {
+  constexpr auto term = [](int n) { return (n % 4 == 1 ? 1.0 : -1.0) / n; };
   const double z = t * t;
-  double sum = 0.0;
-  for (int n = 21; n >= 1; n -= 2) sum = 1.0 / n - z * sum;
-  return t * sum;
+  const double z2 = z * z;
+  const double z4 = z2 * z2;
+  const double low = (term(1) + term(3) * z) + (term(5) + term(7) * z) * z2;
+  const double middle = (term(9) + term(11) * z) + (term(13) + term(15) * z) * z2;
+  const double high = (term(17) + term(19) * z) + term(21) * z2;
+  return t * (low + (middle + high * z4) * z4);
 }
 
 }  // namespace
@@ -83,17 +89,32 @@ SinCos sin_cos(double angle) {
 
 double arc_tan2(double y, double x) {
   if (x == 0.0 && y == 0.0) return 0.0;
-  const double ax = std::abs(x);
-  const double ay = std::abs(y);
-  const bool steep = ay > ax;
-  double t = steep ? ax / ay : ay / ax;  // 0 … 1
-  // Two half-angle steps, atan(t) = 2 atan(t / (1 + sqrt(1 + t^2))), bring t under tan(pi/16).
-  double scale = 1.0;
-  for (int i = 0; i < 2; ++i) {
-    t = t / (1.0 + std::sqrt(1.0 + t * t));
-    scale *= 2.0;
+  double ax = std::abs(x);
+  double ay = std::abs(y);
+  if (ax + ay < 0x1p-1000) {  // half of it might be nothing
+    ax *= 0x1p100;
+    ay *= 0x1p100;
   }
-  double angle = scale * atan_unit(t);
+  const bool steep = ay > ax;
+  // Halves: their sums cannot overflow.
+  const double far = 0.5 * (steep ? ay : ax);
+  const double near = 0.5 * (steep ? ax : ay);
+  // The angle that is left to the nearest of 0, pi/8 and pi/4 is at most pi/16:
+  // tan(a - b) = (tan a - tan b) / (1 + tan a tan b).
+  constexpr double kTanPi16 = 0.19891236737965801;
+  constexpr double kTanPi8 = 0.41421356237309503;
+  constexpr double kTan3Pi16 = 0.66817863791929888;
+  double base = 0.0;
+  double tan_base = 0.0;
+  if (near > kTan3Pi16 * far) {
+    base = kPi / 4;
+    tan_base = 1.0;
+  } else if (near > kTanPi16 * far) {
+    base = kPi / 8;
+    tan_base = kTanPi8;
+  }
+  const double rest = (near - tan_base * far) / (far + tan_base * near);
+  double angle = base + atan_small(rest);
   if (steep) angle = kPi / 2 - angle;
   if (x < 0.0) angle = kPi - angle;
   return y < 0.0 ? -angle : angle;

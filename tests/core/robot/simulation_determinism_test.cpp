@@ -57,7 +57,7 @@ std::uint64_t wander(std::uint64_t seed) {
 }
 
 TEST(Determinism, FiveErringRobotsEndInTheSameStateInEveryBuild) {
-  EXPECT_EQ(wander(1), 0xE9592A27C59A49A1U);
+  EXPECT_EQ(wander(1), 0x72DDD2F28C1722D5U);
 }
 
 TEST(Determinism, AnotherSeedGivesAnotherRun) { EXPECT_NE(wander(1), wander(2)); }
