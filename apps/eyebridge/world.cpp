@@ -29,6 +29,9 @@ std::string summary(const files::Scenario& scenario) {
   }
   text += ", " + counted(world.walls.size(), "wall");
   text += ", " + counted(scenario.robots.size(), "robot");
+  if (!scenario.newcomers.empty()) {
+    text += fmt::format(" and {} that enter later", scenario.newcomers.size());
+  }
   text += ", " + counted(world.objects.size(), "object");
   return text + ", " + counted(scenario.warnings.size(), "warning");
 }

@@ -88,12 +88,14 @@ void apply_rules(std::span<const ErrorRule> rules, Scenario& scenario) {
   for (const ErrorRule& rule : rules) {
     if (!rule.robot || own.contains(*rule.robot)) continue;
     const auto index = static_cast<std::size_t>(*rule.robot) - 1;
-    if (index >= scenario.robots.size()) {
+    const std::size_t present = scenario.robots.size();
+    const std::size_t count = present + scenario.newcomers.size();
+    if (index >= count) {
       throw ConfigError(rule.where, "found robot " + std::to_string(*rule.robot) +
-                                        ": expected 1 to " +
-                                        std::to_string(scenario.robots.size()));
+                                        ": expected 1 to " + std::to_string(count));
     }
-    std::size_t& model = scenario.robots[index].model;
+    std::size_t& model = index < present ? scenario.robots[index].model
+                                         : scenario.newcomers[index - present].robot.model;
     scenario.models.push_back(robot::RobotModel(scenario.models.at(model)));
     own[*rule.robot] = model = scenario.models.size() - 1;
   }

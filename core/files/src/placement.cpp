@@ -98,6 +98,10 @@ std::string Placer::obstacle_at(Vec2 centre, double radius) const {
       return "the " + object.name + " at " + at(object.pose.position());
     }
   }
+  return wall_at(centre);
+}
+
+std::string Placer::wall_at(Vec2 centre) const {
   const world::Wall* nearest = nullptr;
   double least = 0;
   for (const world::Wall& wall : scenario_.world.walls) {
@@ -111,12 +115,24 @@ std::string Placer::obstacle_at(Vec2 centre, double radius) const {
   return "the wall " + in_words(*nearest);
 }
 
-void Placer::record(std::size_t model, const Pose& pose, const SourceLocation& where) {
+void Placer::warn_outside(std::size_t model, const Pose& pose, const SourceLocation& where) {
   const world::WorldModel& world = scenario_.world;
   if (pose.x < 0 || pose.y < 0 || pose.x > world.width || pose.y > world.height) {
     scenario_.warnings.push_back(
         {where, scenario_.models[model].name + " stands outside the floor"});
   }
+}
+
+void Placer::refuse(std::size_t model, const Pose& pose, const std::string& obstacle,
+                    const SourceLocation& where) const {
+  const robot::RobotModel& robot = scenario_.models[model];
+  throw ConfigError(where, robot.name + " (" + write_millimetres(robot.diameter) +
+                               " mm across) at " + at(pose.position()) + " stands in " + obstacle +
+                               ": expected a free place");
+}
+
+void Placer::record(std::size_t model, const Pose& pose, const SourceLocation& where) {
+  warn_outside(model, pose, where);
   RobotPlacement placement;
   placement.model = model;
   placement.pose = pose;
@@ -126,12 +142,22 @@ void Placer::record(std::size_t model, const Pose& pose, const SourceLocation& w
 void Placer::place(std::size_t model, const Pose& pose, const SourceLocation& where) {
   const robot::RobotModel& robot = scenario_.models[model];
   if (!add(pose.position(), robot)) {
-    throw ConfigError(where, robot.name + " (" + write_millimetres(robot.diameter) +
-                                 " mm across) at " + at(pose.position()) + " stands in " +
-                                 obstacle_at(pose.position(), robot.radius()) +
-                                 ": expected a free place");
+    refuse(model, pose, obstacle_at(pose.position(), robot.radius()), where);
   }
   record(model, pose, where);
+}
+
+void Placer::check_walls(std::size_t model, const Pose& pose, const SourceLocation& where) {
+  if (!walls_) {
+    world::WorldModel bare = scenario_.world;
+    bare.objects.clear();
+    walls_.emplace(std::make_shared<const world::WorldModel>(std::move(bare)));
+  }
+  const double radius = scenario_.models[model].radius();
+  if (!walls_->is_free(pose.position(), radius - kSlack)) {
+    refuse(model, pose, wall_at(pose.position()), where);
+  }
+  warn_outside(model, pose, where);
 }
 
 void Placer::place_anywhere(std::size_t model, const SourceLocation& where) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "eyebridge/files/scenario.hpp"
@@ -21,6 +22,8 @@ class Placer {
 
   /// Adds a robot. Throws ConfigError at `where` when something stands there already.
   void place(std::size_t model, const Pose& pose, const SourceLocation& where);
+  /// Throws ConfigError at `where` when a robot would stand in a wall there; adds none.
+  void check_walls(std::size_t model, const Pose& pose, const SourceLocation& where);
   /// Adds a robot at the free place on the floor nearest to its centre (in a maze: a cell's
   /// centre). Throws ConfigError at `where` when there is none.
   void place_anywhere(std::size_t model, const SourceLocation& where);
@@ -35,13 +38,18 @@ class Placer {
   /// Puts `robot` into world_; false where it would not stand, or has no `gap` metres around it.
   bool add(Vec2 centre, const robot::RobotModel& robot, double gap = 0);
   void record(std::size_t model, const Pose& pose, const SourceLocation& where);
+  void warn_outside(std::size_t model, const Pose& pose, const SourceLocation& where);
+  [[noreturn]] void refuse(std::size_t model, const Pose& pose, const std::string& obstacle,
+                           const SourceLocation& where) const;
   /// The robot placed already that a disc would overlap; null when there is none.
   [[nodiscard]] const RobotPlacement* robot_at(Vec2 centre, double radius) const;
   /// What stands where add() gave false, in words.
   [[nodiscard]] std::string obstacle_at(Vec2 centre, double radius) const;
+  [[nodiscard]] std::string wall_at(Vec2 centre) const;
 
   Scenario& scenario_;
-  world::World world_;  ///< The same walls, objects and robots, to ask what is free.
+  world::World world_;                 ///< The same walls, objects and robots, to ask what is free.
+  std::optional<world::World> walls_;  ///< The same walls alone, once somebody asks.
 };
 
 }  // namespace eyebridge::files

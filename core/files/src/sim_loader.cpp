@@ -1,5 +1,6 @@
 #include "sim_loader.hpp"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <vector>
@@ -40,6 +41,11 @@ class SimLoader {
     placer_.emplace(scenario_);
     taken_.assign(scenario_.world.starts.size(), false);
     for (const SimRobot* line : robots) place_robot(*line);
+    if (scenario_.robots.empty() && !scenario_.newcomers.empty()) {
+      throw ConfigError(scenario_.newcomers.front().where,
+                        "all robots enter later: expected one that is there from the start");
+    }
+    std::ranges::stable_sort(scenario_.newcomers, {}, &Newcomer::time);
   }
 
  private:
@@ -98,6 +104,11 @@ class SimLoader {
     if (!line.pose || line.start || !line.program.empty()) {
       throw ConfigError(line.where, "object with a start letter or program: expected '" +
                                         found->first + " x y phi'");
+    }
+    if (line.enters) {
+      throw ConfigError(line.enters_where,
+                        "an object stands before this: expected the line of a "
+                        "robot, which enters later");
     }
     world::ObjectSpec object = found->second;
     object.pose = *line.pose;
@@ -166,6 +177,7 @@ class SimLoader {
                         "object, whose mass, friction, ... it says");
     }
     const std::size_t model = model_of(line);
+    if (line.enters) return let_enter(model, line);
     if (line.start) {
       placer_->place(model, start_pose(line), line.where);
     } else if (line.pose) {
@@ -175,6 +187,18 @@ class SimLoader {
     }
     scenario_.robots.back().program = line.program;
     scenario_.robots.back().arguments = line.arguments;
+  }
+
+  /// Whether the place is free then shows when it enters; walls are there already.
+  void let_enter(std::size_t model, const SimRobot& line) {
+    if (!line.start && !line.pose) {
+      throw ConfigError(line.where, "a robot without a place enters later: expected x y phi");
+    }
+    Newcomer newcomer{{}, *line.enters, line.where};
+    newcomer.robot = {model, line.start ? start_pose(line) : *line.pose, line.program,
+                      line.arguments};
+    placer_->check_walls(model, newcomer.robot.pose, line.where);
+    scenario_.newcomers.push_back(std::move(newcomer));
   }
 
   /// The old "robi FILE PROGRAM" without a pose: the world says where robots start.

@@ -12,9 +12,9 @@ namespace eyebridge::files {
 namespace {
 
 constexpr std::size_t kMaxThings = 100000;
-constexpr std::array<std::string_view, 15> kSimKeywords = {
+constexpr std::array<std::string_view, 16> kSimKeywords = {
     "world", "maze", "robi",  "robot",    "obj",         "object", "settings", "marker",
-    "box",   "mass", "fixed", "friction", "restitution", "path",   "error"};
+    "box",   "mass", "fixed", "friction", "restitution", "path",   "error",    "enters"};
 constexpr std::string_view kRobotForm = "NAME x y phi [program]' or 'NAME S [phi] [program]";
 
 bool is_start_letter(std::string_view word) {
@@ -73,6 +73,8 @@ class SimReader {
       read_error(s);
     } else if (is_object_trait(keyword)) {
       read_trait(s);
+    } else if (keyword == "enters") {
+      read_entry(s);
     } else if (auto object = builtin_object(keyword)) {
       s.expect_arguments(3, std::string(s.text(0)) + " x y phi");
       object->pose = pose(s, 1);
@@ -106,6 +108,18 @@ class SimReader {
     read_object_trait(s, traits);
     apply(traits, out_.objects.back());
     if (traits.path) out_.path_places.back() = traits.path_where;
+  }
+
+  /// "enters SECONDS", after the line of a robot: it comes later than the others.
+  void read_entry(const Statement& s) {
+    if (last_ != Last::Robot) {
+      s.fail(0, in_quotes(s.text(0)) + " after no robot: expected the line of a robot before it");
+    }
+    s.expect_arguments(1, "enters SECONDS");
+    SimRobot& robot = out_.robots.back();
+    if (robot.enters) s.fail(0, "a second 'enters' for this robot: expected one");
+    robot.enters = s.number(1, "the time in seconds", 0.001, 1e6);
+    robot.enters_where = s.where(0);
   }
 
   static std::string path(const Statement& s, std::size_t i) {
@@ -199,7 +213,8 @@ class SimReader {
       place_at_letter(s);
       return;
     }
-    if (s.size() < 2 || !s.is_number(1)) {
+    const bool is_cut_off = s.size() < 4 && !near.empty();  // "enter 5": rather a keyword
+    if (s.size() < 2 || !s.is_number(1) || is_cut_off) {
       s.fail(0, "unknown keyword " + in_quotes(s.text(0)) + ": expected " +
                     (near.empty() ? one_of(kSimKeywords) + ", or '" + std::string(kRobotForm) + "'"
                                   : in_quotes(near) + "?"));

@@ -61,6 +61,53 @@ TEST(Load, ARobotInAWallIsAnErrorAtTheLineThatPlacesIt) {
                                   "place");
 }
 
+TEST(Load, RobotsThatEnterLaterComeInTheOrderOfTheirTimes) {
+  const Folder folder;
+  folder.write("a.wld", kRoom);
+  const auto path = folder.write("a.sim",
+                                 "world a.wld\nS4 500 500 0 late\nenters 9\nS4 500 500 0 there\n"
+                                 "LabBot 500 500 90 early on\nenters 2\nS4 900 500 0\nenters 2\n"
+                                 "error robot:3 psd:1 bias=5\n");
+  const auto scenario = load_scenario(path);
+  ASSERT_EQ(scenario.robots.size(), 1u);
+  EXPECT_EQ(scenario.robots[0].program, "there");
+  ASSERT_EQ(scenario.newcomers.size(), 3u);
+  const Newcomer& first = scenario.newcomers[0];
+  EXPECT_EQ(first.time, 2.0);
+  EXPECT_EQ(scenario.models.at(first.robot.model).name, "LabBot");
+  EXPECT_EQ(first.robot.pose.position(), (Vec2{0.5, 0.5}));
+  EXPECT_EQ(first.robot.program, "early");
+  EXPECT_EQ(first.robot.arguments, std::vector<std::string>{"on"});
+  EXPECT_EQ(first.where, (SourceLocation{path.string(), 5, 1}));
+  EXPECT_EQ(scenario.newcomers[1].robot.pose.x, 0.9);
+  EXPECT_EQ(scenario.newcomers[2].time, 9.0);
+  // The third by number is the second one that enters.
+  const auto bias = [&](const RobotPlacement& robot) {
+    return scenario.models.at(robot.model).range_sensors.at(0).error.bias;
+  };
+  EXPECT_EQ(bias(scenario.newcomers[1].robot), 0.005);
+  EXPECT_EQ(bias(scenario.newcomers[2].robot), 0.0);
+}
+
+TEST(Load, MistakesAboutRobotsThatEnterLaterAreNamed) {
+  const Folder folder;
+  folder.write("a.wld", kRoom);
+  folder.write("o.esObj", "obj cone.obj\nscale 10\ncollider capsule 0 10 0 5 20 y\n");
+  const auto error = [&](const std::string& lines) {
+    const auto path = folder.write("a.sim", "world a.wld\n" + lines);
+    return load_error(path).substr(path.string().size() + 1);
+  };
+  EXPECT_EQ(error("S4 500 500 0\nS4 50 1000 0\nenters 1"),
+            "3:1: S4 (186 mm across) at (50, 1000) mm stands in the wall from (0, 2000) mm to "
+            "(0, 0) mm: expected a free place");
+  EXPECT_EQ(error("S4 500 500 0\nenters 1"),
+            "2:1: all robots enter later: expected one that is there from the start");
+  EXPECT_EQ(error("S4 500 500 0\nrobi robots/S4.robi p.dll\nenters 1"),
+            "3:1: a robot without a place enters later: expected x y phi");
+  EXPECT_THAT(error("object o.esObj\nS4 500 500 0\no 900 900 0\nenters 1"),
+              HasSubstr("5:1: an object stands before this: expected the line of a robot"));
+}
+
 TEST(Load, AStartInAWallIsAnErrorAtItsLineOrLetter) {
   const Folder folder;
   const auto world = folder.write("a.wld", std::string(kRoom) + " position 50 1000 0\n");

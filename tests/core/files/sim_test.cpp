@@ -106,6 +106,34 @@ TEST(Sim, ReadsPathsOfObjects) {
   EXPECT_EQ(sim.path_places[1], (SourceLocation{"s.sim", 4, 1}));
 }
 
+TEST(Sim, ARobotMayEnterLater) {
+  const auto sim = sim_of("S4 1 2 0 go enters 7\nenters 2.5\ns4 U\nS4 S 90 enters\nENTERS 1e3\n");
+  ASSERT_EQ(sim.robots.size(), 3u);
+  EXPECT_EQ(sim.robots[0].arguments, (std::vector<std::string>{"enters", "7"}));
+  EXPECT_EQ(sim.robots[0].enters, 2.5);
+  EXPECT_EQ(sim.robots[0].enters_where, (SourceLocation{"s.sim", 2, 1}));
+  EXPECT_EQ(sim.robots[1].enters, std::nullopt);
+  EXPECT_EQ(sim.robots[2].program, "enters");
+  EXPECT_EQ(sim.robots[2].enters, 1000.0);
+}
+
+TEST(Sim, MistakesAboutEntriesAreNamed) {
+  const auto error = [](const std::string& text) { return error_of([&] { sim_of(text); }); };
+  EXPECT_EQ(error("enters 5"),
+            "s.sim:1:1: 'enters' after no robot: expected the line of a robot before it");
+  EXPECT_EQ(error("S4 1 2 0\nCan 1 2 0\n enters 5"),
+            "s.sim:3:2: 'enters' after no robot: expected the line of a robot before it");
+  EXPECT_EQ(error("S4 1 2 0\nenters"),
+            "s.sim:2:7: 'enters' with 0 arguments: expected 'enters SECONDS'");
+  EXPECT_EQ(error("S4 1 2 0\nenters 0"),
+            "s.sim:2:8: the time in seconds is 0: expected 0.001 to 1000000");
+  EXPECT_EQ(error("S4 1 2 0\nenters soon"),
+            "s.sim:2:8: 'soon' found: expected the time in seconds, a number");
+  EXPECT_EQ(error("S4 1 2 0\nenters 5\nenters 6"),
+            "s.sim:3:1: a second 'enters' for this robot: expected one");
+  EXPECT_EQ(error("S4 1 2 0\nenter 5"), "s.sim:2:1: unknown keyword 'enter': expected 'enters'?");
+}
+
 TEST(Sim, MistakesAboutPathsAreNamed) {
   const auto error = [](const std::string& line) {
     return error_of([&] { sim_of("Can 1 2 0\n" + line); });

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -61,6 +62,40 @@ TEST(Determinism, FiveErringRobotsEndInTheSameStateInEveryBuild) {
 }
 
 TEST(Determinism, AnotherSeedGivesAnotherRun) { EXPECT_NE(wander(1), wander(2)); }
+
+/// Robots that come one after the other while those that are there drive and look about; with
+/// `looks`, they look more often, which changes nothing but what the simulation remembers.
+std::uint64_t grow(bool looks) {
+  RobotModel model;
+  model.range_sensors.resize(2);
+  model.lidar = LidarModel{};
+  Simulation sim(room(6.0, 6.0), {});
+  StateHash readings;
+  std::vector<double> scan(90);
+  for (int step = 0; step < 1200; ++step) {
+    if (step % 40 == 0) {
+      const auto robot = static_cast<double>(sim.robot_count());
+      const double x = 0.3 + 0.25 * std::fmod(robot, 20.0);
+      sim.set_speed(sim.add_robot(model, {x, 0.3, 1.4}), {0.1 + 0.01 * robot, 0.02 * robot});
+    }
+    sim.step();
+    const auto count = static_cast<RobotIndex>(sim.robot_count());
+    for (RobotIndex robot = 0; robot < count; ++robot) {
+      if (!looks && step % 10 != 0) continue;
+      sim.read_lidar(robot, 2 * kPi, scan);
+      const double front = sim.read_range(robot, 0);
+      if (step % 10 == 0) readings.add(front + scan[7]);
+    }
+  }
+  EXPECT_EQ(sim.robot_count(), 30u);
+  readings.add(sim.state_hash());
+  return readings.value();
+}
+
+TEST(Determinism, RobotsThatComeWhileOthersDriveAreTheSameInEveryRun) {
+  EXPECT_EQ(grow(false), grow(false));
+  EXPECT_EQ(grow(false), grow(true));
+}
 
 TEST(Determinism, WithoutErrorsTheSeedDoesNotMatter) {
   const auto run = [](std::uint64_t seed) {

@@ -80,7 +80,9 @@ struct SimRobot {
   std::string program;
   std::vector<std::string> arguments;
   SourceLocation where;
-  ObjectTraits traits;  ///< Only an object that a file describes may have some.
+  ObjectTraits traits;             ///< Only an object that a file describes may have some.
+  std::optional<double> enters{};  ///< Seconds after the start; only robots may.
+  SourceLocation enters_where{};
 };
 /// Simulation description (`.sim`), without the files it names.
 struct SimFile {

@@ -20,16 +20,24 @@ struct RobotPlacement {
   friend bool operator==(const RobotPlacement&, const RobotPlacement&) = default;
 };
 
+/// A robot that enters while the world runs.
+struct Newcomer {
+  RobotPlacement robot;
+  double time = 0.0;     ///< Seconds after the start.
+  SourceLocation where;  ///< Of its line.
+};
+
 /// What a run starts from, whichever files it came from.
 struct Scenario {
   std::filesystem::path directory;  ///< Where the files lie that it names.
   world::WorldModel world;
   std::vector<SourceLocation> start_places;  ///< Where each of world.starts was read.
   std::vector<robot::RobotModel> models;
-  std::vector<RobotPlacement> robots;
-  bool start_paused = false;  ///< eyesim.p: pause on
-  bool show_sensors = false;  ///< .sim: settings VIS
-  bool show_trail = false;    ///< .sim: settings TRACE
+  std::vector<RobotPlacement> robots;  ///< Those that are there from the start.
+  std::vector<Newcomer> newcomers;     ///< In the order in which they enter.
+  bool start_paused = false;           ///< eyesim.p: pause on
+  bool show_sensors = false;           ///< .sim: settings VIS
+  bool show_trail = false;             ///< .sim: settings TRACE
   std::vector<Warning> warnings;
 };
 
