@@ -12,9 +12,9 @@ namespace eyebridge::hal {
 /// others are there, too. One thread of the robot at a time; now() any.
 class RoundClock final : public Clock {
  public:
-  /// `turns` is lent.
-  RoundClock(Turns& turns, std::size_t robot)
-      : turns_(turns), robot_(robot), limit_(turns.limit_of(robot)) {}
+  /// `turns` is lent; the robot comes at `start`.
+  RoundClock(Turns& turns, std::size_t robot, Time start)
+      : turns_(turns), robot_(robot), limit_(turns.limit_of(robot)), now_(start.count()) {}
 
   [[nodiscard]] Time now() const override { return Time(now_.load(std::memory_order_relaxed)); }
   void wait_until(Time deadline) override { advance_to(deadline); }
@@ -32,7 +32,7 @@ class RoundClock final : public Clock {
   Turns& turns_;
   const std::size_t robot_;
   const Time& limit_;
-  std::atomic<Time::rep> now_{0};
+  std::atomic<Time::rep> now_;
 };
 
 }  // namespace eyebridge::hal

@@ -1,15 +1,18 @@
 #include "shared/shared_sim.hpp"
 
 #include <charconv>
+#include <filesystem>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
+#include <strings.h>
 
 #include "clock/round_clock.hpp"
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/files/load.hpp"
+#include "eyebridge/files/readers.hpp"
 #include "sim/error_settings.hpp"
 #include "sim/open_sim.hpp"
 
@@ -57,15 +60,22 @@ files::Scenario scenario_for_all(const Config& config) {
 
 }  // namespace
 
-SharedSim::SharedSim(files::Scenario scenario, const robot::SimulationSettings& settings,
-                     double factor, Turns* turns, LogSink& log)
-    : step_(from_seconds(settings.step)), turns_(turns) {
+SharedSim::SharedSim(files::Scenario scenario, const Config& config, Turns* turns, LogSink& log)
+    : config_(config),
+      step_(from_seconds(simulation_settings(config).step)),
+      turns_(turns),
+      models_(scenario.models) {
   for (const files::RobotPlacement& robot : scenario.robots) {
-    robots_.push_back({scenario.models.at(robot.model).name, robot.program, robot.arguments});
+    robots_.push_back({models_.at(robot.model).name, robot.program, robot.arguments});
   }
-  world_ = std::make_shared<SimWorld>(std::move(scenario), settings, log);
+  for (const files::Newcomer& late : scenario.newcomers) {
+    newcomers_.push_back({models_.at(late.robot.model), late.robot.pose, late.robot.program,
+                          late.robot.arguments, from_seconds(late.time), late.where});
+  }
+  world_ = std::make_shared<SimWorld>(std::move(scenario), simulation_settings(config), log);
   if (turns != nullptr) return;
-  wall_ = std::make_shared<RealTimeClock>(step_, factor, [world = world_] { world->step(); });
+  wall_ = std::make_shared<RealTimeClock>(step_, config.number("factor"),
+                                          [world = world_] { world->step(); });
   wall_->pause();  // until all robots are there
 }
 
@@ -79,14 +89,34 @@ std::uint64_t SharedSim::overruns() const { return wall_ ? wall_->overruns() : 0
 
 std::shared_ptr<Clock> SharedSim::clock_of(std::size_t index) {
   if (wall_) return wall_;
-  return std::make_shared<RoundClock>(*turns_, index);
+  return std::make_shared<RoundClock>(*turns_, index, now());
+}
+
+robot::RobotModel SharedSim::model(const std::string& name) const {
+  for (const robot::RobotModel& model : models_) {
+    if (strcasecmp(model.name.c_str(), name.c_str()) == 0) return model;
+  }
+  std::vector<Warning> known;  // nobody waits for them
+  robot::RobotModel model = std::filesystem::path(name).extension() == ".robi"
+                                ? files::read_robi(files::read_text_file(name), name, known)
+                                : files::named_robot(name, {"robot"});
+  apply_error_settings(config_, model);
+  return model;
+}
+
+Result<std::size_t> SharedSim::enter(const Newcomer& newcomer) {
+  return world_->add_robot(newcomer.model, newcomer.pose).map([](robot::RobotIndex index) {
+    return std::size_t{index};
+  });
 }
 
 std::size_t programs_wanted(const Config& config) {
   const std::size_t count = count_in(config.value("robots"));
   if (count == 1) return 1;
   check_alone_settings(config);
-  return count != kAll ? count : files::robots_meant(named_scenario(config));
+  if (count != kAll) return count;
+  const files::Scenario scenario = named_scenario(config);
+  return files::robots_meant(scenario) + scenario.newcomers.size();
 }
 
 std::shared_ptr<SharedWorld> open_shared_world(const Config& config, LogSink& log, Turns* turns) {
@@ -94,8 +124,7 @@ std::shared_ptr<SharedWorld> open_shared_world(const Config& config, LogSink& lo
   files::Scenario scenario = scenario_for_all(config);
   report_scenario(scenario, log);
   try {
-    auto shared = std::make_shared<SharedSim>(std::move(scenario), simulation_settings(config),
-                                              config.number("factor"), turns, log);
+    auto shared = std::make_shared<SharedSim>(std::move(scenario), config, turns, log);
     begin_report(config, *shared->world());
     return shared;
   } catch (const std::invalid_argument& error) {

@@ -14,12 +14,17 @@ namespace eyebridge::hal {
 /// air for their radios, and real time.
 class SharedSim final : public SharedWorld {
  public:
-  /// Virtual time by `turns`, lent; real time, `factor` times as fast, when that is null. Throws as
-  /// SimWorld.
-  SharedSim(files::Scenario scenario, const robot::SimulationSettings& settings, double factor,
-            Turns* turns, LogSink& log);
+  /// Virtual time by `turns`, lent; real time when that is null. Throws as SimWorld.
+  SharedSim(files::Scenario scenario, const Config& config, Turns* turns, LogSink& log);
 
   [[nodiscard]] const std::vector<SharedRobot>& robots() const override { return robots_; }
+  [[nodiscard]] const std::vector<Newcomer>& newcomers() const override { return newcomers_; }
+  [[nodiscard]] robot::RobotModel model(const std::string& name) const override;
+  Result<std::size_t> enter(const Newcomer& newcomer) override;
+  [[nodiscard]] Time now() override { return world_->now(); }
+  void wait_until(Time time) override {
+    if (wall_) wall_->wait_until(time);
+  }
   [[nodiscard]] Time step_length() const override { return step_; }
   void begin_time() override {
     if (wall_) wall_->resume();
@@ -32,13 +37,16 @@ class SharedSim final : public SharedWorld {
 
   [[nodiscard]] std::shared_ptr<SimWorld> world() { return world_; }
   [[nodiscard]] std::shared_ptr<RadioMedium> air() { return air_; }
-  /// The time that robot `index` lives in.
+  /// The time that robot `index` lives in, from now on.
   std::shared_ptr<Clock> clock_of(std::size_t index);
 
  private:
+  const Config config_;
   const Time step_;
   Turns* const turns_;
   std::vector<SharedRobot> robots_;
+  std::vector<Newcomer> newcomers_;
+  const std::vector<robot::RobotModel> models_;  ///< The scenario's.
   std::shared_ptr<SimWorld> world_;
   std::shared_ptr<RadioMedium> air_ = std::make_shared<RadioMedium>();
   std::shared_ptr<RealTimeClock> wall_;  ///< After the world that it steps; null in virtual time.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,12 @@ robot::RangeTable table_of(const files::HdtTable& table) {
   return robot::RangeTable(metres);
 }
 
-void give_tables(const std::string& path, files::Scenario& scenario) {
-  const files::Hdt hdt = files::read_hdt(files::read_text_file(path), path, scenario.warnings);
-  for (robot::RobotModel& model : scenario.models) {
+void give_tables(const Config& config, std::span<robot::RobotModel> models,
+                 std::vector<Warning>& warnings) {
+  if (!config.is_set("hdt")) return;
+  const std::string path = config.path("hdt").string();
+  const files::Hdt hdt = files::read_hdt(files::read_text_file(path), path, warnings);
+  for (robot::RobotModel& model : models) {
     for (robot::RangeSensorModel& sensor : model.range_sensors) {
       const auto psd = std::ranges::find(hdt.psds, sensor.id, &files::HdtPsd::id);
       if (psd == hdt.psds.end()) continue;
@@ -30,15 +34,32 @@ void give_tables(const std::string& path, files::Scenario& scenario) {
   }
 }
 
+std::vector<files::ErrorRule> rules_of(const Config& config) {
+  const ConfigValue& errors = config.value("errors");
+  return files::read_error_rules(errors.text, errors.where);
+}
+
+void scale(const Config& config, std::span<robot::RobotModel> models) {
+  const double percent = config.number("error_scale");
+  if (percent == 100.0) return;
+  for (robot::RobotModel& model : models) robot::scale_errors(model, percent / 100);
+}
+
 }  // namespace
 
 void apply_error_settings(const Config& config, files::Scenario& scenario) {
-  if (config.is_set("hdt")) give_tables(config.path("hdt").string(), scenario);
-  const ConfigValue& errors = config.value("errors");
-  files::apply_rules(files::read_error_rules(errors.text, errors.where), scenario);
-  const double percent = config.number("error_scale");
-  if (percent == 100.0) return;
-  for (robot::RobotModel& model : scenario.models) robot::scale_errors(model, percent / 100);
+  give_tables(config, scenario.models, scenario.warnings);
+  files::apply_rules(rules_of(config), scenario);
+  scale(config, scenario.models);
+}
+
+void apply_error_settings(const Config& config, robot::RobotModel& model) {
+  std::vector<Warning> known;  // from when the world was opened
+  give_tables(config, {&model, 1}, known);
+  for (const files::ErrorRule& rule : rules_of(config)) {
+    if (!rule.robot) files::apply_rule(rule, model);
+  }
+  scale(config, {&model, 1});
 }
 
 }  // namespace eyebridge::hal

@@ -60,6 +60,9 @@ std::unique_ptr<Backend> open_scenario(files::Scenario scenario, const SourceLoc
                                   "have one with --robots all",
                                   scenario.robots.size()));
   }
+  if (!scenario.newcomers.empty()) {
+    context.log.write(Severity::Info, "robots that enter later do so with --robots all only");
+  }
   const robot::SimulationSettings settings = simulation_settings(context.config);
   std::unique_ptr<SimWorld> world;
   try {

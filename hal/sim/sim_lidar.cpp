@@ -13,8 +13,9 @@ constexpr const char* kName = "lidar";
 }  // namespace
 
 SimLidar::SimLidar(SimWorld& world, robot::RobotIndex robot) : SimDevice(world, robot) {
-  const robot::LidarModel& model = *world.model(robot).lidar;
-  shape_ = {model.field_of_view, model.tilt, model.points};
+  const robot::RobotModel model = world.model(robot);
+  shape_ = {model.lidar->field_of_view, model.lidar->tilt, model.lidar->points};
+  max_range_ = model.lidar->max_range;
 }
 
 Result<void> SimLidar::configure(double field_of_view, double tilt, int points) {
@@ -42,7 +43,5 @@ Result<void> SimLidar::read(std::span<double> ranges) {
     });
   });
 }
-
-double SimLidar::max_range() const { return world_.model(robot_).lidar->max_range; }
 
 }  // namespace eyebridge::hal

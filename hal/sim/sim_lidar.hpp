@@ -19,10 +19,11 @@ class SimLidar final : public Lidar, private SimDevice {
   [[nodiscard]] LidarShape shape() const override;
   [[nodiscard]] int points() const override { return shape().points; }
   Result<void> read(std::span<double> ranges) override;
-  [[nodiscard]] double max_range() const override;
+  [[nodiscard]] double max_range() const override { return max_range_; }
 
  private:
   LidarShape shape_;  ///< Guarded by the world's lock.
+  double max_range_ = 0.0;
 };
 
 }  // namespace eyebridge::hal

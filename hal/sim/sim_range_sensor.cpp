@@ -7,7 +7,9 @@
 namespace eyebridge::hal {
 
 SimRangeSensor::SimRangeSensor(SimWorld& world, robot::RobotIndex robot, std::size_t index)
-    : SimDevice(world, robot), index_(index) {}
+    : SimDevice(world, robot),
+      index_(index),
+      out_of_range_(world.model(robot).range_sensors[index].out_of_range) {}
 
 Result<double> SimRangeSensor::read() {
   return world_.locked([&](auto& sim) { return sim.read_range(robot_, index_); });
@@ -15,10 +17,6 @@ Result<double> SimRangeSensor::read() {
 
 Result<int> SimRangeSensor::read_raw() {
   return read().map([](double range) { return static_cast<int>(std::lround(m_to_mm(range))); });
-}
-
-double SimRangeSensor::out_of_range() const {
-  return world_.model(robot_).range_sensors[index_].out_of_range;
 }
 
 }  // namespace eyebridge::hal

@@ -13,10 +13,11 @@ class SimRangeSensor final : public RangeSensor, private SimDevice {
 
   Result<double> read() override;
   Result<int> read_raw() override;
-  [[nodiscard]] double out_of_range() const override;
+  [[nodiscard]] double out_of_range() const override { return out_of_range_; }
 
  private:
   const std::size_t index_;
+  const double out_of_range_;
 };
 
 }  // namespace eyebridge::hal

@@ -1,8 +1,11 @@
 #include "sim/sim_world.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include <fmt/format.h>
+
+#include "eyebridge/base/units.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -46,6 +49,35 @@ void SimWorld::tell(const robot::CollisionEvent& event, LogSink& log) {
   }
 }
 
+Result<robot::RobotIndex> SimWorld::add_robot(const robot::RobotModel& model, const Pose& pose) {
+  const std::lock_guard lock(mutex_);
+  try {
+    return simulation_.add_robot(model, pose);
+  } catch (const std::invalid_argument&) {
+    return fail(Errc::OutOfRange,
+                fmt::format("{} ({:g} mm across) at ({:g}, {:g}) mm would stand in {}: expected a "
+                            "free place",
+                            model.name, m_to_mm(model.diameter), m_to_mm(pose.x), m_to_mm(pose.y),
+                            obstacle_at(pose.position(), model.radius())));
+  }
+}
+
+std::string SimWorld::obstacle_at(Vec2 centre, double radius) const {
+  const world::World& world = simulation_.world();
+  const std::size_t objects = world.object_count();
+  for (world::BodyId body = 0; body < world.body_count(); ++body) {
+    if (norm(centre - world.position(body)) >= radius + world.radius(body)) continue;
+    const auto robot = static_cast<robot::RobotIndex>(body - objects);
+    return name_of(body, body < objects ? std::nullopt : std::optional(robot));
+  }
+  return "a wall";
+}
+
+Time SimWorld::now() {
+  const std::lock_guard lock(mutex_);
+  return static_cast<Time::rep>(steps_) * step_length_;
+}
+
 void SimWorld::step() {
   const std::lock_guard lock(mutex_);
   simulation_.step();
@@ -87,7 +119,8 @@ void SimWorld::trace() {
   }
 }
 
-const robot::RobotModel& SimWorld::model(robot::RobotIndex robot) const {
+robot::RobotModel SimWorld::model(robot::RobotIndex robot) {
+  const std::lock_guard lock(mutex_);
   return simulation_.model(robot);
 }
 

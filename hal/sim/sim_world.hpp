@@ -10,6 +10,7 @@
 
 #include "eyebridge/base/clock.hpp"
 #include "eyebridge/base/log.hpp"
+#include "eyebridge/base/result.hpp"
 #include "eyebridge/files/scenario.hpp"
 #include "eyebridge/hal/trace.hpp"
 #include "eyebridge/robot/simulation.hpp"
@@ -50,12 +51,18 @@ class SimWorld {
   /// The program has ended: the report says so.
   void end_report() noexcept;
 
-  /// Never changes, but for its errors; needs no lock.
-  [[nodiscard]] const robot::RobotModel& model(robot::RobotIndex robot) const;
+  /// Adds a robot to the world as it is now. OutOfRange where it would stand in something.
+  Result<robot::RobotIndex> add_robot(const robot::RobotModel& model, const Pose& pose);
+  /// The steps made so far, as time.
+  [[nodiscard]] Time now();
+  /// A copy: the simulation's own moves when a robot is added.
+  [[nodiscard]] robot::RobotModel model(robot::RobotIndex robot);
   [[nodiscard]] const std::string& directory() const { return directory_; }
 
  private:
   void trace();  ///< mutex_ is held.
+  /// What a robot would stand in, in words. mutex_ is held.
+  [[nodiscard]] std::string obstacle_at(Vec2 centre, double radius) const;
   /// Called from a step: mutex_ is held.
   void tell(const robot::CollisionEvent& event, LogSink& log);
 

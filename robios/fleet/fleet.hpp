@@ -1,23 +1,28 @@
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "door.hpp"
 #include "eyebridge/hal/config.hpp"
 #include "eyebridge/hal/shared_world.hpp"
+#include "launcher.h"
 #include "robot.hpp"
 #include "stderr_log.hpp"
 
 namespace eyebridge::robios {
 
-class Strands;
-
 /// Several robots in one world, each with its program, from their start to the last one's end.
 class Fleet {
  public:
-  /// `words` as programs_of() takes them. Throws ConfigError.
-  Fleet(hal::Config config, const std::vector<std::string>& words);
+  /// `words` as programs_of() takes them; `calls` are set before a thread is there that asks them.
+  /// Throws ConfigError.
+  Fleet(hal::Config config, const std::vector<std::string>& words, eyebridge_robot_calls& calls);
   ~Fleet();
   Fleet(const Fleet&) = delete;
   Fleet& operator=(const Fleet&) = delete;
@@ -25,8 +30,11 @@ class Fleet {
   /// Runs all programs to their end. Returns the first exit code that is not 0, by the robots'
   /// numbers.
   int run();
-  /// What the programs' threads wait for each other with; null in real time.
-  [[nodiscard]] Strands* strands();
+  /// Lets a robot enter the world of a run: its index. In virtual time it comes between two rounds,
+  /// whichever is next; a scenario's own newcomers come at their times by themselves. OutOfRange
+  /// where it would stand in something. Any thread but those of programs, in virtual time.
+  Result<std::size_t> add(hal::Newcomer newcomer);
+  [[nodiscard]] hal::SharedWorld& world() { return *world_; }
   /// Ends every robot's session: motors stop, results are written. Any thread.
   void end();
 
@@ -36,12 +44,30 @@ class Fleet {
   struct InRealTime;
 
   void add_robots(const std::vector<std::string>& words);
+  /// Gives robot `index` its program and session; null for one without a program.
+  Robot* add_robot(std::size_t index, RobotProgram program);
+  /// What a newcomer runs.
+  [[nodiscard]] RobotProgram program_of(const hal::Newcomer& newcomer) const;
+  /// Lets a robot enter now.
+  Result<std::size_t> enter(const hal::Newcomer& newcomer, RobotProgram program);
+  /// When the scenario's next newcomer comes; nothing when all have.
+  [[nodiscard]] std::optional<Time> next_entry() const;
+  /// Lets that one enter. False when none runs a program then: it was refused, or has none.
+  bool let_next_in();
+  /// Those with a program, for a look at them: one more may come meanwhile.
+  [[nodiscard]] std::vector<Robot*> robots() const;
   [[nodiscard]] int exit_code() const;
 
   const hal::Config config_;
   StderrLog log_;
   std::unique_ptr<Scheduler> scheduler_;
   std::shared_ptr<hal::SharedWorld> world_;
+  std::filesystem::path scenario_;               ///< For messages, and beside which programs lie.
+  std::vector<RobotProgram> newcomer_programs_;  ///< Of the scenario's newcomers that do come.
+  std::size_t entries_ = 0;                      ///< How many of them have been asked in.
+  bool has_refused_ = false;                     ///< One of them.
+  std::optional<Door> door_;
+  mutable std::mutex mutex_;                    ///< Who enters, and robots_.
   std::vector<std::unique_ptr<Robot>> robots_;  ///< Those with a program.
 };
 

@@ -5,11 +5,12 @@
 
 namespace eyebridge::robios {
 
-void Lockstep::add(std::function<void()> body) {
+void Lockstep::add(std::function<void()> body, Time start) {
   Place& place = places_.emplace_back();
   const std::size_t robot = places_.size() - 1;
-  place.strands.push_back(std::make_unique<Strand>(robot, Time(0), std::move(body)));
-  turns_.push_back({Time(0), place.strands.front().get()});
+  place.strands.push_back(std::make_unique<Strand>(robot, start, std::move(body)));
+  turns_.push_back({start, place.strands.front().get()});
+  soonest_ = std::min(soonest_, start);
   ++alive_;
 }
 
@@ -21,7 +22,7 @@ Lockstep::Strand& Lockstep::add_strand(std::function<void()> body) {
 
 void Lockstep::run(Time step_length, const std::function<void()>& step) {
   round_end_ = step_length;
-  while (alive_ > 0) {
+  while (alive_ > 0 || expected_ > 0) {
     Time next = kNever;
     for (std::size_t robot = 0; robot < turns_.size(); ++robot) {
       if (robot + 1 < turns_.size() && turns_[robot + 1].only != nullptr)
@@ -29,13 +30,13 @@ void Lockstep::run(Time step_length, const std::function<void()>& step) {
       while (turns_[robot].next < round_end_) take_turn(robot);
       next = std::min(next, turns_[robot].next);
     }
-    if (alive_ == 0) return;
+    soonest_ = next;
     // Strands that wait for each other only: who could wake them has ended.
-    if (next == kNever) return;
-    do {
+    while (soonest_ >= round_end_) {
+      if (expected_ == 0 && (alive_ == 0 || soonest_ == kNever)) return;
       step();
       round_end_ += step_length;
-    } while (next >= round_end_);
+    }
   }
 }
 

@@ -37,12 +37,16 @@ class Lockstep final : public hal::Turns {
   Lockstep(const Lockstep&) = delete;
   Lockstep& operator=(const Lockstep&) = delete;
 
-  /// A robot whose main flow is `body`, which must not return.
-  void add(std::function<void()> body);
+  /// A robot whose main flow is `body`, which must not return, from `start` on. Before run(), or in
+  /// its `step`.
+  void add(std::function<void()> body, Time start);
+  /// So many robots are still to be added by `step`: run() goes on for them.
+  void expect(std::size_t robots) { expected_ = robots; }
   /// Another flow of the calling strand's robot, from now on; ends when `body` returns.
   Strand& add_strand(std::function<void()> body);
 
-  /// Runs everything until no robot is left. `step` makes a step of the world of this length.
+  /// Runs everything until no robot is left, and none expected. `step` makes a step of the world of
+  /// this length.
   void run(Time step_length, const std::function<void()>& step);
 
   void wait(std::size_t robot, Time time) override;
@@ -89,6 +93,8 @@ class Lockstep final : public hal::Turns {
   std::vector<Turn> turns_;
   Strand* running_ = nullptr;
   std::size_t alive_ = 0;
+  std::size_t expected_ = 0;
+  Time soonest_ = kNever;  ///< Between rounds: when somebody goes on.
   std::atomic<std::uint64_t> switches_ = 0;
 };
 

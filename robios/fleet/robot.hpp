@@ -29,6 +29,8 @@ class Robot : public Runner {
 
   /// Begins the session; before run(). Throws ConfigError.
   void begin(const hal::Config& config, const hal::Seat& seat, const std::filesystem::path& out);
+  /// True once the session has begun.
+  [[nodiscard]] bool has_begun() const { return session_ != nullptr; }
   /// Loads the program and runs it to its end, in the calling flow, which is the robot's from now
   /// on. Returns never: it leave()s.
   [[noreturn]] void run();

@@ -11,7 +11,6 @@
 #include "eyebridge/camera/prepare_process.hpp"
 #include "fleet.hpp"
 #include "launcher.h"
-#include "robot_calls.hpp"
 
 __attribute__((visibility("default"))) int EYEBRIDGERobotsMain(int argc, char** argv,
                                                                eyebridge_robot_calls* calls) {
@@ -20,9 +19,8 @@ __attribute__((visibility("default"))) int EYEBRIDGERobotsMain(int argc, char** 
     eyebridge::camera::prepare_process();
     std::vector<std::string> words(argv, argv + argc);
     // Never destroyed: threads of programs may still run when the process ends.
-    auto* const fleet =
-        new Fleet(eyebridge::hal::Config::from_process(words.empty() ? "" : words.front()), words);
-    *calls = eyebridge::robios::robot_calls(fleet->strands());
+    auto* const fleet = new Fleet(
+        eyebridge::hal::Config::from_process(words.empty() ? "" : words.front()), words, *calls);
     return fleet->run();
   } catch (const eyebridge::ConfigError& error) {
     fmt::print(stderr, "eyebridge: {}\n", error.what());

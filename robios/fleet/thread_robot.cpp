@@ -11,10 +11,22 @@
 
 namespace eyebridge::robios {
 
-bool Barrier::await_all(double seconds) {
+bool Barrier::join() {
+  const std::lock_guard lock(mutex_);
+  if (left_ == 0) return false;
+  ++left_;
+  return true;
+}
+
+bool Barrier::await_start(double seconds) {
   std::unique_lock lock(mutex_);
   return changed_.wait_for(lock, std::chrono::duration<double>(seconds),
-                           [this] { return left_ == 0; });
+                           [this] { return awaited_ == 0; });
+}
+
+void Barrier::await_end() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return left_ == 0; });
 }
 
 std::size_t Barrier::awaited() {

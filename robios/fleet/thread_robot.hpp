@@ -13,7 +13,9 @@ namespace eyebridge::robios {
 /// Any thread.
 class Barrier {
  public:
-  explicit Barrier(std::size_t robots) : awaited_(robots), left_(robots) {}
+  /// `newcomers` come when all `robots` are there.
+  Barrier(std::size_t robots, std::size_t newcomers)
+      : awaited_(robots), left_(robots + newcomers) {}
 
   /// A robot is there; returns when all are, or have ended. The last one gets true: before any of
   /// the others goes on it may do what is to be done once.
@@ -34,8 +36,12 @@ class Barrier {
     --left_;
     changed_.notify_all();
   }
-  /// Returns when all have ended; false when `seconds` have passed before.
-  bool await_all(double seconds);
+  /// One more that nobody waits for at its first call; false when all have ended.
+  [[nodiscard]] bool join();
+  /// Returns when all are there; false when `seconds` have passed before.
+  bool await_start(double seconds);
+  /// Returns when all have ended.
+  void await_end();
   [[nodiscard]] std::size_t awaited();
 
  private:
@@ -53,6 +59,11 @@ class ThreadRobot final : public Robot {
 
   /// Starts the thread. Throws std::system_error when there are no more.
   void start();
+  /// The same for one that comes when the others run.
+  void start_late() {
+    has_arrived_ = true;
+    start();
+  }
 
   [[noreturn]] void leave(int code) override;
   [[noreturn]] void hold_thread() override;

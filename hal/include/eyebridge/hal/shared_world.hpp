@@ -7,7 +7,10 @@
 
 #include "eyebridge/base/clock.hpp"
 #include "eyebridge/base/hash.hpp"
+#include "eyebridge/base/pose.hpp"
+#include "eyebridge/base/result.hpp"
 #include "eyebridge/hal/config.hpp"
+#include "eyebridge/robot/robot_model.hpp"
 
 namespace eyebridge {
 class LogSink;
@@ -37,13 +40,35 @@ struct SharedRobot {
   std::vector<std::string> arguments;  ///< Of the program.
 };
 
+/// A robot that enters a world while it runs.
+struct Newcomer {
+  robot::RobotModel model;
+  Pose pose;
+  std::string program;  ///< As in SharedRobot.
+  std::vector<std::string> arguments;
+  Time time{0};          ///< Where the scenario says when it enters.
+  SourceLocation where;  ///< Likewise, its line.
+};
+
 /// A world whose robots run programs of their own: `sim` for several. Any thread.
 class SharedWorld {
  public:
   virtual ~SharedWorld() = default;
 
-  /// In the order of their numbers. Never changes.
+  /// Those that are there from the start, in the order of their numbers. Never changes.
   [[nodiscard]] virtual const std::vector<SharedRobot>& robots() const = 0;
+  /// Those that the scenario lets enter later, in the order in which they do. Never changes.
+  [[nodiscard]] virtual const std::vector<Newcomer>& newcomers() const = 0;
+  /// The type `name`: one of the scenario, a built-in one, or a .robi file; with the errors that
+  /// the configuration wants. Throws ConfigError.
+  [[nodiscard]] virtual robot::RobotModel model(const std::string& name) const = 0;
+  /// Lets a robot enter now. Its index: the next one; indices are not used again. In virtual time
+  /// only between two rounds. OutOfRange where it would stand in something.
+  virtual Result<std::size_t> enter(const Newcomer& newcomer) = 0;
+  /// Present time: that of the steps that were made.
+  [[nodiscard]] virtual Time now() = 0;
+  /// Returns when real time has come to `time`; in virtual time nobody waits.
+  virtual void wait_until(Time time) = 0;
   /// Of the simulation.
   [[nodiscard]] virtual Time step_length() const = 0;
   /// Real time, which stood still, begins. Once or more.
@@ -74,7 +99,7 @@ std::size_t programs_wanted(const Config& config);
 /// A robot's place in a world that it shares: open_backend() gives that robot.
 struct Seat {
   std::shared_ptr<SharedWorld> world;
-  std::size_t robot = 0;  ///< Index in robots().
+  std::size_t robot = 0;  ///< Its index.
 };
 
 }  // namespace eyebridge::hal

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+#include "eyebridge/base/unique_fd.hpp"
+
+namespace eyebridge::robios {
+
+/// What goes through a door at a time, either way.
+using Words = std::vector<std::string>;
+
+/// Longest message, bytes.
+inline constexpr std::size_t kLongestMessage = 65536;
+
+/// The folder of the doors of this user's runs. Empty where there is none that belongs to this user
+/// alone; made when it is missing.
+std::filesystem::path door_folder();
+
+/// The numbers of the processes that have a door, ascending; they may have ended since.
+std::vector<pid_t> doors();
+
+/// Where the door of process `pid` is.
+std::filesystem::path door_of(pid_t pid);
+
+/// Opens the door of this process; nothing when the system refuses.
+UniqueFd open_door();
+/// Who comes next; waits for that. Nothing when the door is broken.
+UniqueFd next_at(const UniqueFd& door);
+/// Takes away the door of this process.
+void close_door() noexcept;
+
+/// Goes to the door of `pid`; nothing when nobody is there. What is left of a door whose process
+/// has died is taken away.
+UniqueFd knock(pid_t pid);
+
+/// False when `words` could not be sent: too long, or the other side is gone.
+bool send_words(const UniqueFd& socket, const Words& words);
+/// The other side's words; nothing when it sends none, within `patience_s` seconds unless 0.
+std::optional<Words> receive_words(const UniqueFd& socket, int patience_s = 0);
+
+}  // namespace eyebridge::robios

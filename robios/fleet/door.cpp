@@ -1,0 +1,75 @@
+#include "door.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <exception>
+#include <thread>
+#include <utility>
+
+#include <pthread.h>
+
+#include "eyebridge/base/text.hpp"
+#include "eyebridge/base/units.hpp"
+#include "robot_programs.hpp"
+
+namespace eyebridge::robios {
+namespace {
+
+// Who knocks and says nothing must not keep others out.
+constexpr int kPatience_s = 2;
+
+double number_in(const std::string& word, const char* what) {
+  double value = 0.0;
+  const char* const end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, value);
+  if (error == std::errc() && stop == end && std::abs(value) <= 1e7) return value;
+  throw ConfigError({what}, "found " + in_quotes(word) + ", expected a number");
+}
+
+}  // namespace
+
+hal::Newcomer read_newcomer(const Words& words, const hal::SharedWorld& world) {
+  if (words.size() < 4)
+    throw ConfigError({"robot"}, "expected MODEL x y phi [PROGRAM [ARGUMENTS]]");
+  hal::Newcomer newcomer;
+  newcomer.pose = {mm_to_m(number_in(words[1], "x")), mm_to_m(number_in(words[2], "y")),
+                   wrap_angle(deg_to_rad(number_in(words[3], "phi")))};
+  newcomer.model = world.model(words[0]);
+  if (words.size() == 4) return newcomer;
+  newcomer.program = words[4];
+  newcomer.arguments.assign(words.begin() + 5, words.end());
+  if (const std::string why = trouble_with(newcomer.program); !why.empty()) {
+    throw ConfigError({newcomer.program}, why);
+  }
+  return newcomer;
+}
+
+Door::Door(hal::SharedWorld& world, Add add)
+    : world_(world), add_(std::move(add)), door_(open_door()) {
+  if (!door_.valid()) return;
+  std::thread thread([this] { answer_all(); });
+  pthread_setname_np(thread.native_handle(), "eb:door");
+  thread.detach();
+}
+
+void Door::answer_all() {
+  for (;;) {
+    const UniqueFd visitor = next_at(door_);
+    if (!visitor.valid()) return;
+    const auto words = receive_words(visitor, kPatience_s);
+    const std::lock_guard lock(answering_);
+    if (words) send_words(visitor, answer(*words));
+  }
+}
+
+Words Door::answer(const Words& words) {
+  try {
+    const Result<std::size_t> index = add_(read_newcomer(words, world_));
+    if (index) return {"ok", std::to_string(*index + 1)};
+    return {"error", index.error().what};
+  } catch (const std::exception& error) {
+    return {"error", error.what()};
+  }
+}
+
+}  // namespace eyebridge::robios

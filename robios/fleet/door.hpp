@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <mutex>
+
+#include "door_socket.hpp"
+#include "eyebridge/base/unique_fd.hpp"
+#include "eyebridge/hal/shared_world.hpp"
+
+namespace eyebridge::robios {
+
+/// Where other processes ask a run for one more robot (`eyebridge add`).
+class Door {
+ public:
+  /// Lets a robot in: its index.
+  using Add = std::function<Result<std::size_t>(hal::Newcomer)>;
+
+  /// Answers from a thread of its own from now on; where the system refuses, nobody can come.
+  /// `world` and what `add` has are lent for the life of the process.
+  Door(hal::SharedWorld& world, Add add);
+  /// Nobody finds it any more. Any thread.
+  static void close() noexcept { close_door(); }
+  /// Returns when who was let in, or not, has been told so. When `add` lets nobody in any more.
+  void finish() { const std::lock_guard lock(answering_); }
+
+ private:
+  void answer_all();
+  [[nodiscard]] Words answer(const Words& words);
+
+  hal::SharedWorld& world_;
+  const Add add_;
+  const UniqueFd door_;
+  std::mutex answering_;  ///< Held from a question to its answer.
+};
+
+/// Who `words` want: MODEL x y phi [PROGRAM [ARGUMENTS]], millimetres and degrees. Throws
+/// ConfigError.
+hal::Newcomer read_newcomer(const Words& words, const hal::SharedWorld& world);
+
+}  // namespace eyebridge::robios
