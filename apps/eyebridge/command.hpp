@@ -17,6 +17,7 @@ enum ExitCode : int {
 // and parsed, it runs and stores its exit code in `code`; a ConfigError passes through to main().
 
 void add_run(CLI::App& root, int& code);
+void add_add(CLI::App& root, int& code);
 void add_record(CLI::App& root, int& code);
 void add_sweep(CLI::App& root, int& code);
 void add_probe(CLI::App& root, int& code);

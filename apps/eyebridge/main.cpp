@@ -18,6 +18,7 @@ int run(int argc, char** argv) {
       "Exit codes: 0 fine, 1 failed while running, 2 bad input (nothing was run).\n"
       "eyebridge COMMAND --help says more.");
   add_run(app, code);
+  add_add(app, code);
   add_record(app, code);
   add_sweep(app, code);
   add_probe(app, code);

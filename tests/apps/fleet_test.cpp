@@ -49,6 +49,13 @@ TEST_F(Scenario, EachRobotRunsWhatItsLineNames) {
   EXPECT_THAT(r.err, HasSubstr("eyebridge: 2 robots"));
 }
 
+TEST_F(Scenario, ARobotMayEnterLaterAndOnlyThatMayRunAProgram) {
+  const auto r = run("S4 500 500 0\nS4 500 1000 0 prog late\nenters 2\n");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.out, "2 late\n");
+  EXPECT_THAT(r.err, HasSubstr("eyebridge: 1 robots, 2.20 s"));
+}
+
 TEST_F(Scenario, AProgramThatIsNotThereIsThatRobotsTrouble) {
   const auto r = run("S4 500 500 0 nowhere\nS4 1500 500 90 prog two\nS4 2500 2500 0 prog.c\n");
   EXPECT_EQ(r.exit_code, 126);
