@@ -1,6 +1,7 @@
 #include "program_image.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstdint>
 #include <cstring>
@@ -112,7 +113,7 @@ UniqueFd in_memory(const std::filesystem::path& program, const Bytes& file) {
 /// A name under which the dynamic linker has not seen a file yet: it knows them by name, and a
 /// descriptor's number comes again.
 std::string fresh_name(int descriptor) {
-  static std::uint64_t next = 0;
+  static std::atomic<std::uint64_t> next = 0;
   std::string name = "/proc/self/";
   for (std::uint64_t n = next++; n != 0; n /= 2) name += n % 2 != 0 ? "./" : "fd/../";
   return name + "fd/" + std::to_string(descriptor);

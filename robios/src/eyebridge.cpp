@@ -16,10 +16,11 @@ struct GivenText {
 const char* EYEBRIDGELastError(void) {
   using eyebridge::robios::Session;
   Session& session = Session::instance();
-  // A copy of this thread's own: it stays valid until the thread asks again. Several robots may
-  // share a thread: each has its own.
+  // A copy of this thread's own: it stays valid until the thread asks again. In virtual time
+  // several robots share a thread: each has its own.
   thread_local std::string of_thread;
-  std::string& text = session.runner() != nullptr ? session.own<GivenText>().text : of_thread;
+  const bool shares = session.runner() != nullptr && session.clock().is_virtual();
+  std::string& text = shares ? session.own<GivenText>().text : of_thread;
   text = session.last_error();
   return text.c_str();
 }

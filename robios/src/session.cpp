@@ -188,7 +188,11 @@ void Session::end() noexcept {
   std::call_once(impl_->ended, [this] {
     impl_->claim_end();
     impl_->stage = Impl::Stage::Ended;
-    impl_->timers.stop();
+    if (impl_->runner == nullptr) {
+      impl_->timers.stop();
+    } else {
+      impl_->timers.let_go();  // the session stays, of many robots maybe
+    }
     impl_->recorder.stop();
     impl_->backend->stop();
     if (impl_->panel) impl_->panel->stop();

@@ -51,6 +51,12 @@ void Timers::stop() {
   changed_.notify_all();
 }
 
+void Timers::let_go() {
+  stop();
+  const std::lock_guard lock(mutex_);
+  if (thread_.joinable()) thread_.detach();
+}
+
 // A callback that calls the API must not start callbacks itself.
 bool Timers::is_calling() { return flow.in_timer; }
 

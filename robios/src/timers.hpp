@@ -43,6 +43,8 @@ class Timers {
   [[nodiscard]] static bool is_calling();
   /// Ends the thread; no callback starts after this.
   void stop();
+  /// stop(), of timers that are never destroyed: nobody waits for the thread's end.
+  void let_go();
   /// stop(), and waits for the callback that is running now; not from inside a callback.
   void finish();
 
