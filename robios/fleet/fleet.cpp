@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <pthread.h>
+#include <unistd.h>
 
 #include "crash_handler.hpp"
 #include "fiber_robot.hpp"
@@ -48,7 +49,7 @@ double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_
 
 struct Fleet::InLockstep final : Scheduler {
   explicit InLockstep(double hang_limit)
-      : watchdog([this] { return lockstep.switches(); }, tell, [this] { interrupt_robot(thread); },
+      : watchdog([this] { return lockstep.switches(); }, tell, [this] { interrupt(); },
                  hang_limit) {}
 
   hal::Turns* turns() override { return &lockstep; }
@@ -56,7 +57,7 @@ struct Fleet::InLockstep final : Scheduler {
   void expect(std::size_t /*programs*/) override {}
   std::unique_ptr<Robot> make(std::size_t index, RobotProgram program,
                               hal::SharedWorld& /*world*/) override {
-    return std::make_unique<FiberRobot>(index, std::move(program), lockstep, threads);
+    return std::make_unique<FiberRobot>(index, std::move(program), lockstep, threads, awaited);
   }
   void add(Robot* robot) override {
     lockstep.add([this, robot] {
@@ -70,7 +71,17 @@ struct Fleet::InLockstep final : Scheduler {
     lockstep.run(fleet.world_->step_length(), [&fleet] { fleet.world_->step(); });
     for (const auto& robot : fleet.robots_) robot->end_stuck();
   }
-  void look() override { watchdog.look(processor_time()); }
+  void look() override {
+    ProgramProcess* const process = awaited;
+    watchdog.look(processor_time() + (process != nullptr ? process->processor_time() : 0.0));
+  }
+  void interrupt() {
+    if (ProgramProcess* const process = awaited) {
+      process->kill_hanging();
+    } else {
+      interrupt_robot(thread);
+    }
+  }
   static void tell(double seconds) {
     fmt::print(stderr,
                "eyebridge: warning: a program has computed for {} s without a call with which its "
@@ -80,6 +91,7 @@ struct Fleet::InLockstep final : Scheduler {
 
   Lockstep lockstep;
   Strands threads{lockstep};
+  AwaitedProcess awaited = nullptr;
   Watchdog watchdog;
   pthread_t thread{};
 };
@@ -127,8 +139,11 @@ void Fleet::add_robots(const std::vector<std::string>& words) {
       config_.is_set("world") ? config_.path("world") : std::filesystem::path("the empty room");
   std::vector<RobotProgram> programs = programs_of(world_->robots(), words, scenario);
   const auto runs = [](const RobotProgram& program) { return !program.file.empty(); };
-  if (is_of_other_generation(std::ranges::find_if(programs, runs)->file))
-    become_launcher(true, words);
+  const auto is_loaded = [&](const RobotProgram& program) {
+    return runs(program) && !is_script(program.file);
+  };
+  const auto first = std::ranges::find_if(programs, is_loaded);
+  if (first != programs.end() && is_of_other_generation(first->file)) become_launcher(true, words);
   scheduler_->expect(static_cast<std::size_t>(std::ranges::count_if(programs, runs)));
   const auto out = config_.is_set("out") ? config_.path("out") : std::filesystem::path();
   for (std::size_t i = 0; i < programs.size(); ++i) {
@@ -146,13 +161,15 @@ Strands* Fleet::strands() { return scheduler_->strands(); }
 int Fleet::run() {
   handle_crashes();
   the_fleet = this;
-  watch_signals([](int) { the_fleet->end(); }, [] { the_fleet->scheduler_->look(); });
+  watch_signals([](int) { the_fleet->stop(); }, [] { the_fleet->scheduler_->look(); });
   const auto start = std::chrono::steady_clock::now();
+  for (const auto& robot : robots_) robot->start_process();  // all interpreters at once
   scheduler_->run(*this);
+  while (is_stopped_) pause();  // a signal ends the process
   end();
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   Time simulated{0};
-  for (const auto& robot : robots_) simulated = std::max(simulated, robot->session().clock().now());
+  for (const auto& robot : robots_) simulated = std::max(simulated, robot->now());
   fmt::print(
       stderr,
       "eyebridge: {} robots, {:.2f} s on their clock in {:.2f} s ({:.0f}x), state {:016x}{}{}\n",
@@ -165,8 +182,14 @@ int Fleet::run() {
   return exit_code();
 }
 
+void Fleet::stop() {
+  is_stopped_ = true;
+  end();
+}
+
 void Fleet::end() {
-  for (const auto& robot : robots_) robot->session().end();
+  for (const auto& robot : robots_) robot->end_session();
+  for (const auto& robot : robots_) robot->make_process_end();
   world_->end();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,6 +28,8 @@ class Fleet {
   int run();
   /// What the programs' threads wait for each other with; null in real time.
   [[nodiscard]] Strands* strands();
+  /// end(), for a signal that ends the process then: run() does not return. Any thread.
+  void stop();
   /// Ends every robot's session: motors stop, results are written. Any thread.
   void end();
 
@@ -43,6 +46,7 @@ class Fleet {
   std::unique_ptr<Scheduler> scheduler_;
   std::shared_ptr<hal::SharedWorld> world_;
   std::vector<std::unique_ptr<Robot>> robots_;  ///< Those with a program.
+  std::atomic<bool> is_stopped_ = false;
 };
 
 }  // namespace eyebridge::robios

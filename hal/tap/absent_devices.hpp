@@ -10,10 +10,10 @@
 
 namespace eyebridge::hal {
 
-// Devices of a recording: every call fails with Unsupported.
+// Devices that only a tap answers for: every call fails with Unsupported.
 
 inline tl::unexpected<Error> nothing() {
-  return fail(Errc::Unsupported, "replay: there is no device behind a recording");
+  return fail(Errc::Unsupported, "there is nothing behind this device");
 }
 
 class NoDrive final : public Drive {
