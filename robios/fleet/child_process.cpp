@@ -107,6 +107,11 @@ int ChildProcess::wait() {
   return status;
 }
 
+void ChildProcess::forget() const {
+  siginfo_t how{};
+  waitid(P_PID, static_cast<id_t>(pid_), &how, WEXITED | WNOHANG);
+}
+
 double ChildProcess::processor_time() const {
   clockid_t clock{};
   timespec time{};

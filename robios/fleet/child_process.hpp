@@ -31,6 +31,9 @@ class ChildProcess {
   void signal(int signal) const;
   /// Waits for its end; its status as of waitpid(). Once.
   int wait();
+  /// Lets the system forget it, if it has ended: for who cannot wait for wait(), whose status may
+  /// be lost then. Any thread.
+  void forget() const;
   /// Of the processor, seconds so far; 0 once it has ended. Any thread.
   [[nodiscard]] double processor_time() const;
 

@@ -63,10 +63,14 @@ std::string python_path(const std::string& folder) {
 std::vector<std::string> command_of(const fs::path& program,
                                     const std::vector<std::string>& arguments) {
   std::vector<std::string> words;
-  // Through our module, so that it is ours even beside another eye.py, and its time from the start.
-  if (program.extension() == ".py") words = {"python3", (python_folder() / "eye").string()};
-  // Not one that execvp() looks for in PATH.
-  words.push_back(program.has_parent_path() ? program.string() : "./" + program.string());
+  if (program.extension() == ".py") {
+    // Through our module, so that it is ours even beside another eye.py, and its time from the
+    // start.
+    words = {"python3", (python_folder() / "eye").string(), program.string()};
+  } else {
+    // Not one that is looked for in PATH.
+    words = {program.has_parent_path() ? program.string() : "./" + program.string()};
+  }
   words.insert(words.end(), arguments.begin(), arguments.end());
   return words;
 }

@@ -120,10 +120,16 @@ void ProgramProcess::ask_to_end() noexcept {
 
 void ProgramProcess::make_end() noexcept {
   is_ending_ = true;
-  if (!is_started_ || process_->ends_within(kPatience_s / 4)) return;
-  // It may be waiting for a turn that never comes.
-  shutdown(line_.get(), SHUT_RDWR);
-  if (!process_->ends_within(kPatience_s)) process_->signal(SIGKILL);
+  if (!is_started_) return;
+  if (!process_->ends_within(kPatience_s / 4)) {
+    // It may be waiting for a turn that never comes.
+    shutdown(line_.get(), SHUT_RDWR);
+    if (!process_->ends_within(kPatience_s)) {
+      process_->signal(SIGKILL);
+      static_cast<void>(process_->ends_within(kPatience_s));
+    }
+  }
+  process_->forget();
 }
 
 void ProgramProcess::kill_hanging() noexcept {
