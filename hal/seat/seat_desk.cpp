@@ -12,7 +12,7 @@
 #include "eyebridge/camera/view.hpp"
 #include "seat/answer.hpp"
 #include "seat/message.hpp"
-#include "seat/seat_socket.hpp"
+#include "seat/message_stream.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -49,16 +49,19 @@ class KeptTrace final : public TraceSink {
 }  // namespace
 
 struct SeatDesk::Impl {
-  Impl(Backend& given, const Time* limit) : robot(given), limit_of_clock(limit) {}
+  Impl(Backend& given, const Time* limit, int socket)
+      : robot(given), limit_of_clock(limit), stream(socket) {}
 
   [[nodiscard]] Time limit() const { return limit_of_clock != nullptr ? *limit_of_clock : now(); }
   [[nodiscard]] Time now() const { return robot.clock().now(); }
   [[nodiscard]] Message welcome() const;
-  Result<Values> carry_out(const SeatRequest& request);
+  Result<Values> carry_out();
 
   Backend& robot;
   const Time* const limit_of_clock;
   KeptTrace trace;
+  MessageStream stream;
+  SeatRequest request;
 };
 
 Message SeatDesk::Impl::welcome() const {
@@ -80,10 +83,10 @@ Message SeatDesk::Impl::welcome() const {
   return encode(welcome);
 }
 
-Result<Values> SeatDesk::Impl::carry_out(const SeatRequest& request) {
+Result<Values> SeatDesk::Impl::carry_out() {
   if (request.device != "seat") {
-    return answer(robot,
-                  {request.device, request.id, request.name, request.is_command, request.request});
+    return hal::answer(
+        robot, {request.device, request.id, request.name, request.is_command, request.request});
   }
   if (request.name == "trace") {
     robot.trace_to(request.request == Values{1.0} ? &trace : nullptr);
@@ -95,34 +98,40 @@ Result<Values> SeatDesk::Impl::carry_out(const SeatRequest& request) {
   return Values{};
 }
 
-SeatDesk::SeatDesk(Backend& robot, const Time* limit)
-    : impl_(std::make_unique<Impl>(robot, limit)) {}
+SeatDesk::SeatDesk(Backend& robot, const Time* limit, int socket)
+    : impl_(std::make_unique<Impl>(robot, limit, socket)) {}
 
 SeatDesk::~SeatDesk() { impl_->robot.trace_to(nullptr); }
 
-Result<void> SeatDesk::serve(int socket) {
-  const Result<Message> message = receive_message(socket);
+Result<void> SeatDesk::receive() {
+  const Result<Message> message = impl_->stream.receive();
   if (!message) return tl::unexpected(message.error());
-  const std::optional<SeatRequest> request = decode_request(*message);
+  std::optional<SeatRequest> request = decode_request(*message);
   if (!request) {
     return fail(Errc::Corrupt, fmt::format("found {} bytes that are no question of a robot's "
                                            "program; expected one of the same version",
                                            message->size()));
   }
+  impl_->request = std::move(*request);
+  return {};
+}
+
+Result<void> SeatDesk::answer() {
   Impl& me = *impl_;
-  if (me.robot.clock().is_virtual()) me.robot.clock().wait_until(request->time);
+  const SeatRequest& request = me.request;
+  if (me.robot.clock().is_virtual()) me.robot.clock().wait_until(request.time);
   Result<Values> values = Values{};
-  if (request->device == "seat" && request->name == "hello") {
-    if (request->request == Values{kSeatVersion}) return send_message(socket, me.welcome());
+  if (request.device == "seat" && request.name == "hello") {
+    if (request.request == Values{kSeatVersion}) return me.stream.send(me.welcome());
     values = fail(Errc::Unsupported,
                   "the program has libeyebridge of another version than the robots' world");
   } else {
-    values = me.carry_out(*request);
+    values = me.carry_out();
   }
   for (const Message& part : me.trace.take()) {
-    if (Result<void> sent = send_message(socket, part); !sent) return sent;
+    if (Result<void> sent = me.stream.send(part); !sent) return sent;
   }
-  return send_message(socket, encode(SeatReply{me.now(), me.limit(), std::move(values)}));
+  return me.stream.send(encode(SeatReply{me.now(), me.limit(), std::move(values)}));
 }
 
 }  // namespace eyebridge::hal

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "seat/seat_socket.hpp"
-
 namespace eyebridge::hal {
 namespace {
 
@@ -80,10 +78,10 @@ Result<Message> SeatLine::exchange(Time time, const Call& call, MessageKind expe
   const SeatRequest request{
       time,        std::string(call.device), call.id, std::string(call.name), call.is_command,
       call.request};
-  const Result<void> sent = send_message(socket_.get(), encode(request));
+  const Result<void> sent = stream_.send(encode(request));
   if (!sent) return lose(sent.error());
   for (;;) {
-    Result<Message> message = receive_message(socket_.get());
+    Result<Message> message = stream_.receive();
     if (!message) return lose(message.error());
     const auto kind = kind_of(*message);
     if (kind == expected) return message;

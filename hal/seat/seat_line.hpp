@@ -9,6 +9,7 @@
 #include "eyebridge/base/unique_fd.hpp"
 #include "eyebridge/hal/trace.hpp"
 #include "seat/message.hpp"
+#include "seat/message_stream.hpp"
 #include "tap/tap.hpp"
 
 namespace eyebridge::hal {
@@ -20,7 +21,7 @@ namespace eyebridge::hal {
 /// without it, so that nobody waits for ever.
 class SeatLine {
  public:
-  explicit SeatLine(UniqueFd socket) : socket_(std::move(socket)) {}
+  explicit SeatLine(UniqueFd socket) : socket_(std::move(socket)), stream_(socket_.get()) {}
 
   /// The first question. Returns when all robots are there. Fails with Disconnected, Corrupt, and
   /// as the seat says.
@@ -50,6 +51,7 @@ class SeatLine {
   tl::unexpected<Error> lose(Error why);
 
   const UniqueFd socket_;
+  MessageStream stream_;
   std::mutex mutex_;
   std::atomic<Time::rep> now_{0};
   Time limit_{0};

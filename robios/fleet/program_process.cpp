@@ -8,8 +8,8 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <poll.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 
 #include "eyebridge/hal/registry.hpp"
@@ -66,6 +66,9 @@ void ProgramProcess::start() {
       throw std::system_error(errno, std::generic_category(), "a line to a robot's program");
     }
     line_.reset(ends[0]);
+    // To look every so often whether the process lives.
+    const timeval patience{0, 200'000};
+    setsockopt(ends[0], SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
     const UniqueFd theirs(ends[1]);
     process_ = std::make_unique<ChildProcess>(command_of(program_.file, program_.arguments),
                                               environment_of(config_, index_, theirs.get(), out_),
@@ -96,20 +99,22 @@ ProgramProcess::End ProgramProcess::run(const std::function<void()>& arrive, con
 
 std::string ProgramProcess::serve(const std::function<void()>& arrive, const Time* limit,
                                   AwaitedProcess* awaited) {
-  hal::SeatDesk desk(*robot_, limit);
+  hal::SeatDesk desk(*robot_, limit, line_.get());
+  const auto next = [&] {
+    const Awaiting all_wait(awaited, this);
+    return desk.receive();
+  };
   for (bool has_arrived = false;;) {
-    std::array<pollfd, 2> sources = {{{line_.get(), POLLIN, 0},  //
-                                      {process_->descriptor(), POLLIN, 0}}};
-    {
-      const Awaiting all_wait(awaited, this);
-      if (poll(sources.data(), sources.size(), -1) < 0) continue;  // a signal
+    Result<void> done = next();
+    if (done) {
+      if (!std::exchange(has_arrived, true)) arrive();
+      done = desk.answer();
     }
-    if (sources[0].revents == 0) return "";  // its children may still have the line
-    if (!std::exchange(has_arrived, true)) arrive();
-    const Result<void> served = desk.serve(line_.get());
-    if (served) continue;
-    if (served.error().code == Errc::Disconnected) return "";
-    return served.error().what + "; its program is ended, the others go on";
+    if (done) continue;
+    const Error& error = done.error();
+    if (error.code == Errc::Corrupt) return error.what + "; its program is ended, the others go on";
+    // Its children may still have the line.
+    if (error.code != Errc::Timeout || process_->ends_within(0.0)) return "";
   }
 }
 

@@ -19,8 +19,8 @@ std::shared_ptr<const world::WorldModel> no_world() { return nullptr; }
 
 Seated::Seated(Rig rig, UniqueFd line)
     : rig_(std::move(rig)), line_(std::move(line)), thread_([this] {
-        SeatDesk desk(*rig_.backend, nullptr);
-        while (desk.serve(line_.get())) {
+        SeatDesk desk(*rig_.backend, nullptr, line_.get());
+        while (desk.receive() && desk.answer()) {
         }
       }) {}
 

@@ -11,8 +11,8 @@
 
 #include "eyebridge/hal/registry.hpp"
 #include "seat/message.hpp"
+#include "seat/message_stream.hpp"
 #include "seat/seat_robot.hpp"
-#include "seat/seat_socket.hpp"
 #include "seat_rig.hpp"
 
 namespace eyebridge::hal {
@@ -23,7 +23,7 @@ using testing::HasSubstr;
 /// What the program's end makes of a seat that answers its hello with `answer`.
 std::string complaint_about(const Message& answer) {
   auto [ours, theirs] = socket_pair();
-  EXPECT_TRUE(send_message(theirs.get(), answer));
+  EXPECT_TRUE(MessageStream(theirs.get()).send(answer));
   try {
     make_seat_robot(std::move(ours), no_world, 1.0);
     return "";
@@ -47,10 +47,10 @@ TEST(Seat, AWelcomeWithADeviceThatThereIsNotIsRefused) {
 }
 
 TEST(Seat, ALengthThatNoMessageHasEndsTheLine) {
-  for (const std::uint32_t length : {0U, kLongestMessage + 1, 0xFFFFFFFFU}) {
+  for (const std::uint32_t length : {0U, MessageStream::kLongest + 1, 0xFFFFFFFFU}) {
     const auto [one, other] = socket_pair();
     ASSERT_EQ(write(one.get(), &length, sizeof length), static_cast<ssize_t>(sizeof length));
-    const auto message = receive_message(other.get());
+    const auto message = MessageStream(other.get()).receive();
     ASSERT_FALSE(message);
     EXPECT_EQ(message.error().code, Errc::Corrupt);
   }
@@ -61,28 +61,29 @@ TEST(Seat, AMessageThatIsCutOffIsALostLine) {
   const std::uint32_t length = 100;
   ASSERT_EQ(write(one.get(), &length, sizeof length), static_cast<ssize_t>(sizeof length));
   one.reset();
-  EXPECT_EQ(receive_message(other.get()).error().code, Errc::Disconnected);
+  EXPECT_EQ(MessageStream(other.get()).receive().error().code, Errc::Disconnected);
 }
 
 TEST(Seat, TheDeskRefusesWhatIsNoQuestion) {
   const Rig rig = lockstep_rig(facing(0.5));
-  SeatDesk desk(*rig.backend, nullptr);
   const auto [program, seat] = socket_pair();
-  ASSERT_TRUE(send_message(program.get(), Message{'q', 0, 0}));
-  const auto served = desk.serve(seat.get());
-  ASSERT_FALSE(served);
-  EXPECT_EQ(served.error().code, Errc::Corrupt);
-  EXPECT_THAT(served.error().what, HasSubstr("found 3 bytes that are no question"));
+  SeatDesk desk(*rig.backend, nullptr, seat.get());
+  MessageStream stream(program.get());
+  ASSERT_TRUE(stream.send(Message{'q', 0, 0}));
+  const auto received = desk.receive();
+  ASSERT_FALSE(received);
+  EXPECT_EQ(received.error().code, Errc::Corrupt);
+  EXPECT_THAT(received.error().what, HasSubstr("found 3 bytes that are no question"));
 }
 
 TEST(Seat, TheDeskRefusesAProgramOfAnotherVersion) {
   const Rig rig = lockstep_rig(facing(0.5));
-  SeatDesk desk(*rig.backend, nullptr);
   const auto [program, seat] = socket_pair();
-  ASSERT_TRUE(
-      send_message(program.get(), encode(SeatRequest{{}, "seat", 1, "hello", false, {99.0}})));
-  ASSERT_TRUE(desk.serve(seat.get()));
-  const auto reply = decode_reply(must(receive_message(program.get())));
+  SeatDesk desk(*rig.backend, nullptr, seat.get());
+  MessageStream stream(program.get());
+  ASSERT_TRUE(stream.send(encode(SeatRequest{{}, "seat", 1, "hello", false, {99.0}})));
+  ASSERT_TRUE(desk.receive() && desk.answer());
+  const auto reply = decode_reply(must(stream.receive()));
   ASSERT_TRUE(reply);
   EXPECT_THAT(reply->values.error().what, HasSubstr("another version"));
 }
@@ -90,13 +91,14 @@ TEST(Seat, TheDeskRefusesAProgramOfAnotherVersion) {
 /// What a desk answers to a call that no tap would make.
 Error error_of(const Call& call) {
   const Rig rig = lockstep_rig(facing(0.5));
-  SeatDesk desk(*rig.backend, nullptr);
   const auto [program, seat] = socket_pair();
+  SeatDesk desk(*rig.backend, nullptr, seat.get());
+  MessageStream stream(program.get());
   const SeatRequest request{
       {}, std::string(call.device), call.id, std::string(call.name), call.is_command, call.request};
-  EXPECT_TRUE(send_message(program.get(), encode(request)));
-  EXPECT_TRUE(desk.serve(seat.get()));
-  const auto reply = decode_reply(must(receive_message(program.get())));
+  EXPECT_TRUE(stream.send(encode(request)));
+  EXPECT_TRUE(desk.receive() && desk.answer());
+  const auto reply = decode_reply(must(stream.receive()));
   if (!reply || reply->values) return {Errc::Timeout, "no error"};
   return reply->values.error();
 }
@@ -131,20 +133,20 @@ TEST(Seat, ALostSeatIsAnErrorNotAReading) {
 
 TEST(Seat, TheClockRunsByItselfOnlyUpToItsLimit) {
   auto [ours, theirs] = socket_pair();
+  MessageStream stream(theirs.get());
   SeatWelcome welcome;
   welcome.is_virtual = true;
   welcome.limit = from_seconds(1.0);
-  ASSERT_TRUE(send_message(theirs.get(), encode(welcome)));
+  ASSERT_TRUE(stream.send(encode(welcome)));
   const auto robot = make_seat_robot(std::move(ours), no_world, 1.0);
-  ASSERT_EQ(decode_request(must(receive_message(theirs.get())))->name, "hello");
+  ASSERT_EQ(decode_request(must(stream.receive()))->name, "hello");
   robot->clock().spend(from_seconds(0.25));
   robot->clock().wait_until(from_seconds(0.999));
   EXPECT_EQ(robot->clock().now(), from_seconds(0.999));
   // The answer lies ready: what is asked is read afterwards.
-  ASSERT_TRUE(send_message(theirs.get(),
-                           encode(SeatReply{from_seconds(1.5), from_seconds(2.0), Values{}})));
+  ASSERT_TRUE(stream.send(encode(SeatReply{from_seconds(1.5), from_seconds(2.0), Values{}})));
   robot->clock().wait_until(from_seconds(1.5));
-  const auto asked = decode_request(must(receive_message(theirs.get())));
+  const auto asked = decode_request(must(stream.receive()));
   ASSERT_TRUE(asked);
   EXPECT_EQ(asked->name, "now");
   EXPECT_EQ(asked->time, from_seconds(1.5));

@@ -14,16 +14,19 @@ class SeatDesk {
  public:
   /// `robot` is lent. `limit`, lent: in virtual time the program's clock may move by itself up to
   /// there, which changes (Turns::limit_of()); null: it has to ask each time.
-  SeatDesk(Backend& robot, const Time* limit);
+  /// `socket` is the line, lent.
+  SeatDesk(Backend& robot, const Time* limit, int socket);
   /// Traces nothing any more.
   ~SeatDesk();
   SeatDesk(const SeatDesk&) = delete;
   SeatDesk& operator=(const SeatDesk&) = delete;
 
-  /// Waits for the next question on `socket` and answers it, once the robot's clock has got to the
-  /// program's time. Fails with Disconnected when the program's end is closed, with Corrupt when
-  /// what comes is no question: nothing can be asked any more.
-  Result<void> serve(int socket);
+  /// Waits for the next question. Fails with Timeout when none came within the socket's
+  /// SO_RCVTIMEO; with Disconnected when the program's end is closed, with Corrupt when what comes
+  /// is no question: nothing can be asked any more.
+  Result<void> receive();
+  /// Answers it, once the robot's clock has got to the program's time. Fails with Disconnected.
+  Result<void> answer();
 
  private:
   struct Impl;
