@@ -22,7 +22,7 @@ class SeatTap final : public Tap {
   Result<Values> exchange(const Call& call,
                           const std::function<Result<Values>()>& device) override {
     if (call.device == "lidar" && !call.is_command) {
-      const Result<Values> fits = device();
+      Result<Values> fits = device();
       if (!fits && fits.error().code == Errc::OutOfRange) return fits;
     }
     Result<Values> reply = line_.ask(call);
