@@ -1,34 +1,12 @@
 #include "seat/message.hpp"
 
-#include <algorithm>
+#include <utility>
 
 namespace eyebridge::hal {
 namespace {
 
-constexpr std::size_t kFullTrace = 1U << 20U;  // bytes
-constexpr char kPoint = 'p';
-constexpr char kContact = 'c';
-
-void begin(ByteWriter& writer, MessageKind kind) { writer.number(static_cast<std::uint8_t>(kind)); }
-
-/// A reader behind the kind, which must be this one.
-ByteReader opened(std::span<const std::uint8_t> message, MessageKind kind) {
-  ByteReader reader(message);
-  if (reader.number<std::uint8_t>() != static_cast<std::uint8_t>(kind)) reader.refuse();
-  return reader;
-}
-
 void write(ByteWriter& writer, Time time) { writer.number<std::int64_t>(time.count()); }
 Time read_time(ByteReader& reader) { return Time(reader.number<std::int64_t>()); }
-
-void write(ByteWriter& writer, const Pose& pose) {
-  for (const double value : {pose.x, pose.y, pose.theta}) writer.number(value);
-}
-Pose read_pose(ByteReader& reader) {
-  Pose pose;
-  for (double* value : {&pose.x, &pose.y, &pose.theta}) *value = reader.number<double>();
-  return pose;
-}
 
 void write(ByteWriter& writer, const DeviceFacts& facts) {
   writer.number<std::int32_t>(facts.id);
@@ -72,6 +50,14 @@ std::optional<Struct> whole_only(const ByteReader& reader, Struct&& value) {
 }
 
 }  // namespace
+
+void begin(ByteWriter& writer, MessageKind kind) { writer.number(static_cast<std::uint8_t>(kind)); }
+
+ByteReader opened(std::span<const std::uint8_t> message, MessageKind kind) {
+  ByteReader reader(message);
+  if (reader.number<std::uint8_t>() != static_cast<std::uint8_t>(kind)) reader.refuse();
+  return reader;
+}
 
 std::optional<MessageKind> kind_of(std::span<const std::uint8_t> message) {
   if (message.empty()) return std::nullopt;
@@ -190,64 +176,6 @@ std::optional<SeatWelcome> decode_welcome(std::span<const std::uint8_t> message)
     }
   }
   return whole_only(reader, std::move(welcome));
-}
-
-void TraceMessages::begin(char what) {
-  if (writer_.written() >= kFullTrace) full_.push_back(writer_.take());
-  if (writer_.written() == 0) hal::begin(writer_, MessageKind::Trace);
-  writer_.number(what);
-}
-
-void TraceMessages::point(const TracePoint& point) noexcept {
-  begin(kPoint);
-  write(writer_, point.time);
-  write(writer_, point.pose);
-  writer_.number(point.twist.linear);
-  writer_.number(point.twist.angular);
-  write(writer_, point.odometry);
-  writer_.values(point.ranges);
-}
-
-void TraceMessages::contact(const TraceContact& contact) noexcept {
-  begin(kContact);
-  write(writer_, contact.time);
-  writer_.text(contact.robot);
-  writer_.text(contact.with);
-  writer_.number(contact.place.x);
-  writer_.number(contact.place.y);
-}
-
-std::vector<Message> TraceMessages::take() {
-  if (writer_.written() > 0) full_.push_back(writer_.take());
-  return std::exchange(full_, {});
-}
-
-bool tell_trace(std::span<const std::uint8_t> message, TraceSink& sink) {
-  ByteReader reader = opened(message, MessageKind::Trace);
-  while (reader.good() && !reader.at_end()) {
-    const char what = reader.number<char>();
-    const Time time = read_time(reader);
-    if (what == kPoint) {
-      TracePoint point;
-      point.time = time;
-      point.pose = read_pose(reader);
-      point.twist.linear = reader.number<double>();
-      point.twist.angular = reader.number<double>();
-      point.odometry = read_pose(reader);
-      const Values ranges = reader.values();
-      point.ranges = ranges;
-      if (reader.good()) sink.point(point);
-    } else if (what == kContact) {
-      const std::string robot = reader.text();
-      const std::string with = reader.text();
-      const double x = reader.number<double>();
-      const double y = reader.number<double>();
-      if (reader.good()) sink.contact({time, robot, with, {x, y}});
-    } else {
-      reader.refuse();
-    }
-  }
-  return reader.good();
 }
 
 }  // namespace eyebridge::hal

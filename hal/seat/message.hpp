@@ -10,7 +10,6 @@
 #include "eyebridge/base/clock.hpp"
 #include "eyebridge/hal/device_facts.hpp"
 #include "eyebridge/hal/radio.hpp"
-#include "eyebridge/hal/trace.hpp"
 #include "seat/bytes.hpp"
 #include "tap/device_list.hpp"
 #include "tap/tap.hpp"
@@ -78,22 +77,9 @@ std::optional<SeatRequest> decode_request(std::span<const std::uint8_t> message)
 std::optional<SeatReply> decode_reply(std::span<const std::uint8_t> message);
 std::optional<SeatWelcome> decode_welcome(std::span<const std::uint8_t> message);
 
-/// Keeps a trace as messages, each of a megabyte at most. One thread at a time.
-class TraceMessages final : public TraceSink {
- public:
-  void point(const TracePoint& point) noexcept override;
-  void contact(const TraceContact& contact) noexcept override;
-  /// Those since the last time.
-  std::vector<Message> take();
-
- private:
-  void begin(char what);
-
-  ByteWriter writer_;
-  std::vector<Message> full_;
-};
-
-/// Tells `sink` what the message holds; nothing of the rest, and false, from where on it is wrong.
-bool tell_trace(std::span<const std::uint8_t> message, TraceSink& sink);
+/// Begins a message.
+void begin(ByteWriter& writer, MessageKind kind);
+/// Reads one, which must be of this kind, from behind that.
+ByteReader opened(std::span<const std::uint8_t> message, MessageKind kind);
 
 }  // namespace eyebridge::hal

@@ -13,6 +13,7 @@
 #include "seat/answer.hpp"
 #include "seat/message.hpp"
 #include "seat/message_stream.hpp"
+#include "seat/trace_messages.hpp"
 
 namespace eyebridge::hal {
 namespace {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "seat/trace_messages.hpp"
+
 namespace eyebridge::hal {
 namespace {
 

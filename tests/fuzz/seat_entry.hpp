@@ -8,6 +8,7 @@
 
 #include "seat/message.hpp"
 #include "seat/seat_view.hpp"
+#include "seat/trace_messages.hpp"
 
 // As entry.hpp, for what the two ends of a line to a robot of another process say.
 namespace eyebridge::fuzz {

@@ -13,6 +13,7 @@
 #include "seat/message.hpp"
 #include "seat/message_stream.hpp"
 #include "seat/seat_robot.hpp"
+#include "seat/trace_messages.hpp"
 #include "seat_rig.hpp"
 
 namespace eyebridge::hal {
