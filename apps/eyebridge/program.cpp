@@ -17,8 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_python(const fs::path& program) { return program.extension() == ".py"; }
-
 bool is_there(const fs::path& path) {
   std::error_code ignored;  // A folder that may not be searched holds nothing for us.
   return fs::exists(path, ignored);
@@ -66,6 +64,8 @@ void offer_python_packages() {
 }
 
 }  // namespace
+
+bool is_python(const fs::path& program) { return program.extension() == ".py"; }
 
 fs::path find_program(const std::string& name) {
   if (name.empty()) throw ConfigError({"program"}, "found an empty name, expected a robot program");

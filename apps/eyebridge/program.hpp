@@ -11,6 +11,9 @@ namespace eyebridge::apps {
 /// readable).
 std::filesystem::path find_program(const std::string& name);
 
+/// True for a program that python3 runs.
+bool is_python(const std::filesystem::path& program);
+
 /// Becomes `program` with `arguments`; a .py is run by python3, and Python finds our packages
 /// (PYTHONPATH). Throws ConfigError when the system refuses; returns never.
 [[noreturn]] void become(const std::filesystem::path& program,

@@ -25,9 +25,9 @@ std::string name_of(const hal::Exchange& exchange) {
 std::string or_unknown(const std::string& text) { return text.empty() ? "not told" : text; }
 
 /// "drive, psd 1-4, motor 1 2": kinds in the order of the recording.
-std::string devices_text(const std::vector<hal::RecordedDevice>& devices) {
+std::string devices_text(const std::vector<hal::ListedDevice>& devices) {
   std::vector<std::pair<std::string, std::vector<int>>> kinds;
-  for (const hal::RecordedDevice& device : devices) {
+  for (const hal::ListedDevice& device : devices) {
     const auto kind = std::ranges::find(kinds, device.kind, [](const auto& k) { return k.first; });
     if (kind == kinds.end()) {
       kinds.push_back({device.kind, {device.id}});

@@ -1,5 +1,6 @@
 #include "run.hpp"
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,11 +9,16 @@
 
 #include "check_settings.hpp"
 #include "command.hpp"
+#include "eyebridge/hal/shared_world.hpp"
 #include "own_files.hpp"
 #include "program.hpp"
 
 namespace eyebridge::apps {
 namespace {
+
+std::filesystem::path robots_launcher() {
+  return own_files().library.parent_path() / "eyebridge-robots";
+}
 
 /// Becomes the programs that the robots of a .sim file name; returns when there is no such file.
 void run_scenario(SettingFlags flags) {
@@ -21,7 +27,7 @@ void run_scenario(SettingFlags flags) {
   if (config.value("robots").is_default()) flags["robots"] = "all";
   check_settings(hand_on(flags, {}));
   // Of whichever generation they are: the launcher sees to that.
-  become(own_files().library.parent_path() / "eyebridge-robots", {});
+  become(robots_launcher(), {});
 }
 
 }  // namespace
@@ -43,7 +49,14 @@ void run_words(const std::string& command, const SettingFlags& flags,
                       "unknown option; eyebridge " + command + " --help lists those there are");
   }
   const auto program = find_program(name);
-  check_settings(hand_on(flags, program));
+  const hal::Config config = hand_on(flags, program);
+  check_settings(config);
+  if (is_python(program) && hal::programs_wanted(config) > 1) {
+    // A binary sees to that itself.
+    std::vector<std::string> all{program.string()};
+    all.insert(all.end(), words.begin() + 1, words.end());
+    become(robots_launcher(), all);
+  }
   become(program, {words.begin() + 1, words.end()});
 }
 

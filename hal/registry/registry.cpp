@@ -16,6 +16,7 @@
 #include "mix/mix_backend.hpp"
 #include "replay/open_replay.hpp"
 #include "replay/record_tap.hpp"
+#include "seat/open_seat_line.hpp"
 #include "shared/open_seat.hpp"
 #include "sim/open_sim.hpp"
 
@@ -30,6 +31,8 @@ constexpr auto kBackends = std::to_array<BackendFactory>({
     {"can", "a robot on a CAN bus: can:can0?node=1&fd=0&hdt=FILE", open_can_board, true},
     {"replay", "what a robot answered in a recorded run: replay:FILE.ebrec", open_replay, false,
      true},
+    {"seat", "one of several robots, in the world of the process that started this one",
+     open_seat_line, true},
 });
 
 const BackendFactory& row_of(const std::string& text, const SourceLocation& where) {

@@ -6,6 +6,7 @@
 
 #include "eyebridge/base/clock.hpp"
 #include "eyebridge/camera/recording/recording_file.hpp"
+#include "tap/device_list.hpp"
 #include "tap/tap.hpp"
 
 namespace eyebridge::hal {
@@ -18,14 +19,6 @@ struct Exchange {
   std::string name;
   Values request;
   Result<Values> reply;
-};
-
-/// A device that the recorded robot had, and what it says about itself without a call.
-struct RecordedDevice {
-  std::string kind;
-  int id = 1;
-  /// A psd's out_of_range(); a lidar's max_range(), field of view, tilt and points; else nothing.
-  Values facts;
 };
 
 /// What was recorded, for people to read; each may be empty.
@@ -43,7 +36,7 @@ struct RecordingOrigin {
 class EbrecWriter {
  public:
   /// Replaces `path`. Throws ConfigError without a place when it cannot be written.
-  EbrecWriter(const std::filesystem::path& path, const std::vector<RecordedDevice>& devices,
+  EbrecWriter(const std::filesystem::path& path, const std::vector<ListedDevice>& devices,
               const RecordingOrigin& origin = {});
 
   /// Throws std::runtime_error when the disk does not take it.
@@ -61,7 +54,7 @@ class EbrecWriter {
 /// All of a recording.
 struct Recording {
   RecordingOrigin origin;
-  std::vector<RecordedDevice> devices;
+  std::vector<ListedDevice> devices;
   std::vector<Exchange> exchanges;  ///< In the order in which they were made.
 };
 

@@ -26,8 +26,8 @@ RecordingOrigin read_origin(sqlite3* database) {
   return origin;
 }
 
-std::vector<RecordedDevice> read_devices(sqlite3* database) {
-  std::vector<RecordedDevice> devices;
+std::vector<ListedDevice> read_devices(sqlite3* database) {
+  std::vector<ListedDevice> devices;
   const auto row = sqlite::prepare(database, "SELECT kind,id,facts FROM device");
   while (sqlite::step(row)) {
     devices.push_back(

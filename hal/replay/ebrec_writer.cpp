@@ -14,12 +14,12 @@ camera::RecordingFacts facts_of(const RecordingOrigin& origin) {
 }  // namespace
 
 EbrecWriter::EbrecWriter(const std::filesystem::path& path,
-                         const std::vector<RecordedDevice>& devices, const RecordingOrigin& origin)
+                         const std::vector<ListedDevice>& devices, const RecordingOrigin& origin)
     : file_(path, facts_of(origin)) {
   try {
     const sqlite::Statement add_device = file_.prepare("INSERT INTO device VALUES(?,?,?)");
     file_.write(Time{0}, [&] {
-      for (const RecordedDevice& device : devices) {
+      for (const ListedDevice& device : devices) {
         sqlite::reset(add_device);
         sqlite::bind(add_device, 1, device.kind);
         sqlite::bind(add_device, 2, std::int64_t{device.id});

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "replay/recorded_robot.hpp"
 #include "replay/replay_tap.hpp"
+#include "tap/absent_robot.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -39,7 +39,7 @@ std::unique_ptr<Backend> open_replay(const BackendUrl& url, const BackendContext
                                           context.log);
   };
   try {
-    return make_tapped(make_recorded_robot(recording.devices), make_tap);
+    return make_tapped(make_absent_robot(recording.devices), make_tap);
   } catch (const ConfigError& error) {
     throw ConfigError({url.rest}, error.text());
   }

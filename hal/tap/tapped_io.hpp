@@ -16,6 +16,13 @@ Values pack_bytes(const Bytes& bytes) {
   for (const auto byte : bytes) values.push_back(static_cast<unsigned char>(byte));
   return values;
 }
+/// Its sender, then its text; nothing when there is none.
+inline Values pack_message(const std::optional<RadioMessage>& message) {
+  if (!message) return {};
+  Values values = pack_bytes(message->text);
+  values.insert(values.begin(), static_cast<double>(message->sender));
+  return values;
+}
 inline char to_byte(double value) {
   return static_cast<char>(static_cast<unsigned char>(std::clamp(value, 0.0, 255.0)));
 }
@@ -216,14 +223,6 @@ class TappedRadio final : public TappedInbox<Radio> {
           for (const double id : values) ids.push_back(static_cast<unsigned char>(to_byte(id)));
           return ids;
         });
-  }
-
- private:
-  static Values pack_message(const std::optional<RadioMessage>& message) {
-    if (!message) return {};
-    Values values = pack_bytes(message->text);
-    values.insert(values.begin(), static_cast<double>(message->sender));
-    return values;
   }
 };
 

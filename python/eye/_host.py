@@ -16,6 +16,8 @@ _Ending = _ctypes.CFUNCTYPE(None)
 
 _begin = _library.EYEBRIDGEHostBegin
 _begin.argtypes, _begin.restype = [_ctypes.c_char_p, _Interrupted, _Ending], None
+_start = _library.EYEBRIDGEHostStart
+_start.argtypes, _start.restype = [_ctypes.c_int, _ctypes.POINTER(_ctypes.c_char_p), _ctypes.c_char_p], None
 _end = _library.EYEBRIDGEHostEnd
 _end.argtypes, _end.restype = [], None
 _wait = _library.EYEBRIDGEHostWait
@@ -100,13 +102,20 @@ def _take_over_time():
                 names[name] = _OURS[value]
 
 
-def _program():
-    """The file of the robot program, "" when there is none (python3 -c, a console)."""
+def _command():
+    """The file of the robot program and its arguments; nothing when there is no file (python3 -c, a console)."""
     file = getattr(_sys.modules.get("__main__"), "__file__", None) or ""
     by_module = not file and _sys.argv[:1] == ["-m"] and "eye" in _sys.orig_argv  # python3 -m eye prog.py
     if by_module or file.endswith("/eye/__main__.py"):
-        file = _sys.argv[1] if len(_sys.argv) > 1 else ""
-    return _os.path.abspath(file) if file else ""
+        return _sys.argv[1:]
+    return [file, *_sys.argv[1:]] if file else []
+
+
+def _begin_host():
+    command = [_os.fsencode(word) for word in _command()]
+    _begin(_os.path.abspath(command[0]) if command else b"", _interrupted, _ending)
+    _flush()  # this process may become another
+    _start(len(command), (_ctypes.c_char_p * len(command))(*command), _os.fsencode(_sys.executable or ""))
 
 
 def _at_exit():
@@ -114,6 +123,6 @@ def _at_exit():
     _end()
 
 
-_begin(_os.fsencode(_program()), _interrupted, _ending)
+_begin_host()
 _atexit.register(_at_exit)
 _take_over_time()

@@ -11,8 +11,12 @@ namespace eyebridge::robios {
 /// A robot in virtual time: its flows are strands of a Lockstep.
 class FiberRobot final : public Robot {
  public:
-  FiberRobot(std::size_t index, RobotProgram program, Lockstep& lockstep, Strands& strands)
-      : Robot(index, std::move(program)), lockstep_(lockstep), strands_(strands) {}
+  FiberRobot(std::size_t index, RobotProgram program, Lockstep& lockstep, Strands& strands,
+             AwaitedProcess& awaited)
+      : Robot(index, std::move(program)),
+        lockstep_(lockstep),
+        strands_(strands),
+        awaited_(awaited) {}
 
   [[noreturn]] void leave(int code) override {
     end(code);
@@ -22,9 +26,14 @@ class FiberRobot final : public Robot {
   [[noreturn]] void hold_thread() override { lockstep_.drop_strand(); }
   void arrive() override {}  // virtual time begins for all at once
 
+ protected:
+  [[nodiscard]] const Time* limit() const override { return &lockstep_.limit_of(index()); }
+  AwaitedProcess* awaited() override { return &awaited_; }
+
  private:
   Lockstep& lockstep_;
   Strands& strands_;
+  AwaitedProcess& awaited_;
 };
 
 }  // namespace eyebridge::robios

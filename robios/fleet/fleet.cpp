@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 #include <pthread.h>
+#include <unistd.h>
 
 #include "arrivals.hpp"
 #include "crash_handler.hpp"
@@ -63,8 +64,8 @@ double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_
 
 struct Fleet::InLockstep final : Scheduler {
   explicit InLockstep(double hang_limit)
-      : watchdog([this] { return lockstep.switches() + rounds; }, tell,
-                 [this] { interrupt_robot(thread); }, hang_limit) {}
+      : watchdog([this] { return lockstep.switches() + rounds; }, tell, [this] { interrupt(); },
+                 hang_limit) {}
 
   hal::Turns* turns() override { return &lockstep; }
   Strands* strands() override { return &threads; }
@@ -73,7 +74,7 @@ struct Fleet::InLockstep final : Scheduler {
   }
   std::unique_ptr<Robot> make(std::size_t index, RobotProgram program,
                               hal::SharedWorld& /*world*/) override {
-    return std::make_unique<FiberRobot>(index, std::move(program), lockstep, threads);
+    return std::make_unique<FiberRobot>(index, std::move(program), lockstep, threads, awaited);
   }
   void add(Robot* robot, Time start) override {
     lockstep.add(
@@ -106,7 +107,17 @@ struct Fleet::InLockstep final : Scheduler {
   Result<std::size_t> let_in(Fleet& /*fleet*/, hal::Newcomer newcomer) override {
     return arrivals.ask(std::move(newcomer));
   }
-  void look() override { watchdog.look(processor_time()); }
+  void look() override {
+    ProgramProcess* const process = awaited;
+    watchdog.look(processor_time() + (process != nullptr ? process->processor_time() : 0.0));
+  }
+  void interrupt() {
+    if (ProgramProcess* const process = awaited) {
+      process->kill_hanging();
+    } else {
+      interrupt_robot(thread);
+    }
+  }
   static void tell(double seconds) {
     fmt::print(stderr,
                "eyebridge: warning: a program has computed for {} s without a call with which its "
@@ -118,6 +129,7 @@ struct Fleet::InLockstep final : Scheduler {
   Strands threads{lockstep};
   Arrivals arrivals;
   std::atomic<std::uint64_t> rounds = 0;  ///< While all sleep, or are still to come.
+  AwaitedProcess awaited = nullptr;
   Watchdog watchdog;
   pthread_t thread{};
 };
@@ -189,8 +201,11 @@ void Fleet::add_robots(const std::vector<std::string>& words) {
   }
   std::vector<RobotProgram> programs = programs_of(all, words, scenario_);
   const auto runs = [](const RobotProgram& program) { return !program.file.empty(); };
-  if (is_of_other_generation(std::ranges::find_if(programs, runs)->file))
-    become_launcher(true, words);
+  const auto is_loaded = [&](const RobotProgram& program) {
+    return runs(program) && !is_script(program.file);
+  };
+  const auto first = std::ranges::find_if(programs, is_loaded);
+  if (first != programs.end() && is_of_other_generation(first->file)) become_launcher(true, words);
   const auto first_late = programs.begin() + static_cast<std::ptrdiff_t>(count);
   newcomer_programs_.assign(first_late, programs.end());
   programs.erase(first_late, programs.end());
@@ -264,17 +279,19 @@ std::vector<Robot*> Fleet::robots() const {
 int Fleet::run() {
   handle_crashes();
   the_fleet = this;
-  watch_signals([](int) { the_fleet->end(); }, [] { the_fleet->scheduler_->look(); });
+  watch_signals([](int) { the_fleet->stop(); }, [] { the_fleet->scheduler_->look(); });
   const std::vector<Robot*> robots_at_start = robots();
   door_.emplace(*world_, [this](hal::Newcomer newcomer) { return add(std::move(newcomer)); });
   const auto start = std::chrono::steady_clock::now();
+  for (Robot* const robot : robots_at_start) robot->start_process();  // all interpreters at once
   scheduler_->run(*this, robots_at_start);
   door_->finish();
+  while (is_stopped_) pause();  // a signal ends the process
   end();
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
   Time simulated{0};
   const std::vector<Robot*> all = robots();
-  for (Robot* const robot : all) simulated = std::max(simulated, robot->session().clock().now());
+  for (Robot* const robot : all) simulated = std::max(simulated, robot->now());
   fmt::print(
       stderr,
       "eyebridge: {} robots, {:.2f} s on their clock in {:.2f} s ({:.0f}x), state {:016x}{}{}\n",
@@ -287,9 +304,15 @@ int Fleet::run() {
   return exit_code();
 }
 
+void Fleet::stop() {
+  is_stopped_ = true;
+  end();
+}
+
 void Fleet::end() {
   Door::close();
-  for (Robot* const robot : robots()) robot->session().end();
+  for (Robot* const robot : robots()) robot->end_session();
+  for (Robot* const robot : robots()) robot->make_process_end();
   world_->end();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -35,6 +36,8 @@ class Fleet {
   /// where it would stand in something. Any thread but those of programs, in virtual time.
   Result<std::size_t> add(hal::Newcomer newcomer);
   [[nodiscard]] hal::SharedWorld& world() { return *world_; }
+  /// end(), for a signal that ends the process then: run() does not return. Any thread.
+  void stop();
   /// Ends every robot's session: motors stop, results are written. Any thread.
   void end();
 
@@ -69,6 +72,7 @@ class Fleet {
   std::optional<Door> door_;
   mutable std::mutex mutex_;                    ///< Who enters, and robots_.
   std::vector<std::unique_ptr<Robot>> robots_;  ///< Those with a program.
+  std::atomic<bool> is_stopped_ = false;
 };
 
 }  // namespace eyebridge::robios

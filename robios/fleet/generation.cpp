@@ -30,6 +30,8 @@ bool this_is_classic() {
 
 }  // namespace
 
+std::filesystem::path library_folder() { return this_library().parent_path(); }
+
 bool is_of_other_generation(const std::filesystem::path& program) {
   std::ifstream stream(program, std::ios::binary);
   const std::string file{std::istreambuf_iterator<char>(stream), {}};

@@ -135,6 +135,15 @@ std::unique_ptr<ProgramImage> ProgramImage::load(const std::filesystem::path& pr
   return image;
 }
 
+bool ProgramImage::can_load(const std::filesystem::path& program) {
+  try {
+    contents(program);
+    return true;
+  } catch (const ConfigError&) {
+    return false;
+  }
+}
+
 std::shared_ptr<ProgramImage> ProgramImage::load_shared(const std::filesystem::path& program) {
   static std::mutex mutex;
   static auto* const known = new std::map<std::filesystem::path, std::shared_ptr<ProgramImage>>;

@@ -22,6 +22,8 @@ class ProgramImage {
   /// loaded more than once (not PIE, no main that is visible, thread_local variables), or cannot
   /// be read.
   static std::unique_ptr<ProgramImage> load(const std::filesystem::path& program);
+  /// True when load() would find nothing wrong with the file.
+  static bool can_load(const std::filesystem::path& program);
   /// The same, but one for all who ask for this program: EyeSim's robots share their variables.
   static std::shared_ptr<ProgramImage> load_shared(const std::filesystem::path& program);
   ProgramImage(const ProgramImage&) = delete;

@@ -24,16 +24,31 @@ constexpr int kCannotRun = 126;  // as shells say it
 void Robot::begin(const hal::Config& config, const hal::Seat& seat,
                   const std::filesystem::path& out) {
   world_ = seat.world;
-  session_ = Session::begin({config, seat, this, fmt::format("robot {}", index_ + 1),
-                             out.empty() ? out : out / fmt::format("robot-{}", index_ + 1)});
+  const std::filesystem::path own_out =
+      out.empty() ? out : out / fmt::format("robot-{}", index_ + 1);
+  if (needs_process(program_.file)) {
+    process_ = std::make_unique<ProgramProcess>(program_, config, seat, own_out);
+    return;
+  }
+  session_ = Session::begin({config, seat, this, fmt::format("robot {}", index_ + 1), own_out});
+}
+
+void Robot::start_process() {
+  if (process_ == nullptr || has_ended()) return;
+  try {
+    process_->start();
+  } catch (const ConfigError&) {
+    // run() says so.
+  }
 }
 
 void Robot::run() {
   Session::set_here(session_);
-  flow.stack_mark = __builtin_frame_address(0);
   if (const std::string why = trouble_with(program_.file); !why.empty()) {
     fail(program_.file.string() + ": " + why, kCannotRun);
   }
+  if (process_ != nullptr) run_process();
+  flow.stack_mark = __builtin_frame_address(0);
   try {
     // Runs constructors: the robot's first code.
     image_ = session_->config().boolean("shared_globals") ? ProgramImage::load_shared(program_.file)
@@ -50,6 +65,37 @@ void Robot::run() {
   __builtin_unreachable();  // g++ forgets what a virtual function promises
 }
 
+void Robot::run_process() {
+  ProgramProcess::End end;
+  try {
+    process_->start();
+    end = process_->run([this] { arrive(); }, limit(), awaited());
+  } catch (const ConfigError& error) {
+    end = {kCannotRun, error.what()};
+  }
+  if (!end.why.empty()) fail(end.why, end.code);
+  leave(end.code);
+  __builtin_unreachable();  // as in run()
+}
+
+Time Robot::now() const {
+  return process_ != nullptr ? process_->clock().now() : session_->clock().now();
+}
+
+LogSink& Robot::log() const { return process_ != nullptr ? process_->log() : session_->log(); }
+
+void Robot::end_session() noexcept {
+  if (process_ != nullptr) {
+    process_->ask_to_end();
+  } else {
+    session_->end();
+  }
+}
+
+void Robot::make_process_end() noexcept {
+  if (process_ != nullptr) process_->make_end();
+}
+
 void* Robot::variable(const char* name) {
   return image_ != nullptr ? image_->variable(name) : nullptr;
 }
@@ -58,16 +104,16 @@ void Robot::fail(const std::string& how, int code) {
   is_abandoned_ = flow.calls > 0;
   flow.calls = 0;
   std::fflush(stdout);  // what it printed before comes before
-  session_->log().write(Severity::Error, is_abandoned_ ? how + " (inside a RoBIOS call)" : how);
+  log().write(Severity::Error, is_abandoned_ ? how + " (inside a RoBIOS call)" : how);
   leave(code);
   __builtin_unreachable();
 }
 
 void Robot::end_stuck() {
   if (ended_) return;
-  session_->log().write(Severity::Error,
-                        "all threads of the program wait for each other, and nobody else can wake "
-                        "one of them; it ends");
+  log().write(Severity::Error,
+              "all threads of the program wait for each other, and nobody else can wake one of "
+              "them; it ends");
   end(1);
 }
 
@@ -90,6 +136,7 @@ Robot* Robot::current() {
 bool Robot::end(int code) {
   if (ended_.exchange(true)) return false;
   exit_code_ = code;
+  if (process_ != nullptr) return true;  // it has ended there
   if (is_abandoned_) {
     session_->abandon();
   } else {

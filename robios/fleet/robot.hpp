@@ -3,22 +3,19 @@
 #include <atomic>
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "program_image.hpp"
+#include "program_process.hpp"
+#include "robot_program.hpp"
 #include "session.hpp"
 #include "session_start.hpp"
 
 namespace eyebridge::robios {
 
-/// What a robot runs.
-struct RobotProgram {
-  std::filesystem::path file;
-  std::vector<std::string> arguments;  ///< Without the program's name.
-};
-
-/// One of several robots: its program, its copy of it, its session.
+/// One of several robots: its program, its copy of it, its session; or the process that has these.
 ///
 /// Who schedules robots derives from it: a fiber's robot or a thread's.
 class Robot : public Runner {
@@ -29,8 +26,10 @@ class Robot : public Runner {
 
   /// Begins the session; before run(). Throws ConfigError.
   void begin(const hal::Config& config, const hal::Seat& seat, const std::filesystem::path& out);
-  /// True once the session has begun.
-  [[nodiscard]] bool has_begun() const { return session_ != nullptr; }
+  /// True once begin() has been successful.
+  [[nodiscard]] bool has_begun() const { return session_ != nullptr || process_ != nullptr; }
+  /// Starts the program's process, if it needs one, before run() would. Twice does nothing.
+  void start_process();
   /// Loads the program and runs it to its end, in the calling flow, which is the robot's from now
   /// on. Returns never: it leave()s.
   [[noreturn]] void run();
@@ -46,7 +45,12 @@ class Robot : public Runner {
   [[nodiscard]] bool may_be_stopped() const;
 
   [[nodiscard]] std::size_t index() const { return index_; }
-  [[nodiscard]] Session& session() const { return *session_; }
+  /// On its clock.
+  [[nodiscard]] Time now() const;
+  /// Ends its session from outside of the program: motors stop, results are written. A process
+  /// only begins to end; make_process_end() waits for it. Any thread.
+  void end_session() noexcept;
+  void make_process_end() noexcept;
   [[nodiscard]] bool has_ended() const { return ended_; }
   [[nodiscard]] int exit_code() const { return exit_code_; }
 
@@ -54,15 +58,24 @@ class Robot : public Runner {
   static Robot* current();
 
  protected:
+  /// In virtual time: up to where its clock may go by itself, lent; and who is told that all wait
+  /// for its process. Null in real time.
+  [[nodiscard]] virtual const Time* limit() const { return nullptr; }
+  virtual AwaitedProcess* awaited() { return nullptr; }
+
   /// Ends the session; false when another flow of the robot has done so before.
   bool end(int code);
 
  private:
+  [[nodiscard]] LogSink& log() const;
+  [[noreturn]] void run_process();
+
   const std::size_t index_;
   const RobotProgram program_;
   std::shared_ptr<hal::SharedWorld> world_;
   std::shared_ptr<ProgramImage> image_;
-  Session* session_ = nullptr;
+  Session* session_ = nullptr;               ///< Null where a process has it.
+  std::unique_ptr<ProgramProcess> process_;  ///< Else null.
   std::atomic<bool> ended_ = false;
   bool is_abandoned_ = false;  ///< The calling flow will never leave its call.
   int exit_code_ = 0;

@@ -3,16 +3,27 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <string_view>
 #include <system_error>
 
 #include <unistd.h>
 
 #include "eyebridge/base/text.hpp"
+#include "program_image.hpp"
 
 namespace eyebridge::robios {
 namespace {
 
 namespace fs = std::filesystem;
+
+bool is_python(const fs::path& program) { return program.extension() == ".py"; }
+
+bool begins_with(const fs::path& file, std::string_view bytes) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string start(bytes.size(), '\0');
+  return stream.read(start.data(), static_cast<std::streamsize>(start.size())) && start == bytes;
+}
 
 fs::path found(const std::string& name, const fs::path& scenario) {
   fs::path written(name);
@@ -28,15 +39,23 @@ fs::path found(const std::string& name, const fs::path& scenario) {
 }  // namespace
 
 std::string trouble_with(const fs::path& program) {
-  if (program.extension() == ".py") {
-    return "found a Python program, which cannot be that of one of several robots; expected one "
-           "built with eyebridge-cc or eyebridge-c++";
-  }
   std::error_code error;
   if (!fs::exists(program, error)) return "no such program";
   if (fs::is_directory(program, error)) return "found a folder, expected a robot program";
+  if (is_python(program)) {
+    return access(program.c_str(), R_OK) == 0
+               ? ""
+               : std::string("cannot be read: ") + std::strerror(errno);
+  }
   if (access(program.c_str(), X_OK) == 0) return "";
   return std::string("not executable (") + std::strerror(errno) + ")";
+}
+
+bool is_script(const fs::path& program) { return is_python(program) || begins_with(program, "#!"); }
+
+bool needs_process(const fs::path& program) {
+  return is_script(program) ||
+         (begins_with(program, "\177ELF") && !ProgramImage::can_load(program));
 }
 
 std::vector<RobotProgram> programs_of(const std::vector<hal::SharedRobot>& robots,

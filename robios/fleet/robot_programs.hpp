@@ -17,6 +17,13 @@ std::vector<RobotProgram> programs_of(const std::vector<hal::SharedRobot>& robot
                                       const std::vector<std::string>& words,
                                       const std::filesystem::path& scenario);
 
+/// True for a Python program, and for one that begins with #!.
+bool is_script(const std::filesystem::path& program);
+
+/// True for a program that cannot be loaded into this process: a script, or a binary that
+/// ProgramImage refuses. It runs in a process of its own.
+bool needs_process(const std::filesystem::path& program);
+
 /// Why `program` cannot be run, in words; "" when nothing speaks against it.
 std::string trouble_with(const std::filesystem::path& program);
 

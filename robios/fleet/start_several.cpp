@@ -1,7 +1,8 @@
 // `./prog` with --robots (EYEBRIDGE_ROBOTS, eyebridge.toml): before its main() the program becomes
-// the launcher, which runs it once for each robot.
+// the launcher, which runs it once for each robot; `python3 prog.py` when it imports `eye`.
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 #include <unistd.h>
 
 #include "eyebridge/hal/shared_world.hpp"
+#include "eyebridge_host.h"
 #include "generation.hpp"
 #include "host.hpp"
 
@@ -46,12 +48,8 @@ bool wants_several() {
   }
 }
 
-__attribute__((constructor)) void start_several(int argc, char** argv, char** /*environment*/) {
-  Dl_info library{};
-  if (dladdr(reinterpret_cast<void*>(&start_several), &library) == 0) return;
-  if (argc < 1 || !belongs_to_program(library.dli_fname) || !wants_several()) return;
-  std::vector<std::string> words{program_file().string()};
-  words.insert(words.end(), argv + 1, argv + argc);
+/// Becomes the launcher, for `words`.
+[[noreturn]] void start(std::vector<std::string> words) {
   try {
     become_launcher(false, std::move(words));
   } catch (const ConfigError& error) {
@@ -60,5 +58,24 @@ __attribute__((constructor)) void start_several(int argc, char** argv, char** /*
   }
 }
 
+__attribute__((constructor)) void start_several(int argc, char** argv, char** /*environment*/) {
+  Dl_info library{};
+  if (dladdr(reinterpret_cast<void*>(&start_several), &library) == 0) return;
+  if (argc < 1 || !belongs_to_program(library.dli_fname) || !wants_several()) return;
+  std::vector<std::string> words{program_file().string()};
+  words.insert(words.end(), argv + 1, argv + argc);
+  start(std::move(words));
+}
+
 }  // namespace
 }  // namespace eyebridge::robios
+
+void EYEBRIDGEHostStart(int argc, const char* const* argv, const char* interpreter) {
+  using namespace eyebridge::robios;
+  if (argc < 1 || !wants_several()) return;
+  const std::string folder = std::filesystem::path(interpreter).parent_path().string();
+  const char* const path = std::getenv("PATH");
+  // As activating a virtual environment does.
+  if (!folder.empty()) setenv("PATH", (folder + ":" + (path != nullptr ? path : "")).c_str(), 1);
+  start({argv, argv + argc});
+}

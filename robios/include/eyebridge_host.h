@@ -23,6 +23,14 @@ extern "C" {
 void EYEBRIDGEHostBegin(const char* program, int (*interrupted)(void), void (*ending)(void));
 
 /**
+ * After EYEBRIDGEHostBegin(), before the program does anything: `argv` are `argc` words, the file
+ * of the robot program and its arguments. Where the settings want several robots, this process
+ * becomes the one that starts the program for each of them, by the first python3 in PATH, which
+ * begins with the folder of the file `interpreter` then. Returns where they want one.
+ */
+void EYEBRIDGEHostStart(int argc, const char* const* argv, const char* interpreter);
+
+/**
  * The interpreter ends: stops the motors, writes the results, and returns when no timer's function
  * runs any more. Does nothing when no RoBIOS call was ever made; never returns when a signal or a
  * time limit is ending the process.

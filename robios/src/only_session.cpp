@@ -29,7 +29,7 @@ hal::Config read_config() {
     const hal::ConfigValue& robots = config.value("robots");
     throw ConfigError(robots.where, fmt::format("found {} robots, but this program can be that of "
                                                 "one only; expected one built with eyebridge-cc or "
-                                                "eyebridge-c++, and no Python program",
+                                                "eyebridge-c++, or a Python program in a file",
                                                 robots.text));
   }
   return config;

@@ -31,14 +31,15 @@ Session::Impl::Impl(SessionStart start) : Impl(&start, start.config) {}
 Session::Impl::Impl(SessionStart* start, hal::Config configuration)
     : config(std::move(configuration)),
       runner(start != nullptr ? start->runner : nullptr),
-      log(lowest_severity(config), start != nullptr ? start->name : ""),
+      name(start != nullptr ? start->name : name_among_several(config)),
+      log(lowest_severity(config), name),
       backend(hal::open_backend(context_of(config, log, start))),
       clock(backend->clock()),
       is_virtual(clock.is_virtual()),
       screen(make_screen(config)),
       // One terminal shows one robot.
-      panel(start != nullptr ? nullptr : open_panel(config, *screen)),
-      keys(make_keys(config, clock, *screen, start != nullptr ? nullptr : person_at(panel.get()))),
+      panel(!name.empty() ? nullptr : open_panel(config, *screen)),
+      keys(make_keys(config, clock, *screen, !name.empty() ? nullptr : person_at(panel.get()))),
       camera(config.text("camera"), {&clock, backend->camera_view(), &log},
              backend->camera_source()),
       timers(clock),
@@ -72,7 +73,7 @@ void Session::Impl::finish() {
   std::optional<world::Scene> scene;
   if (view != nullptr) scene = view->scene();
   output->finish(scene ? &*scene : nullptr, screen->snapshot(), text_of(*screen));
-  if (runner != nullptr) return;  // who runs them tells of all together
+  if (!name.empty()) return;  // who runs them tells of all together
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - wall_start;
   fmt::print(
       stderr, "eyebridge: {:.2f} s on the robot's clock in {:.2f} s ({:.0f}x); results in {}\n",

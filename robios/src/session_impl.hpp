@@ -42,6 +42,7 @@ struct Session::Impl {
 
   hal::Config config;
   Runner* runner = nullptr;  ///< Of one of several robots; else null.
+  const std::string name;    ///< Of one of several robots; else "".
   StderrLog log;
   std::unique_ptr<hal::Backend> backend;
   Clock& clock;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "eyebridge/camera/view.hpp"
+#include "eyebridge/hal/url.hpp"
 #include "stderr_log.hpp"
 #include "terminal/terminal_panel.hpp"
 
@@ -19,6 +20,13 @@ Severity lowest_severity(const hal::Config& config) {
                                   config.text("log")));
   }
   return severity;
+}
+
+std::string name_among_several(const hal::Config& config) {
+  const hal::ConfigValue& value = config.value("hal");
+  const hal::BackendUrl url = hal::parse_backend_url(value.text, value.where);
+  const auto robot = url.options.find("robot");
+  return url.scheme == "seat" && robot != url.options.end() ? "robot " + robot->second : "";
 }
 
 std::string text_of(const Screen& screen) {

@@ -28,6 +28,10 @@ auto from_setting(const hal::Config& config, const char* name, Use&& use) {
 
 Severity lowest_severity(const hal::Config& config);
 
+/// "robot 2" where the settings say that this process has the program of one of several robots,
+/// whose world another process has; else "".
+std::string name_among_several(const hal::Config& config);
+
 /// The rows of the screen, and a last one with the labels of the soft keys in brackets, their line
 /// ends as '/'.
 std::string text_of(const Screen& screen);

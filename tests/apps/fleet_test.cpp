@@ -76,16 +76,23 @@ TEST_F(Scenario, TwoRobotsOnOnePlaceAreAnErrorAtTheirLine) {
   EXPECT_THAT(r.err, HasSubstr("all.sim:3:"));
 }
 
-TEST_F(Scenario, ProgramsThatCannotBeLoadedTwiceSayWhy) {
+TEST_F(Scenario, ProgramsThatCannotBeLoadedTwiceHaveProcessesOfTheirOwn) {
   folder_.write("own.c",
-                "#include <eyebot.h>\nstatic __thread int mine;\n"
-                "int main(void) { return mine + OSWait(10); }\n");
+                "#include <eyebot.h>\n#include <stdio.h>\nstatic __thread int mine;\n"
+                "int main(void) {\n"
+                "  for (int i = 0; i < 3; ++i) mine += OSWait(10) + OSMachineID();\n"
+                "  printf(\"%d\\n\", mine);\n  return 0;\n}\n");
   compile("own.c -o own");
-  EXPECT_THAT(run("S4 500 500 0 own\nS4 1500 500 90 prog\n").err,
-              HasSubstr("found a program with thread_local variables"));
-  compile("-no-pie prog.c -o own");
-  EXPECT_THAT(run("S4 500 500 0 own\nS4 1500 500 90 prog\n").err,
-              HasSubstr("found a program for a fixed address"));
+  const auto own = run("S4 500 500 0 own\nS4 1500 500 90 prog\nS4 500 1500 0 own\n");
+  EXPECT_EQ(own.exit_code, 0) << own.err;
+  EXPECT_THAT(own.out, AllOf(HasSubstr("3\n"), HasSubstr("9\n"), HasSubstr("2 none\n")));
+  compile("-no-pie prog.c -o fixed");
+  const auto fixed = run("S4 500 500 0 fixed one\nS4 1500 500 90 prog two\n");
+  EXPECT_EQ(fixed.exit_code, 0) << fixed.err;
+  EXPECT_THAT(fixed.out, AllOf(HasSubstr("1 one\n"), HasSubstr("2 two\n")));
+}
+
+TEST_F(Scenario, AFileThatIsNoProgramSaysSo) {
   folder_.write("text", "no program");
   ASSERT_EQ(chmod((folder_.path() + "/text").c_str(), 0755), 0);
   EXPECT_THAT(run("S4 500 500 0 text\nS4 1500 500 90 prog\n").err,

@@ -12,6 +12,7 @@
 #include "firmware_entry.hpp"
 #include "host_entry.hpp"
 #include "plant_link_entry.hpp"
+#include "seat_entry.hpp"
 #include "sweep_entry.hpp"
 
 namespace eyebridge::fuzz {
@@ -41,6 +42,7 @@ constexpr Target kTargets[] = {{"world", world},
                                {"hand", hand},
                                {"radio", radio},
                                {"radio_datagram", radio_datagram},
+                               {"seat_message", seat_message},
                                {"serial_devices", serial_devices},
                                {"sound", sound},
                                {"sample", sample},

@@ -8,8 +8,8 @@
 #include "eyebridge/hal/passing_backend.hpp"
 #include "eyebridge/hal/registry.hpp"
 #include "mix/mix_backend.hpp"
-#include "replay/recorded_robot.hpp"
 #include "rigs.hpp"
+#include "tap/absent_robot.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -169,11 +169,11 @@ std::string complaint(std::unique_ptr<Backend> part, const std::string& device) 
 }
 
 TEST(Mix, ADeviceThatThePartLacksIsOneClearError) {
-  const std::vector<RecordedDevice> only_psd = {{"psd", 3, {9.999}}};
-  EXPECT_EQ(complaint(make_recorded_robot(only_psd), "psd"), "");
+  const std::vector<ListedDevice> only_psd = {{"psd", 3, {9.999}}};
+  EXPECT_EQ(complaint(make_absent_robot(only_psd), "psd"), "");
   for (const char* device : {"drive", "proximity", "bumper", "lidar", "compass", "motor", "encoder",
                              "servo", "camera"}) {
-    EXPECT_EQ(complaint(make_recorded_robot(only_psd), device),
+    EXPECT_EQ(complaint(make_absent_robot(only_psd), device),
               std::string(device) + "=part: that robot has no " + device);
   }
 }

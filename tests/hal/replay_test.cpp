@@ -97,7 +97,7 @@ TEST_F(Replay, GivesTheSameProgramTheSameRun) {
   EXPECT_THAT(log_.messages(Severity::Warning), IsEmpty());
 }
 
-TEST_F(Replay, HasTheDevicesOfTheRecordedRobot) {
+TEST_F(Replay, HasTheDevicesOfTheAbsentRobot) {
   const Rig rig = recorded();
   rig.backend->stop();
   const auto backend = replay();

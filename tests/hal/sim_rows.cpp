@@ -3,6 +3,7 @@
 #include "host/host_backend.hpp"
 #include "mix/mix_backend.hpp"
 #include "rigs.hpp"
+#include "seat_rig.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -42,6 +43,19 @@ Rig mixed_rig(const Pose& start) {
   return rig;
 }
 
+/// Nor does a line to another process, here to another thread.
+Rig seated_rig(const Pose& start, const std::map<std::string, std::string>& flags) {
+  SeatRig both = seat_rig(start, flags);
+  Rig rig;
+  rig.log = std::make_unique<KeepingLog>();
+  rig.other_end = std::shared_ptr<Seated>(std::move(both.seat));
+  rig.backend = std::move(both.robot);
+  rig.truth = truth_of(*rig.backend);
+  return rig;
+}
+Rig virtual_seat_rig(const Pose& start) { return seated_rig(start, {{"fast", "true"}}); }
+Rig real_seat_rig(const Pose& start) { return seated_rig(start, {{"factor", "50"}}); }
+
 }  // namespace
 
 std::vector<RigCase> contract_rows() {
@@ -49,6 +63,7 @@ std::vector<RigCase> contract_rows() {
       {"SimLockstep", lockstep_rig, kSimulated}, {"SimRealTime", real_time_rig, kSimulated},
       {"FaultNone", faultless_rig, kSimulated},  {"FaultLater", rig_before_its_faults, kSimulated},
       {"OnHost", hosted_rig, kSimulated},        {"MixOther", mixed_rig, kSimulated},
+      {"Seat", virtual_seat_rig, kSimulated},    {"SeatRealTime", real_seat_rig, kSimulated},
       {"Replay", lockstep_rig, kReplayed, true}};
 }
 

@@ -1,11 +1,11 @@
-#include "replay/recorded_robot.hpp"
+#include "tap/absent_robot.hpp"
 
 #include <map>
 #include <optional>
 
 #include "clock/lockstep_clock.hpp"
 #include "eyebridge/base/config_error.hpp"
-#include "replay/absent_devices.hpp"
+#include "tap/absent_devices.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -26,9 +26,9 @@ class ById {
   std::map<int, Device> devices_;
 };
 
-class RecordedRobot final : public Backend {
+class AbsentRobot final : public Backend {
  public:
-  void add(const RecordedDevice& device) {
+  void add(const ListedDevice& device) {
     const auto& [kind, id, facts] = device;
     if (kind == "drive") return drives_.add(id);
     if (kind == "proximity") return proximity_sensors_.add(id);
@@ -52,7 +52,7 @@ class RecordedRobot final : public Backend {
       const LidarShape shape{facts[1], facts[2], static_cast<int>(facts[3])};
       return lidars_.add(id, facts[0], shape);
     }
-    throw ConfigError({}, "unknown device '" + kind.substr(0, 40) + "' in the recording");
+    throw ConfigError({}, "unknown device '" + kind.substr(0, 40) + "'");
   }
 
   Clock& clock() override { return clock_; }
@@ -76,7 +76,7 @@ class RecordedRobot final : public Backend {
   WorldControl* world() override { return nullptr; }
   camera::View* camera_view() override { return nullptr; }
   camera::Source* camera_source() override { return nullptr; }
-  std::vector<DeviceFacts> facts_of(std::string_view) override { return {}; }  // not recorded
+  std::vector<DeviceFacts> facts_of(std::string_view) override { return {}; }  // not listed
   void trace_to(TraceSink*) override {}  // nobody knows where the robot was
   void stop() noexcept override {}
 
@@ -102,9 +102,9 @@ class RecordedRobot final : public Backend {
 
 }  // namespace
 
-std::unique_ptr<Backend> make_recorded_robot(const std::vector<RecordedDevice>& devices) {
-  auto robot = std::make_unique<RecordedRobot>();
-  for (const RecordedDevice& device : devices) robot->add(device);
+std::unique_ptr<Backend> make_absent_robot(const std::vector<ListedDevice>& devices) {
+  auto robot = std::make_unique<AbsentRobot>();
+  for (const ListedDevice& device : devices) robot->add(device);
   return robot;
 }
 

@@ -6,14 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "arguments/arguments.hpp"
 #include "eyebridge/hal/backend.hpp"
 
 namespace eyebridge::hal {
 
-// Devices of a recording: every call fails with Unsupported.
+// Devices that only a tap answers for: every call fails with Unsupported.
 
 inline tl::unexpected<Error> nothing() {
-  return fail(Errc::Unsupported, "replay: there is no device behind a recording");
+  return fail(Errc::Unsupported, "there is nothing behind this device");
 }
 
 class NoDrive final : public Drive {
@@ -52,7 +53,8 @@ class NoEncoder final : public Encoder {
 class NoServo final : public Servo {
   Result<void> set(double) override { return nothing(); }
 };
-/// Keeps the shape that the program asked for, so that it can ask for it again.
+/// Keeps the shape that the program asked for, so that it can ask for it again, and knows how much
+/// room a scan needs.
 class NoLidar final : public Lidar {
  public:
   NoLidar(double max_range, const LidarShape& shape) : max_range_(max_range), shape_(shape) {}
@@ -64,7 +66,11 @@ class NoLidar final : public Lidar {
   }
   [[nodiscard]] LidarShape shape() const override { return shape_; }
   [[nodiscard]] int points() const override { return shape_.points; }
-  Result<void> read(std::span<double>) override { return nothing(); }
+  Result<void> read(std::span<double> ranges) override {
+    return check_scan_size(ranges.size(), shape_.points).and_then([]() -> Result<void> {
+      return nothing();
+    });
+  }
   [[nodiscard]] double max_range() const override { return max_range_; }
   double max_range_;
   LidarShape shape_;

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+
+#include "eyebridge/base/clock.hpp"
+#include "eyebridge/base/result.hpp"
+#include "eyebridge/hal/backend.hpp"
+
+namespace eyebridge::hal {
+
+/// The world's end of the line to a robot's program that runs in a process of its own, where the
+/// robot is reached as `seat:`. Answers one question after the other. One thread.
+class SeatDesk {
+ public:
+  /// `robot` is lent. `limit`, lent: in virtual time the program's clock may move by itself up to
+  /// there, which changes (Turns::limit_of()); null: it has to ask each time.
+  /// `socket` is the line, lent.
+  SeatDesk(Backend& robot, const Time* limit, int socket);
+  /// Traces nothing any more.
+  ~SeatDesk();
+  SeatDesk(const SeatDesk&) = delete;
+  SeatDesk& operator=(const SeatDesk&) = delete;
+
+  /// Waits for the next question. Fails with Timeout when none came within the socket's
+  /// SO_RCVTIMEO; with Disconnected when the program's end is closed, with Corrupt when what comes
+  /// is no question: nothing can be asked any more.
+  Result<void> receive();
+  /// Answers it, once the robot's clock has got to the program's time. Fails with Disconnected.
+  Result<void> answer();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace eyebridge::hal

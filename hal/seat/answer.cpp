@@ -1,0 +1,62 @@
+#include "seat/answer.hpp"
+
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "eyebridge/camera/view.hpp"
+#include "seat/seat_view.hpp"
+#include "tap/carry_out.hpp"
+#include "tap/tapped_io.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+Result<Values> look(const camera::View& view, const Call& call) {
+  if (call.name == "scene") return pack_scene(view.scene());
+  if (call.name == "eye") return pack_eye(view.eye());
+  if (call.name == "noise") return pack_noise(view.noise());
+  return fail(Errc::Unsupported, fmt::format("a view has no {}", call.name));
+}
+
+Result<Values> done(const Result<void>& result) {
+  return result.map([] { return Values{}; });
+}
+
+Result<Values> set(WorldControl& world, const Call& call) {
+  const Values& v = call.request;
+  if (call.name == "set_errors" && !v.empty()) {
+    std::string rules(v.size() - 1, '\0');
+    std::transform(v.begin() + 1, v.end(), rules.begin(), to_byte);
+    return done(world.set_errors(call.id, rules, v[0]));
+  }
+  if (v.size() == 3 && call.name == "set_robot_pose") {
+    return done(world.set_robot_pose(call.id, {v[0], v[1], v[2]}));
+  }
+  if (v.size() == 3 && call.name == "set_object_pose") {
+    return done(world.set_object_pose(call.id, {v[0], v[1], v[2]}));
+  }
+  return fail(Errc::Corrupt, fmt::format("a world has no {} of {} numbers", call.name, v.size()));
+}
+
+Result<Values> ask(WorldControl& world, const Call& call) {
+  if (call.is_command) return set(world, call);
+  if (call.name == "robot_count") return Values{static_cast<double>(world.robot_count())};
+  if (call.name == "object_count") return Values{static_cast<double>(world.object_count())};
+  if (call.name == "robot_pose") return world.robot_pose(call.id).map(AsValues<Pose>::pack);
+  if (call.name == "object_pose") return world.object_pose(call.id).map(AsValues<Pose>::pack);
+  return fail(Errc::Unsupported, fmt::format("a world has no {}", call.name));
+}
+
+}  // namespace
+
+Result<Values> answer(Backend& robot, const Call& call) {
+  if (call.device == "view" && robot.camera_view() != nullptr) {
+    return look(*robot.camera_view(), call);
+  }
+  if (call.device == "world" && robot.world() != nullptr) return ask(*robot.world(), call);
+  return carry_out(robot, call);
+}
+
+}  // namespace eyebridge::hal

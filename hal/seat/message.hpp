@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "eyebridge/base/clock.hpp"
+#include "eyebridge/hal/device_facts.hpp"
+#include "eyebridge/hal/radio.hpp"
+#include "seat/bytes.hpp"
+#include "tap/device_list.hpp"
+#include "tap/tap.hpp"
+
+namespace eyebridge::hal {
+
+// What the program of a robot, in a process of its own, and its seat in the world say to each
+// other.
+//
+//   program                 seat
+//   request "seat hello" →  ← welcome
+//   request              →  ← traces, if it wants them, then the reply
+//
+// Each message is its kind, one byte, and the fields of its struct in their order (bytes.hpp). Both
+// ends are of one build: a hello with another version is refused.
+
+using Message = std::vector<std::uint8_t>;
+
+enum class MessageKind : std::uint8_t { Request = 'q', Reply = 'r', Welcome = 'w', Trace = 't' };
+
+inline constexpr int kSeatVersion = 1;
+
+/// A call of one of the robot's devices; of its "view" and its "world"; or of its "seat": "hello",
+/// "now", which only lets time pass, "trace" (1: from now on, 0: no more) and "stop".
+struct SeatRequest {
+  Time time{0};  ///< In virtual time: where the program's clock is, or wants to be.
+  std::string device;
+  int id = 1;
+  std::string name;
+  bool is_command = false;
+  Values request;
+};
+
+/// What came of it.
+struct SeatReply {
+  Time now{0};    ///< On the robot's clock.
+  Time limit{0};  ///< In virtual time: before this the program's clock may move by itself.
+  Result<Values> values;
+};
+
+/// What the program has to know of its robot.
+struct SeatWelcome {
+  Time now{0};
+  Time limit{0};
+  bool is_virtual = false;
+  int robot_id = 1;
+  RadioConditions radio;
+  bool has_world = false;
+  bool has_view = false;
+  std::uint32_t carrier = 0;      ///< Of the view.
+  std::string texture_directory;  ///< Likewise.
+  std::vector<ListedDevice> devices;
+  std::vector<std::pair<std::string, std::vector<DeviceFacts>>> facts;  ///< By kind.
+};
+
+/// The kind of a message; nothing when it is none.
+std::optional<MessageKind> kind_of(std::span<const std::uint8_t> message);
+
+Message encode(const SeatRequest& request);
+Message encode(const SeatReply& reply);
+Message encode(const SeatWelcome& welcome);
+
+// Nothing when the bytes are not exactly one message of that kind. No bytes can do harm.
+std::optional<SeatRequest> decode_request(std::span<const std::uint8_t> message);
+std::optional<SeatReply> decode_reply(std::span<const std::uint8_t> message);
+std::optional<SeatWelcome> decode_welcome(std::span<const std::uint8_t> message);
+
+/// Begins a message.
+void begin(ByteWriter& writer, MessageKind kind);
+/// Reads one, which must be of this kind, from behind that.
+ByteReader opened(std::span<const std::uint8_t> message, MessageKind kind);
+
+}  // namespace eyebridge::hal

@@ -1,0 +1,60 @@
+#include "seat/seat_clock.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+
+#include "seat/seat_line.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+/// Runs by itself up to the limit that the seat gave; beyond, the seat lets it go on.
+class VirtualSeatClock final : public Clock {
+ public:
+  explicit VirtualSeatClock(SeatLine& line) : line_(line) {}
+
+  [[nodiscard]] Time now() const override { return line_.now(); }
+  void wait_until(Time deadline) override { line_.advance_to(deadline); }
+  void spend(Time cost) override { line_.spend(cost); }
+  [[nodiscard]] bool is_virtual() const override { return true; }
+
+ private:
+  SeatLine& line_;
+};
+
+/// Asks what time it is: the world's may slip, and stands still at first. Who waits sleeps here, so
+/// that other threads can ask meanwhile.
+class RealSeatClock final : public Clock {
+ public:
+  RealSeatClock(SeatLine& line, double factor) : line_(line), factor_(factor) {}
+
+  [[nodiscard]] Time now() const override { return line_.ask_now(); }
+  void wait_until(Time deadline) override {
+    constexpr std::chrono::duration<double, std::nano> kShortest{100e3};
+    for (Time now = line_.ask_now(); now < deadline; now = line_.ask_now()) {
+      const std::chrono::duration<double, std::nano> left = (deadline - now) / factor_;
+      // Not sleep_for(): the library's own nanosleep() would ask this clock.
+      std::mutex mutex;
+      std::unique_lock lock(mutex);
+      std::condition_variable().wait_for(lock, std::max(left, kShortest));
+      if (line_.is_lost()) return;
+    }
+  }
+  void spend(Time) override {}
+  [[nodiscard]] bool is_virtual() const override { return false; }
+
+ private:
+  SeatLine& line_;
+  const double factor_;
+};
+
+}  // namespace
+
+std::unique_ptr<Clock> make_seat_clock(SeatLine& line, bool is_virtual, double factor) {
+  if (is_virtual) return std::make_unique<VirtualSeatClock>(line);
+  return std::make_unique<RealSeatClock>(line, factor);
+}
+
+}  // namespace eyebridge::hal

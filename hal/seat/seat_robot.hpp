@@ -1,0 +1,20 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "eyebridge/base/unique_fd.hpp"
+#include "eyebridge/hal/backend.hpp"
+#include "eyebridge/world/world_model.hpp"
+
+namespace eyebridge::hal {
+
+/// What stands in the world of a seat: asked for once, when somebody looks.
+using WorldLoader = std::function<std::shared_ptr<const world::WorldModel>()>;
+
+/// The robot at whose seat `socket` is a line, for its program: everything is asked there. In real
+/// time its clock is `factor` times as fast as the wall clock. Returns when all robots of the world
+/// are there. Throws ConfigError without a place when nobody answers.
+std::unique_ptr<Backend> make_seat_robot(UniqueFd socket, WorldLoader world, double factor);
+
+}  // namespace eyebridge::hal

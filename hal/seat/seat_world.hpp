@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+
+#include "eyebridge/hal/world_control.hpp"
+#include "seat/seat_line.hpp"
+#include "tap/tapped_io.hpp"
+
+namespace eyebridge::hal {
+
+/// The hand of God through a robot's line to its seat, which is lent.
+class SeatWorld final : public WorldControl {
+ public:
+  explicit SeatWorld(SeatLine& line) : line_(line) {}
+
+  [[nodiscard]] int robot_count() const override { return count("robot_count"); }
+  [[nodiscard]] int object_count() const override { return count("object_count"); }
+  Result<Pose> robot_pose(int id) const override { return pose(id, "robot_pose"); }
+  Result<void> set_robot_pose(int id, const Pose& pose) override {
+    return command(id, "set_robot_pose", AsValues<Pose>::pack(pose));
+  }
+  Result<Pose> object_pose(int id) const override { return pose(id, "object_pose"); }
+  Result<void> set_object_pose(int id, const Pose& pose) override {
+    return command(id, "set_object_pose", AsValues<Pose>::pack(pose));
+  }
+  Result<void> set_errors(int id, const std::string& rules, double share) override {
+    Values request = pack_bytes(rules);
+    request.insert(request.begin(), share);
+    return command(id, "set_errors", std::move(request));
+  }
+
+ private:
+  /// 0 once the seat is gone.
+  [[nodiscard]] int count(std::string_view name) const {
+    const Call call{"world", 0, name, false, {}};
+    return reply_as<int>(call, line_.ask(call)).value_or(0);
+  }
+  [[nodiscard]] Result<Pose> pose(int id, std::string_view name) const {
+    const Call call{"world", id, name, false, {}};
+    return reply_as<Pose>(call, line_.ask(call));
+  }
+  Result<void> command(int id, std::string_view name, Values request) {
+    return line_.ask({"world", id, name, true, std::move(request)}).map([](const Values&) {});
+  }
+
+  SeatLine& line_;
+};
+
+}  // namespace eyebridge::hal

@@ -1,0 +1,147 @@
+#include "program_process.hpp"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <sys/socket.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+
+#include "eyebridge/hal/registry.hpp"
+#include "eyebridge/hal/seat_desk.hpp"
+#include "process_start.hpp"
+#include "session_parts.hpp"
+
+namespace eyebridge::robios {
+namespace {
+
+constexpr double kPatience_s = 2.0;
+
+/// The robot as it is: faults are put in front of it where its program is.
+std::unique_ptr<hal::Backend> open_robot(const hal::Config& config, LogSink& log,
+                                         const hal::Seat& seat) {
+  const hal::Config faultless = config.with("faults", {"", config.value("faults").where});
+  return hal::open_backend({faultless, log, &seat});
+}
+
+/// While it lives, all wait for `process`.
+class Awaiting {
+ public:
+  Awaiting(AwaitedProcess* place, ProgramProcess* process) : place_(place) {
+    if (place_ != nullptr) *place_ = process;
+  }
+  ~Awaiting() {
+    if (place_ != nullptr) *place_ = nullptr;
+  }
+  Awaiting(const Awaiting&) = delete;
+  Awaiting& operator=(const Awaiting&) = delete;
+
+ private:
+  AwaitedProcess* const place_;
+};
+
+}  // namespace
+
+ProgramProcess::ProgramProcess(RobotProgram program, const hal::Config& config,
+                               const hal::Seat& seat, std::filesystem::path out)
+    : program_(std::move(program)),
+      config_(config),
+      index_(seat.robot),
+      out_(std::move(out)),
+      log_(lowest_severity(config), fmt::format("robot {}", seat.robot + 1)),
+      robot_(open_robot(config, log_, seat)) {}
+
+ProgramProcess::~ProgramProcess() = default;
+
+void ProgramProcess::start() {
+  if (is_started_) return;
+  std::array<int, 2> ends{};
+  try {
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+      throw std::system_error(errno, std::generic_category(), "a line to a robot's program");
+    }
+    line_.reset(ends[0]);
+    // To look every so often whether the process lives.
+    const timeval patience{0, 200'000};
+    setsockopt(ends[0], SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+    const UniqueFd theirs(ends[1]);
+    process_ = std::make_unique<ChildProcess>(command_of(program_.file, program_.arguments),
+                                              environment_of(config_, index_, theirs.get(), out_),
+                                              theirs.get());
+  } catch (const std::system_error& error) {
+    throw ConfigError({program_.file.string()}, error.what());
+  }
+  is_started_ = true;
+}
+
+ProgramProcess::End ProgramProcess::run(const std::function<void()>& arrive, const Time* limit,
+                                        AwaitedProcess* awaited) {
+  std::string why = serve(arrive, limit, awaited);
+  // It has ended, or closed its line.
+  if (!why.empty() || !process_->ends_within(kPatience_s)) process_->signal(SIGKILL);
+  const int status = process_->wait();
+  robot_->stop();
+  if (!why.empty()) return {1, why};
+  if (hangs_) {
+    return {124, "the program has made no call for too long and is ended; the others go on"};
+  }
+  if (!WIFSIGNALED(status)) return {WEXITSTATUS(status), ""};
+  const int signal = WTERMSIG(status);
+  if (is_ending_) return {128 + signal, ""};
+  return {128 + signal, fmt::format("the program was ended by a signal: {}; the others go on",
+                                    strsignal(signal))};
+}
+
+std::string ProgramProcess::serve(const std::function<void()>& arrive, const Time* limit,
+                                  AwaitedProcess* awaited) {
+  hal::SeatDesk desk(*robot_, limit, line_.get());
+  const auto next = [&] {
+    const Awaiting all_wait(awaited, this);
+    return desk.receive();
+  };
+  for (bool has_arrived = false;;) {
+    Result<void> done = next();
+    if (done) {
+      if (!std::exchange(has_arrived, true)) arrive();
+      done = desk.answer();
+    }
+    if (done) continue;
+    const Error& error = done.error();
+    if (error.code == Errc::Corrupt) return error.what + "; its program is ended, the others go on";
+    // Its children may still have the line.
+    if (error.code != Errc::Timeout || process_->ends_within(0.0)) return "";
+  }
+}
+
+void ProgramProcess::ask_to_end() noexcept {
+  is_ending_ = true;
+  if (is_started_) process_->signal(SIGTERM);
+}
+
+void ProgramProcess::make_end() noexcept {
+  is_ending_ = true;
+  if (!is_started_) return;
+  if (!process_->ends_within(kPatience_s / 4)) {
+    // It may be waiting for a turn that never comes.
+    shutdown(line_.get(), SHUT_RDWR);
+    if (!process_->ends_within(kPatience_s)) {
+      process_->signal(SIGKILL);
+      static_cast<void>(process_->ends_within(kPatience_s));
+    }
+  }
+  process_->forget();
+}
+
+void ProgramProcess::kill_hanging() noexcept {
+  hangs_ = true;
+  process_->signal(SIGKILL);
+}
+
+double ProgramProcess::processor_time() const { return process_->processor_time(); }
+
+}  // namespace eyebridge::robios

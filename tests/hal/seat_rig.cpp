@@ -1,0 +1,48 @@
+#include "seat_rig.hpp"
+
+#include <array>
+#include <stdexcept>
+
+#include <sys/socket.h>
+
+namespace eyebridge::hal {
+
+std::pair<UniqueFd, UniqueFd> socket_pair() {
+  std::array<int, 2> ends{};
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+    throw std::runtime_error("no pair of sockets");
+  }
+  return {UniqueFd(ends[0]), UniqueFd(ends[1])};
+}
+
+std::shared_ptr<const world::WorldModel> no_world() { return nullptr; }
+
+Seated::Seated(Rig rig, UniqueFd line)
+    : rig_(std::move(rig)), line_(std::move(line)), thread_([this] {
+        SeatDesk desk(*rig_.backend, nullptr, line_.get());
+        while (desk.receive() && desk.answer()) {
+        }
+      }) {}
+
+Seated::~Seated() { end(); }
+
+void Seated::end() {
+  if (!thread_.joinable()) return;
+  shutdown(line_.get(), SHUT_RDWR);
+  thread_.join();
+}
+
+SeatRig seat_rig(const Pose& start, const std::map<std::string, std::string>& flags) {
+  auto [program, seat] = socket_pair();
+  SeatRig rig;
+  rig.seat = std::make_unique<Seated>(sim_rig(start, flags), std::move(seat));
+  const auto world = [model = rig_scenario(start).world] {
+    return std::make_shared<const world::WorldModel>(model);
+  };
+  const auto factor = flags.find("factor");
+  rig.robot = make_seat_robot(std::move(program), world,
+                              factor == flags.end() ? 1.0 : std::stod(factor->second));
+  return rig;
+}
+
+}  // namespace eyebridge::hal

@@ -1,0 +1,207 @@
+// The two ends of a line to a robot that another process has: what they say, and what they make of
+// an end that says nonsense or nothing.
+#include <array>
+#include <thread>
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "eyebridge/hal/registry.hpp"
+#include "seat/message.hpp"
+#include "seat/message_stream.hpp"
+#include "seat/seat_robot.hpp"
+#include "seat/trace_messages.hpp"
+#include "seat_rig.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+using testing::HasSubstr;
+
+/// What the program's end makes of a seat that answers its hello with `answer`.
+std::string complaint_about(const Message& answer) {
+  auto [ours, theirs] = socket_pair();
+  EXPECT_TRUE(MessageStream(theirs.get()).send(answer));
+  try {
+    make_seat_robot(std::move(ours), no_world, 1.0);
+    return "";
+  } catch (const ConfigError& error) {
+    return error.text();
+  }
+}
+
+TEST(Seat, WhatIsNoAnswerIsRefused) {
+  EXPECT_THAT(complaint_about({'x', 1, 2}), HasSubstr("no answer"));
+  EXPECT_THAT(complaint_about({'w'}), HasSubstr("no answer"));
+  EXPECT_THAT(complaint_about(encode(SeatReply{})), HasSubstr("no answer"));
+  EXPECT_EQ(complaint_about(encode(SeatReply{{}, {}, fail(Errc::Unsupported, "go away")})),
+            "go away");
+}
+
+TEST(Seat, AWelcomeWithADeviceThatThereIsNotIsRefused) {
+  SeatWelcome welcome;
+  welcome.devices.push_back({"wing", 1, {}});
+  EXPECT_EQ(complaint_about(encode(welcome)), "unknown device 'wing'");
+}
+
+TEST(Seat, ALengthThatNoMessageHasEndsTheLine) {
+  for (const std::uint32_t length : {0U, MessageStream::kLongest + 1, 0xFFFFFFFFU}) {
+    const auto [one, other] = socket_pair();
+    ASSERT_EQ(write(one.get(), &length, sizeof length), static_cast<ssize_t>(sizeof length));
+    const auto message = MessageStream(other.get()).receive();
+    ASSERT_FALSE(message);
+    EXPECT_EQ(message.error().code, Errc::Corrupt);
+  }
+}
+
+TEST(Seat, AMessageThatIsCutOffIsALostLine) {
+  auto [one, other] = socket_pair();
+  const std::uint32_t length = 100;
+  ASSERT_EQ(write(one.get(), &length, sizeof length), static_cast<ssize_t>(sizeof length));
+  one.reset();
+  EXPECT_EQ(MessageStream(other.get()).receive().error().code, Errc::Disconnected);
+}
+
+TEST(Seat, TheDeskRefusesWhatIsNoQuestion) {
+  const Rig rig = lockstep_rig(facing(0.5));
+  const auto [program, seat] = socket_pair();
+  SeatDesk desk(*rig.backend, nullptr, seat.get());
+  MessageStream stream(program.get());
+  ASSERT_TRUE(stream.send(Message{'q', 0, 0}));
+  const auto received = desk.receive();
+  ASSERT_FALSE(received);
+  EXPECT_EQ(received.error().code, Errc::Corrupt);
+  EXPECT_THAT(received.error().what, HasSubstr("found 3 bytes that are no question"));
+}
+
+TEST(Seat, TheDeskRefusesAProgramOfAnotherVersion) {
+  const Rig rig = lockstep_rig(facing(0.5));
+  const auto [program, seat] = socket_pair();
+  SeatDesk desk(*rig.backend, nullptr, seat.get());
+  MessageStream stream(program.get());
+  ASSERT_TRUE(stream.send(encode(SeatRequest{{}, "seat", 1, "hello", false, {99.0}})));
+  ASSERT_TRUE(desk.receive() && desk.answer());
+  const auto reply = decode_reply(must(stream.receive()));
+  ASSERT_TRUE(reply);
+  EXPECT_THAT(reply->values.error().what, HasSubstr("another version"));
+}
+
+/// What a desk answers to a call that no tap would make.
+Error error_of(const Call& call) {
+  const Rig rig = lockstep_rig(facing(0.5));
+  const auto [program, seat] = socket_pair();
+  SeatDesk desk(*rig.backend, nullptr, seat.get());
+  MessageStream stream(program.get());
+  const SeatRequest request{
+      {}, std::string(call.device), call.id, std::string(call.name), call.is_command, call.request};
+  EXPECT_TRUE(stream.send(encode(request)));
+  EXPECT_TRUE(desk.receive() && desk.answer());
+  const auto reply = decode_reply(must(stream.receive()));
+  if (!reply || reply->values) return {Errc::Timeout, "no error"};
+  return reply->values.error();
+}
+
+TEST(Seat, CallsThatThereAreNotAreErrorsOfThatCallAlone) {
+  EXPECT_EQ(error_of({"psd", 9, "read", false, {}}).what, "this robot has no psd 9 read");
+  EXPECT_EQ(error_of({"psd", 1, "fly", false, {}}).what, "this robot has no psd 1 fly");
+  EXPECT_EQ(error_of({"wing", 1, "read", false, {}}).code, Errc::Unsupported);
+  EXPECT_EQ(error_of({"serial", 0, "open", true, {9600.0, 0.0}}).code, Errc::Unsupported);
+  EXPECT_EQ(error_of({"drive", 1, "start", true, {1.0}}).what,
+            "drive 1 start: 1 numbers in the request, expected 3");
+  EXPECT_EQ(error_of({"world", 0, "set_robot_pose", true, {1.0}}).code, Errc::Corrupt);
+  EXPECT_EQ(error_of({"view", 1, "smell", false, {}}).code, Errc::Unsupported);
+  EXPECT_EQ(error_of({"seat", 1, "bend", false, {}}).code, Errc::Unsupported);
+}
+
+TEST(Seat, ALostSeatIsAnErrorNotAReading) {
+  SeatRig rig = seat_rig(facing(0.5));
+  ASSERT_TRUE(rig.robot->range_sensor(1)->read());
+  rig.end();
+  const auto range = rig.robot->range_sensor(1)->read();
+  ASSERT_FALSE(range);
+  EXPECT_EQ(range.error().code, Errc::Disconnected);
+  EXPECT_FALSE(rig.robot->drive()->set_speed({0.1, 0.0}));
+  EXPECT_EQ(rig.robot->world()->robot_count(), 0);
+  // Nobody waits for ever: time passes without a world.
+  const Time later = rig.robot->clock().now() + from_seconds(10.0);
+  rig.robot->clock().wait_until(later);
+  EXPECT_EQ(rig.robot->clock().now(), later);
+  rig.robot->stop();
+}
+
+TEST(Seat, TheClockRunsByItselfOnlyUpToItsLimit) {
+  auto [ours, theirs] = socket_pair();
+  MessageStream stream(theirs.get());
+  SeatWelcome welcome;
+  welcome.is_virtual = true;
+  welcome.limit = from_seconds(1.0);
+  ASSERT_TRUE(stream.send(encode(welcome)));
+  const auto robot = make_seat_robot(std::move(ours), no_world, 1.0);
+  ASSERT_EQ(decode_request(must(stream.receive()))->name, "hello");
+  robot->clock().spend(from_seconds(0.25));
+  robot->clock().wait_until(from_seconds(0.999));
+  EXPECT_EQ(robot->clock().now(), from_seconds(0.999));
+  // The answer lies ready: what is asked is read afterwards.
+  ASSERT_TRUE(stream.send(encode(SeatReply{from_seconds(1.5), from_seconds(2.0), Values{}})));
+  robot->clock().wait_until(from_seconds(1.5));
+  const auto asked = decode_request(must(stream.receive()));
+  ASSERT_TRUE(asked);
+  EXPECT_EQ(asked->name, "now");
+  EXPECT_EQ(asked->time, from_seconds(1.5));
+  robot->clock().spend(from_seconds(0.4));
+  EXPECT_EQ(robot->clock().now(), from_seconds(1.9));
+  theirs.reset();
+}
+
+TEST(Seat, ALongTraceComesInSeveralMessages) {
+  TraceMessages messages;
+  const std::array<double, 8> ranges{1, 2, 3, 4, 5, 6, 7, 8};
+  constexpr int kPoints = 20'000;
+  for (int i = 0; i < kPoints; ++i) {
+    messages.contact({Time(i), "robot 1", "wall", {1.0, 2.0}});
+    messages.point({Time(i), {0.5, 0.25, 1.0}, {0.1, 0.2}, {1, 2, 3}, ranges});
+  }
+  struct Counting final : TraceSink {
+    void point(const TracePoint& point) noexcept override {
+      in_order = in_order && point.time == Time(points) && point.ranges.size() == 8 &&
+                 contacts == points + 1;
+      ++points;
+    }
+    void contact(const TraceContact& contact) noexcept override {
+      in_order = in_order && contact.robot == "robot 1" && contact.with == "wall";
+      ++contacts;
+    }
+    int points = 0;
+    int contacts = 0;
+    bool in_order = true;
+  } sink;
+  const auto all = messages.take();
+  EXPECT_GT(all.size(), 2U);
+  for (const Message& message : all) EXPECT_TRUE(tell_trace(message, sink));
+  EXPECT_EQ(sink.points, kPoints);
+  EXPECT_TRUE(sink.in_order);
+  EXPECT_TRUE(messages.take().empty());
+}
+
+TEST(Seat, AnythingElseThanASeatIsRefusedAsHal) {
+  KeepingLog log;
+  const auto complaint = [&](const std::string& hal) {
+    const Config config = rig_config({{"hal", hal}});
+    try {
+      open_backend({config, log});
+    } catch (const ConfigError& error) {
+      return error.text();
+    }
+    return std::string();
+  };
+  EXPECT_THAT(complaint("seat:"), HasSubstr("expected a seat that this process was given"));
+  EXPECT_THAT(complaint("seat:1"), HasSubstr("expected a seat that this process was given"));
+  EXPECT_THAT(complaint("seat:9999"), HasSubstr("expected a seat that this process was given"));
+  EXPECT_THAT(complaint("seat:7?colour=red"), HasSubstr("found 'colour=red', expected robot=N"));
+}
+
+}  // namespace
+}  // namespace eyebridge::hal
