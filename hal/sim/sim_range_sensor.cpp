@@ -7,9 +7,9 @@
 namespace eyebridge::hal {
 
 SimRangeSensor::SimRangeSensor(SimWorld& world, robot::RobotIndex robot, std::size_t index)
-    : SimDevice(world, robot),
-      index_(index),
-      out_of_range_(world.model(robot).range_sensors[index].out_of_range) {}
+    : SimDevice(world, robot), index_(index), out_of_range_(world.locked([&](auto& sim) {
+        return sim.model(robot).range_sensors[index].out_of_range;
+      })) {}
 
 Result<double> SimRangeSensor::read() {
   return world_.locked([&](auto& sim) { return sim.read_range(robot_, index_); });
