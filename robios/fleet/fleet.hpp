@@ -46,6 +46,10 @@ class Fleet {
   struct InLockstep;
   struct InRealTime;
 
+  /// `hang_limit`: s of processor time without a call.
+  static std::unique_ptr<Scheduler> in_lockstep(double hang_limit);
+  static std::unique_ptr<Scheduler> in_real_time();
+
   void add_robots(const std::vector<std::string>& words);
   /// Gives robot `index` its program and session; null for one without a program.
   Robot* add_robot(std::size_t index, RobotProgram program);

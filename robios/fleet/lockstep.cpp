@@ -25,8 +25,7 @@ void Lockstep::run(Time step_length, const std::function<void()>& step) {
   while (alive_ > 0 || expected_ > 0) {
     Time next = kNever;
     for (std::size_t robot = 0; robot < turns_.size(); ++robot) {
-      if (robot + 1 < turns_.size() && turns_[robot + 1].only != nullptr)
-        turns_[robot + 1].only->fiber.prefetch();
+      fetch_next(robot);
       while (turns_[robot].next < round_end_) take_turn(robot);
       next = std::min(next, turns_[robot].next);
     }
@@ -40,6 +39,15 @@ void Lockstep::run(Time step_length, const std::function<void()>& step) {
   }
 }
 
+/// Has what the next robots need on its way while `robot` runs: with a hundred of them the
+/// processor waits for memory most of the time.
+void Lockstep::fetch_next(std::size_t robot) const {
+  if (robot + 2 >= turns_.size()) return;
+  Fiber::fetch(turns_[robot + 1].left_off);
+  __builtin_prefetch(turns_[robot + 2].only, 1);
+  __builtin_prefetch(&places_[robot + 2], 1);
+}
+
 void Lockstep::take_turn(std::size_t robot) {
   Strand* const only = turns_[robot].only;
   if (only == nullptr) return run_earliest(robot);
@@ -47,6 +55,7 @@ void Lockstep::take_turn(std::size_t robot) {
   run(*only);
   Turn& turn = turns_[robot];
   turn.next = only->wake;
+  turn.left_off = only->fiber.left_off();
   if (turn.only == nullptr || only->has_ended) tidy(robot);  // it made another one, or has ended
 }
 

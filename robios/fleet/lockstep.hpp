@@ -74,8 +74,9 @@ class Lockstep final : public hal::Turns {
  private:
   /// When a robot goes on, in a table that the processor reads ahead.
   struct Turn {
-    Time next{0};            ///< Its earliest strand's time.
-    Strand* only = nullptr;  ///< When it has one strand, that.
+    Time next{0};                    ///< Its earliest strand's time.
+    Strand* only = nullptr;          ///< When it has one strand, that.
+    const void* left_off = nullptr;  ///< Likewise, where that one's stack goes on.
   };
   struct Place {
     Time limit{0};                                 ///< How far the one that runs may go by itself.
@@ -84,6 +85,7 @@ class Lockstep final : public hal::Turns {
   };
 
   void take_turn(std::size_t robot);
+  void fetch_next(std::size_t robot) const;
   void run_earliest(std::size_t robot);
   void run(Strand& strand);
   void tidy(std::size_t robot);
