@@ -16,7 +16,7 @@ namespace eyebridge::robios {
 namespace {
 
 // Who knocks and says nothing must not keep others out.
-constexpr int kPatience_s = 2;
+constexpr int kKnockPatience_s = 2;
 
 double number_in(const std::string& word, const char* what) {
   double value = 0.0;
@@ -56,7 +56,7 @@ void Door::answer_all() {
   for (;;) {
     const UniqueFd visitor = next_at(door_);
     if (!visitor.valid()) return;
-    const auto words = receive_words(visitor, kPatience_s);
+    const auto words = receive_words(visitor, kKnockPatience_s);
     const std::lock_guard lock(answering_);
     if (words) send_words(visitor, answer(*words));
   }

@@ -20,7 +20,7 @@
 namespace eyebridge::robios {
 namespace {
 
-constexpr double kPatience_s = 2.0;
+constexpr double kEndPatience_s = 2.0;
 
 /// The robot as it is: faults are put in front of it where its program is.
 std::unique_ptr<hal::Backend> open_robot(const hal::Config& config, LogSink& log,
@@ -83,7 +83,7 @@ ProgramProcess::End ProgramProcess::run(const std::function<void()>& arrive, con
                                         AwaitedProcess* awaited) {
   std::string why = serve(arrive, limit, awaited);
   // It has ended, or closed its line.
-  if (!why.empty() || !process_->ends_within(kPatience_s)) process_->signal(SIGKILL);
+  if (!why.empty() || !process_->ends_within(kEndPatience_s)) process_->signal(SIGKILL);
   const int status = process_->wait();
   robot_->stop();
   if (!why.empty()) return {1, why};
@@ -126,12 +126,12 @@ void ProgramProcess::ask_to_end() noexcept {
 void ProgramProcess::make_end() noexcept {
   is_ending_ = true;
   if (!is_started_) return;
-  if (!process_->ends_within(kPatience_s / 4)) {
+  if (!process_->ends_within(kEndPatience_s / 4)) {
     // It may be waiting for a turn that never comes.
     shutdown(line_.get(), SHUT_RDWR);
-    if (!process_->ends_within(kPatience_s)) {
+    if (!process_->ends_within(kEndPatience_s)) {
       process_->signal(SIGKILL);
-      static_cast<void>(process_->ends_within(kPatience_s));
+      static_cast<void>(process_->ends_within(kEndPatience_s));
     }
   }
   process_->forget();

@@ -31,9 +31,9 @@ class Failures {
     bool lost = false;
   };
 
+  std::atomic<bool> any_lost_ = false;  ///< Spares succeeded() the lock.
   mutable std::mutex mutex_;
   std::map<std::string, Seen, std::less<>> calls_;
-  std::atomic<bool> any_lost_ = false;  ///< Spares succeeded() the lock.
   std::string last_;
 };
 

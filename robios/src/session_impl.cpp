@@ -36,17 +36,17 @@ Session::Impl::Impl(SessionStart* start, hal::Config configuration)
       backend(hal::open_backend(context_of(config, log, start))),
       clock(backend->clock()),
       is_virtual(clock.is_virtual()),
+      stage(runner != nullptr && !is_virtual ? Stage::Beginning : Stage::Running),
+      cost_scale(config.number("cost_scale")),
+      timers(clock),
       screen(make_screen(config)),
       // One terminal shows one robot.
       panel(!name.empty() ? nullptr : open_panel(config, *screen)),
       keys(make_keys(config, clock, *screen, !name.empty() ? nullptr : person_at(panel.get()))),
       camera(config.text("camera"), {&clock, backend->camera_view(), &log},
              backend->camera_source()),
-      timers(clock),
       recorder(clock, timers),
-      cost_scale(config.number("cost_scale")),
-      out(results_folder(config, start)),
-      stage(runner != nullptr && !is_virtual ? Stage::Beginning : Stage::Running) {
+      out(results_folder(config, start)) {
   check_camera(config, {&clock, backend->camera_view(), &log});
   if (config.is_set("time_limit")) limit = from_seconds(config.number("time_limit"));
   if (!out.empty()) {

@@ -44,28 +44,31 @@ struct Session::Impl {
   Runner* runner = nullptr;  ///< Of one of several robots; else null.
   const std::string name;    ///< Of one of several robots; else "".
   StderrLog log;
+
+  // What every call looks at lies together: with a hundred robots the processor waits for memory.
   std::unique_ptr<hal::Backend> backend;
   Clock& clock;
   const bool is_virtual;
+  std::atomic<Stage> stage;
+  double cost_scale;
+  std::optional<Time> limit;
+  std::atomic<std::uint64_t> calls = 0;  ///< Of the program, but for its timers'.
+  Failures failures;
+  Timers timers;
+
   std::unique_ptr<Screen> screen;
   std::unique_ptr<TerminalPanel> panel;  ///< Null for none.
   std::unique_ptr<Keys> keys;
   CameraPort camera;
-  Timers timers;
   AnalogRecorder recorder;
   RadioMessages messages;
-  double cost_scale;
-  std::optional<Time> limit;
   std::filesystem::path out;
   std::optional<RunOutput> output;
   const std::chrono::steady_clock::time_point wall_start = std::chrono::steady_clock::now();
   std::once_flag ended;
   bool results_lost = false;
 
-  Failures failures;
-  std::atomic<Stage> stage;
   std::atomic<std::thread::id> ending_thread{};
-  std::atomic<std::uint64_t> calls = 0;  ///< Of the program, but for its timers'.
   std::uint64_t calls_seen = 0;
   std::clock_t processor_seen = 0;
 

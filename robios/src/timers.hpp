@@ -59,11 +59,11 @@ class Timers {
   void call_due(Time now, std::unique_lock<std::mutex>& lock);
   void run_thread();
 
+  std::atomic<bool> any_ = false;
   Clock& clock_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::map<int, Entry> entries_;
-  std::atomic<bool> any_ = false;
   int next_handle_ = 1;
   bool stopping_ = false;
   bool held_ = false;
