@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "fleet.hpp"
+#include "strands.hpp"
 
 namespace eyebridge::robios {
 
