@@ -187,8 +187,10 @@ void live_ours(benchmark::State& state, RawFormat format) {
                             (format == RawFormat::Mjpeg ? "&format=MJPEG" : "&format=YUYV");
     const std::shared_ptr<camera::Source> source =
         camera::open_source(url, {&clock, nullptr, nullptr});
-    return [&clock, source] {
-      const auto frame = source->next(clock.now() + std::chrono::seconds(2));
+    // OpenCV's patience is no reading of a clock for each frame either.
+    const Time deadline = clock.now() + std::chrono::minutes(1);
+    return [deadline, source] {
+      const auto frame = source->next(deadline);
       if (frame) benchmark::DoNotOptimize((*frame)->bytes.data());
       return frame.has_value();
     };

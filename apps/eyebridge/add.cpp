@@ -60,7 +60,11 @@ Words resolved(Words words) {
 int ask(pid_t wanted, const Words& words) {
   const Words request = resolved(words);
   const UniqueFd door = find_run(wanted);
-  if (!robios::send_words(door, request)) throw ConfigError({"add"}, "the words are too long");
+  if (!robios::send_words(door, request)) {
+    throw ConfigError({"add"}, fmt::format("the run could not be told: expected at most {} bytes "
+                                           "of words, and a run that has not ended",
+                                           robios::kLongestMessage));
+  }
   const auto answer = robios::receive_words(door);
   if (!answer || answer->size() != 2) {
     std::fprintf(stderr, "eyebridge: the run has ended\n");

@@ -137,7 +137,8 @@ Result<FramePtr> V4l2Source::picture_of(const RawFrame& raw) {
     say(Severity::Warning, "sends frames again");
   }
   const std::uint64_t number = number_of(raw);
-  const Time time = robot_time(raw.taken);
+  // A clock that was paused may put a moment from before the pause too early.
+  last_time_ = std::max(last_time_, clock_.at(raw.taken));
   Result<Frame> frame =
       raw.is_damaged ? Result<Frame>(fail(Errc::Corrupt, "the driver marks the frame as damaged"))
                      : decoder_.decode({mode_.format, mode_.size, mode_.stride, raw.bytes}, size_);
@@ -145,25 +146,10 @@ Result<FramePtr> V4l2Source::picture_of(const RawFrame& raw) {
     ++counts_.corrupt;
     return fail(frame.error().code, "camera " + opener_.name() + ": " + frame.error().what);
   }
-  frame->time = time;
+  frame->time = last_time_;
   frame->sequence = number;
   ++counts_.given;
   return decoder_.share(*std::move(frame));
-}
-
-Time V4l2Source::robot_time(Time moment) {
-  // Both clocks at one moment: whoever interrupts us between the readings spoils them.
-  constexpr Time kTogether = std::chrono::microseconds(50);
-  constexpr int kTries = 4;
-  Time monotonic = last_sign_;  // just now
-  Time robot{0};
-  for (int i = 0; i < kTries; ++i) {
-    const Time before = monotonic;
-    robot = clock_.now();
-    monotonic = calls_.monotonic();
-    if (monotonic - before < kTogether) break;
-  }
-  return times_.to_robot(moment, monotonic, robot);
 }
 
 std::uint64_t V4l2Source::number_of(const RawFrame& raw) {

@@ -7,7 +7,6 @@
 #include "eyebridge/camera/source.hpp"
 #include "pixels/pixel_decoder.hpp"
 #include "v4l2/camera_opener.hpp"
-#include "v4l2/time_map.hpp"
 
 namespace eyebridge::camera {
 
@@ -47,7 +46,6 @@ class V4l2Source final : public Source {
   Result<void> watch();
   tl::unexpected<Error> lose(const std::string& reason);
   Result<FramePtr> picture_of(const RawFrame& raw);
-  Time robot_time(Time moment);
   std::uint64_t number_of(const RawFrame& raw);
   [[nodiscard]] Error timeout(Time deadline) const;
   void say(Severity severity, const std::string& text) const;
@@ -60,12 +58,12 @@ class V4l2Source final : public Source {
   Mode mode_;
   Size size_;  ///< Of the frames given out.
   PixelDecoder decoder_;
-  TimeMap times_;
   Counts counts_;
 
   std::uint64_t next_number_ = 0;    ///< The least that the next frame may have.
   bool is_first_ = true;             ///< Since streaming was started.
   std::uint32_t last_sequence_ = 0;  ///< The driver's.
+  Time last_time_{0};                ///< Of the frames given out.
   Time last_sign_{0};                ///< Of life of the camera, CLOCK_MONOTONIC.
   Time last_restart_{0};
   Time last_look_{0};

@@ -10,6 +10,7 @@ class BoardClock final : public Clock {
   /// `line`, the clock of the board's line, must outlive this.
   explicit BoardClock(Clock& line) : line_(line), start_(line.now()) {}
   [[nodiscard]] Time now() const override { return line_.now() - start_; }
+  [[nodiscard]] Time at(Time moment) const override { return line_.at(moment) - start_; }
   void wait_until(Time deadline) override { line_.wait_until(after_start(deadline)); }
   void spend(Time cost) override { line_.spend(cost); }
   [[nodiscard]] bool is_virtual() const override { return line_.is_virtual(); }

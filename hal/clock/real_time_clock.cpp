@@ -44,6 +44,11 @@ Time RealTimeClock::now() const {
   return shown();
 }
 
+Time RealTimeClock::at(Time moment) const {
+  const std::lock_guard lock(mutex_);
+  return std::min(scaled(Wall::time_point(moment)), latest());
+}
+
 void RealTimeClock::wait_until(Time deadline) {
   std::unique_lock lock(mutex_);
   if (shown() >= deadline) return;
@@ -105,9 +110,9 @@ void RealTimeClock::run() {
   }
 }
 
-Time RealTimeClock::scaled() const {
-  if (paused_) return anchor_time_;
-  const std::chrono::duration<double, std::nano> passed = Wall::now() - anchor_wall_;
+Time RealTimeClock::scaled(Wall::time_point moment) const {
+  if (paused_ && moment > anchor_wall_) return anchor_time_;
+  const std::chrono::duration<double, std::nano> passed = moment - anchor_wall_;
   return anchor_time_ + std::chrono::duration_cast<Time>(passed * factor_);
 }
 

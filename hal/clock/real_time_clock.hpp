@@ -28,6 +28,7 @@ class RealTimeClock final : public Clock {
   RealTimeClock& operator=(const RealTimeClock&) = delete;
 
   [[nodiscard]] Time now() const override;
+  [[nodiscard]] Time at(Time moment) const override;
   void wait_until(Time deadline) override;
   void spend(Time) override {}
   [[nodiscard]] bool is_virtual() const override { return false; }
@@ -43,7 +44,8 @@ class RealTimeClock final : public Clock {
 
   void run();
   // The rest: mutex_ is held.
-  [[nodiscard]] Time scaled() const;
+  [[nodiscard]] Time scaled(Wall::time_point moment) const;
+  [[nodiscard]] Time scaled() const { return scaled(Wall::now()); }
   [[nodiscard]] Time latest() const;
   [[nodiscard]] Time shown() const;
   [[nodiscard]] Wall::time_point wall_of(Time time) const;

@@ -27,9 +27,7 @@ Result<Values> done(const Result<void>& result) {
 Result<Values> set(WorldControl& world, const Call& call) {
   const Values& v = call.request;
   if (call.name == "set_errors" && !v.empty()) {
-    std::string rules(v.size() - 1, '\0');
-    std::transform(v.begin() + 1, v.end(), rules.begin(), to_byte);
-    return done(world.set_errors(call.id, rules, v[0]));
+    return done(world.set_errors(call.id, unpack_text(std::span(v).subspan(1)), v[0]));
   }
   if (v.size() == 3 && call.name == "set_robot_pose") {
     return done(world.set_robot_pose(call.id, {v[0], v[1], v[2]}));

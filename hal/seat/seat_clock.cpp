@@ -31,6 +31,10 @@ class RealSeatClock final : public Clock {
   RealSeatClock(SeatLine& line, double factor) : line_(line), factor_(factor) {}
 
   [[nodiscard]] Time now() const override { return line_.ask_now(); }
+  [[nodiscard]] Time at(Time moment) const override {
+    const Time age = std::chrono::steady_clock::now().time_since_epoch() - moment;
+    return line_.ask_now() - std::chrono::duration_cast<Time>(factor_ * age);
+  }
   void wait_until(Time deadline) override {
     constexpr std::chrono::duration<double, std::nano> kShortest{100e3};
     for (Time now = line_.ask_now(); now < deadline; now = line_.ask_now()) {

@@ -91,17 +91,20 @@ world::Scene SeatView::scene() const {
 
 camera::Eye SeatView::eye() const {
   const Result<Values> v = look(line_, "eye");
-  if (!v || v->size() != 6) return {};
-  return {(*v)[0], (*v)[1], (*v)[2], (*v)[3], (*v)[4], (*v)[5]};
+  const std::lock_guard lock(mutex_);
+  if (v && v->size() == 6) last_eye_ = {(*v)[0], (*v)[1], (*v)[2], (*v)[3], (*v)[4], (*v)[5]};
+  return last_eye_;
 }
 
 camera::ImageNoise SeatView::noise() const {
   const Result<Values> v = look(line_, "noise");
-  if (!v || v->size() != 8) return {};
+  const std::lock_guard lock(mutex_);
+  if (!v || v->size() != 8) return last_noise_;
   const auto half = [&](std::size_t i) {
     return static_cast<std::uint64_t>(whole((*v)[i], kHalf - 1));
   };
-  return {{(*v)[0], (*v)[1], (*v)[2], (*v)[3], (*v)[4], (*v)[5]}, half(6) << 32U | half(7)};
+  last_noise_ = {{(*v)[0], (*v)[1], (*v)[2], (*v)[3], (*v)[4], (*v)[5]}, half(6) << 32U | half(7)};
+  return last_noise_;
 }
 
 }  // namespace eyebridge::hal

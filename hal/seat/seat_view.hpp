@@ -30,6 +30,8 @@ class SeatView final : public camera::View {
   const std::string textures_;
   mutable std::mutex mutex_;
   mutable world::Scene last_;
+  mutable camera::Eye last_eye_;
+  mutable camera::ImageNoise last_noise_;
 };
 
 // How they are told: what a seat's "view" answers.

@@ -154,8 +154,7 @@ Result<Values> carry_out(Radio& radio, const Call& call) {
   }
   if (call.name != "send") return no_such(call);
   if (call.request.empty()) return tl::unexpected(check_size(call, 1).error());
-  std::string text(call.request.size() - 1, '\0');
-  std::transform(call.request.begin() + 1, call.request.end(), text.begin(), to_byte);
+  const std::string text = unpack_text(std::span(call.request).subspan(1));
   return packed(radio.send(whole(call.request[0]), text));
 }
 

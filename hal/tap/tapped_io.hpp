@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,11 @@ inline Values pack_message(const std::optional<RadioMessage>& message) {
 }
 inline char to_byte(double value) {
   return static_cast<char>(static_cast<unsigned char>(std::clamp(value, 0.0, 255.0)));
+}
+inline std::string unpack_text(std::span<const double> values) {
+  std::string text(values.size(), '\0');
+  std::transform(values.begin(), values.end(), text.begin(), to_byte);
+  return text;
 }
 
 template <>
@@ -119,11 +125,7 @@ class TappedIoBoard final : public Tapped<IoBoard> {
   Result<std::string> version() override {
     const Call call{kind_, id_, "version", false, {}};
     return tap_.exchange(call, [&] { return inner_.version().map(pack_bytes<std::string>); })
-        .map([](const Values& values) {
-          std::string text(values.size(), '\0');
-          std::transform(values.begin(), values.end(), text.begin(), to_byte);
-          return text;
-        });
+        .map([](const Values& values) { return unpack_text(values); });
   }
 };
 
@@ -205,8 +207,7 @@ class TappedRadio final : public TappedInbox<Radio> {
           if (values.empty()) return std::nullopt;
           RadioMessage message;
           message.sender = static_cast<unsigned char>(to_byte(values[0]));
-          message.text.resize(values.size() - 1);
-          std::transform(values.begin() + 1, values.end(), message.text.begin(), to_byte);
+          message.text = unpack_text(std::span(values).subspan(1));
           return message;
         });
   }

@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include <fmt/format.h>
 #include <pthread.h>
 
 #include "eyebridge/base/text.hpp"
@@ -17,13 +18,15 @@ namespace {
 
 // Who knocks and says nothing must not keep others out.
 constexpr int kKnockPatience_s = 2;
+constexpr double kFarthest = 1e7;  // mm or degrees: what is more is a slip of the pen
 
 double number_in(const std::string& word, const char* what) {
   double value = 0.0;
   const char* const end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, value);
-  if (error == std::errc() && stop == end && std::abs(value) <= 1e7) return value;
-  throw ConfigError({what}, "found " + in_quotes(word) + ", expected a number");
+  if (error == std::errc() && stop == end && std::abs(value) <= kFarthest) return value;
+  throw ConfigError({what}, fmt::format("found {}, expected a number -{:.0f} ... {:.0f}",
+                                        in_quotes(word), kFarthest, kFarthest));
 }
 
 }  // namespace

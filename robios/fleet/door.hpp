@@ -15,9 +15,10 @@ class Door {
   /// Lets a robot in: its index.
   using Add = std::function<Result<std::size_t>(hal::Newcomer)>;
 
-  /// Answers from a thread of its own from now on; where the system refuses, nobody can come.
+  /// Answers from a thread of its own from now on; where the system refuses, it stays shut.
   /// `world` and what `add` has are lent for the life of the process.
   Door(hal::SharedWorld& world, Add add);
+  [[nodiscard]] bool is_open() const { return door_.valid(); }
   /// Nobody finds it any more. Any thread.
   static void close() noexcept { close_door(); }
   /// Returns when who was let in, or not, has been told so. When `add` lets nobody in any more.

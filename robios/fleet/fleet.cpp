@@ -133,6 +133,12 @@ int Fleet::run() {
   watch_signals([](int) { the_fleet->stop(); }, [] { the_fleet->scheduler_->look(); });
   const std::vector<Robot*> robots_at_start = robots();
   door_.emplace(*world_, [this](hal::Newcomer newcomer) { return add(std::move(newcomer)); });
+  if (!door_->is_open()) {
+    log_.write(
+        Severity::Info,
+        "no robot can be added: expected $XDG_RUNTIME_DIR/eyebridge, or a folder in /tmp, to "
+        "be this user's alone");
+  }
   const auto start = std::chrono::steady_clock::now();
   for (Robot* const robot : robots_at_start) robot->start_process();  // all interpreters at once
   scheduler_->run(*this, robots_at_start);

@@ -85,6 +85,10 @@ TEST_P(Add, WhatCannotBeIsRefusedAndTheRunGoesOn) {
   EXPECT_THAT(error({"S5", "1000", "1000", "0"}), HasSubstr("no robot 'S5': expected"));
   EXPECT_THAT(error({"my.robi", "1000", "1000", "0"}), HasSubstr("my.robi: "));
   EXPECT_THAT(error({"S4", "1000", "far", "0"}), HasSubstr("y: found 'far', expected a number"));
+  EXPECT_THAT(error({"S4", "1000", "2e7", "0"}),
+              HasSubstr("y: found '2e7', expected a number -10000000 ... 10000000"));
+  EXPECT_THAT(error({"S4", "1000", "1000", "0", "says", std::string(70'000, 'x')}),
+              HasSubstr("expected at most 65536 bytes"));
   EXPECT_THAT(error({"S4", "1000", "1000"}), HasSubstr("expected eyebridge add [--run PID] MODEL"));
   EXPECT_THAT(error({"S4", "1000", "1000", "0", "nowhere"}), HasSubstr("nowhere: no such program"));
   EXPECT_THAT(error({"--run", "1", "S4", "1000", "1000", "0"}),
@@ -105,6 +109,28 @@ TEST_P(Add, WithoutARunOrWithSeveralItSaysSo) {
   EXPECT_EQ(add({"S4", "1000", "1000", "0"}).out, "3\n");
   first.finish(SIGTERM);
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path() + "/eyebridge"));
+}
+
+TEST_P(Add, APythonProgramComesToo) {
+  folder_.write("says.py",
+                "#!/usr/bin/env python3\nfrom eye import *\nimport sys\n"
+                "RADIOInit()\nRADIOSend(1, sys.argv[1])\n");
+  RunningProgram run(start());
+  run.wait_for("ready\n");
+  EXPECT_EQ(add({"S4", "500", "1000", "90", "says.py", "hello"}).out, "3\n");
+  EXPECT_EQ(run.wait(), 0) << run.said();
+  EXPECT_THAT(run.said(), HasSubstr("hello from 3\n"));
+}
+
+TEST_P(Add, ARunThatNobodyCanFindSaysSo) {
+  testing::ProgramStart hidden = start();
+  folder_.write("taken", "a file, no folder");
+  hidden.environment["XDG_RUNTIME_DIR"] = folder_.path() + "/taken";
+  hidden.environment["EYEBRIDGE_LOG"] = "info";
+  RunningProgram run(hidden);
+  run.wait_for("ready\n");
+  run.finish(SIGTERM);
+  EXPECT_THAT(run.said(), HasSubstr("no robot can be added: expected $XDG_RUNTIME_DIR/eyebridge"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Clocks, Add, ::testing::Values("--fast", "--factor=20"),

@@ -43,6 +43,21 @@ TEST(RealTimeClock, NeverRunsBackwards) {
   }
 }
 
+TEST(RealTimeClock, KnowsWhatItShowedAtAMomentOfTheComputersClock) {
+  const auto computer = [] { return Time(std::chrono::steady_clock::now().time_since_epoch()); };
+  RealTimeClock clock(10s, 10.0, [] {});  // steps that last a second: none slips
+  clock.wait_until(50ms);
+  const Time before = clock.now();
+  const Time moment = computer();
+  const Time after = clock.now();
+  clock.wait_until(after + 50ms);
+  EXPECT_GE(clock.at(moment), before);
+  EXPECT_LE(clock.at(moment), after);
+  EXPECT_EQ(clock.at(moment) - clock.at(moment - 1us), 10us);
+  clock.pause();
+  EXPECT_EQ(clock.at(computer()), clock.now()) << "it stands still";
+}
+
 TEST(RealTimeClock, ReturnsAtOnceFromADeadlineThatHasPassed) {
   RealTimeClock clock(10ms, kFast, [] {});
   clock.wait_until(1s);

@@ -119,7 +119,11 @@ TEST(Seat, CallsThatThereAreNotAreErrorsOfThatCallAlone) {
 TEST(Seat, ALostSeatIsAnErrorNotAReading) {
   SeatRig rig = seat_rig(facing(0.5));
   ASSERT_TRUE(rig.robot->range_sensor(1)->read());
+  camera::View& view = *rig.robot->camera_view();
+  const double eye = view.eye().x;
+  EXPECT_NE(eye, 0.0);
   rig.end();
+  EXPECT_EQ(view.eye().x, eye) << "nothing moves any more";
   const auto range = rig.robot->range_sensor(1)->read();
   ASSERT_FALSE(range);
   EXPECT_EQ(range.error().code, Errc::Disconnected);

@@ -80,14 +80,17 @@ class FakeVideo final : public VideoCalls, public Clock {
   std::uint8_t* map(int device, std::size_t length, std::int64_t offset) override;
   void unmap(std::uint8_t* memory, std::size_t length) override;
   int wait(int device, Time timeout) override;
-  [[nodiscard]] Time monotonic() const override { return now_ + Time(7'000'000'000); }
+  [[nodiscard]] Time monotonic() const override { return now_ + kAhead; }
   // Clock
   [[nodiscard]] Time now() const override { return now_; }
+  [[nodiscard]] Time at(Time moment) const override { return moment - kAhead; }
   void wait_until(Time deadline) override { pass(deadline - now_); }
   void spend(Time) override {}
   [[nodiscard]] bool is_virtual() const override { return false; }
 
  private:
+  static constexpr Time kAhead{7'000'000'000};
+
   struct Open {
     FakeCamera* camera = nullptr;
     bool converting = false;

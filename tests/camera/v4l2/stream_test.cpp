@@ -244,15 +244,5 @@ TEST_F(LiveCamera, ALossWhileFramesWaitGivesNoneOfThem) {
   EXPECT_EQ(error().code, Errc::Disconnected);
 }
 
-TEST(TimeMap, FollowsAClockOfAnotherRate) {
-  TimeMap map;
-  const auto second = [](double s) { return from_seconds(s); };
-  EXPECT_EQ(map.to_robot(second(9.99), second(10), second(1)), second(0.99));
-  // The robot's clock runs three times as fast.
-  EXPECT_EQ(map.to_robot(second(10.9), second(11), second(4)), second(3.7));
-  EXPECT_EQ(map.to_robot(second(10.8), second(11), second(4)), second(3.7)) << "never back";
-  EXPECT_EQ(map.to_robot(second(13), second(12), second(7)), second(7)) << "never ahead";
-}
-
 }  // namespace
 }  // namespace eyebridge::camera::testing

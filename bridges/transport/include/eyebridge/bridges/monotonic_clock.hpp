@@ -10,6 +10,7 @@ namespace eyebridge::bridges {
 class MonotonicClock final : public Clock {
  public:
   [[nodiscard]] Time now() const override { return std::chrono::steady_clock::now() - start_; }
+  [[nodiscard]] Time at(Time moment) const override { return moment - start_.time_since_epoch(); }
   void wait_until(Time deadline) override;
   void spend(Time) override {}
   [[nodiscard]] bool is_virtual() const override { return false; }

@@ -22,6 +22,10 @@ class Clock {
 
   /// Time since the start of the session. Any thread.
   [[nodiscard]] virtual Time now() const = 0;
+  /// What this clock showed when the computer's CLOCK_MONOTONIC, in which drivers stamp what they
+  /// take, showed `moment`, which has been. Virtual clocks, which do not follow that one: now().
+  /// Any thread.
+  [[nodiscard]] virtual Time at([[maybe_unused]] Time moment) const { return now(); }
   /// Returns when now() >= `deadline`; at once when that is already so. Any thread.
   virtual void wait_until(Time deadline) = 0;
   /// Charges a call for the time that it takes on a real robot. Virtual clocks advance by `cost`;
