@@ -41,10 +41,11 @@ std::string help_of(const hal::Setting& setting) {
 void add_flag(CLI::App& command, SettingFlags& flags, const hal::Setting& setting) {
   const std::string key(setting.key);
   const bool is_boolean = setting.kind == hal::Setting::Kind::Boolean;
-  const auto store = [&flags, key, is_boolean](const CLI::results_t& values) {
-    // A boolean flag without a value arrives as an empty one.
-    const bool alone = is_boolean && values.back().empty();
-    flags[key] = alone ? "true" : values.back();
+  const bool is_gui = key == "gui";
+  const auto store = [&flags, key, is_boolean, is_gui](const CLI::results_t& values) {
+    // A flag without a value arrives with an empty one.
+    const bool alone = values.back().empty();
+    flags[key] = alone && is_boolean ? "true" : alone && is_gui ? "on" : values.back();
     return true;
   };
   std::string names = hal::Config::flag_name(setting.key);
@@ -52,9 +53,13 @@ void add_flag(CLI::App& command, SettingFlags& flags, const hal::Setting& settin
   CLI::Option* option = command.add_option(names, store, help_of(setting));
   option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   option->type_name(std::string(kind_name(setting.kind)));
-  if (is_boolean) {
+  if (is_boolean || is_gui) {
     // "--fast" alone is true; another value needs "--fast=false", for the next word is the program.
     option->type_size(0)->expected(0, 1);
+  }
+  if (is_gui) {
+    command.add_flag_callback(
+        "--no-gui", [&flags, key] { flags[key] = "off"; }, "No windows: --gui=off");
   }
 }
 

@@ -5,6 +5,8 @@
 
 #include <pthread.h>
 
+#include "clock/check_factor.hpp"
+
 namespace eyebridge::hal {
 namespace {
 
@@ -19,12 +21,14 @@ Time longest_lag(Time step, double factor) {
 
 }  // namespace
 
-RealTimeClock::RealTimeClock(Time step, double factor, std::function<void()> step_world)
+RealTimeClock::RealTimeClock(Time step, double factor, std::function<void()> step_world,
+                             Start start)
     : step_(step),
+      step_world_(std::move(step_world)),
       factor_(factor),
       longest_lag_(longest_lag(step, factor)),
-      step_world_(std::move(step_world)),
-      anchor_wall_(Wall::now()) {
+      anchor_wall_(Wall::now()),
+      begun_(start == Start::AtOnce) {
   thread_ = std::thread([this] { run(); });
   // By this name robios knows that it is none of the program's own threads.
   pthread_setname_np(thread_.native_handle(), "eb:world");
@@ -54,7 +58,7 @@ void RealTimeClock::wait_until(Time deadline) {
   if (shown() >= deadline) return;
   const auto mine = deadlines_.insert(deadline);
   while (shown() < deadline) {
-    if (paused_ || latest() < deadline) {
+    if (stands() || latest() < deadline) {
       stepped_.wait(lock);
     } else {
       stepped_.wait_until(lock, wall_of(deadline));
@@ -63,22 +67,51 @@ void RealTimeClock::wait_until(Time deadline) {
   deadlines_.erase(mine);
 }
 
-void RealTimeClock::pause() {
-  const std::lock_guard lock(mutex_);
-  if (paused_) return;
-  anchor(shown());
-  paused_ = true;
-}
+void RealTimeClock::begin() { start_or_stop(begun_, true); }
+void RealTimeClock::pause() { start_or_stop(paused_, true); }
+void RealTimeClock::resume() { start_or_stop(paused_, false); }
 
-void RealTimeClock::resume() {
+void RealTimeClock::start_or_stop(bool& flag, bool value) {
   {
     const std::lock_guard lock(mutex_);
-    if (!paused_) return;
-    anchor(anchor_time_);
-    paused_ = false;
+    if (flag == value) return;
+    anchor(shown());
+    flag = value;
   }
   changed_.notify_all();
   stepped_.notify_all();
+}
+
+bool RealTimeClock::is_paused() const {
+  const std::lock_guard lock(mutex_);
+  return paused_;
+}
+
+void RealTimeClock::step() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!stands()) return;
+    anchor_time_ += step_;  // the world's thread follows
+  }
+  changed_.notify_all();
+}
+
+double RealTimeClock::factor() const {
+  const std::lock_guard lock(mutex_);
+  return factor_;
+}
+
+Result<void> RealTimeClock::set_factor(double factor) {
+  if (auto good = check_factor(factor); !good) return good;
+  {
+    const std::lock_guard lock(mutex_);
+    anchor(shown());
+    factor_ = factor;
+    longest_lag_ = longest_lag(step_, factor);
+  }
+  changed_.notify_all();
+  stepped_.notify_all();
+  return {};
 }
 
 std::uint64_t RealTimeClock::overruns() const {
@@ -91,7 +124,7 @@ void RealTimeClock::run() {
   while (!ending_) {
     const Time due = world_time_ + step_;
     if (scaled() < due) {
-      if (paused_) {
+      if (stands()) {
         changed_.wait(lock);
       } else {
         changed_.wait_until(lock, wall_of(due));
@@ -111,7 +144,7 @@ void RealTimeClock::run() {
 }
 
 Time RealTimeClock::scaled(Wall::time_point moment) const {
-  if (paused_ && moment > anchor_wall_) return anchor_time_;
+  if (stands() && moment > anchor_wall_) return anchor_time_;
   const std::chrono::duration<double, std::nano> passed = moment - anchor_wall_;
   return anchor_time_ + std::chrono::duration_cast<Time>(passed * factor_);
 }

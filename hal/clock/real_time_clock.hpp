@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "eyebridge/base/clock.hpp"
+#include "eyebridge/hal/time_control.hpp"
 
 namespace eyebridge::hal {
 
@@ -17,11 +18,14 @@ namespace eyebridge::hal {
 /// The clock never runs ahead of the world: now() stays below the end of the step that is due. When
 /// the machine cannot keep up, time slips instead of steps being heaped up, and the slip is
 /// counted.
-class RealTimeClock final : public Clock {
+class RealTimeClock final : public Clock, public TimeControl {
  public:
-  /// Starts at once. `factor` > 0: seconds of this clock in a second of wall time. `step_world` is
-  /// called from the clock's thread, once for each `step` of time; it must not call the clock.
-  RealTimeClock(Time step, double factor, std::function<void()> step_world);
+  enum class Start { AtOnce, Later };
+
+  /// `factor` > 0: seconds of this clock in a second of wall time. `step_world` is called from the
+  /// clock's thread, once for each `step` of time; it must not call the clock.
+  RealTimeClock(Time step, double factor, std::function<void()> step_world,
+                Start start = Start::AtOnce);
   /// Ends the thread. Nobody may be waiting.
   ~RealTimeClock() override;
   RealTimeClock(const RealTimeClock&) = delete;
@@ -33,9 +37,16 @@ class RealTimeClock final : public Clock {
   void spend(Time) override {}
   [[nodiscard]] bool is_virtual() const override { return false; }
 
-  /// Time stands still until resume(); whoever waits goes on waiting.
-  void pause();
-  void resume();
+  /// Time that starts later starts; else nothing.
+  void begin();
+
+  void pause() override;
+  void resume() override;
+  [[nodiscard]] bool is_paused() const override;
+  void step() override;
+  [[nodiscard]] double factor() const override;
+  Result<void> set_factor(double factor) override;
+
   /// How often time slipped because the world fell too far behind.
   [[nodiscard]] std::uint64_t overruns() const;
 
@@ -50,13 +61,15 @@ class RealTimeClock final : public Clock {
   [[nodiscard]] Time shown() const;
   [[nodiscard]] Wall::time_point wall_of(Time time) const;
   void anchor(Time time);
+  [[nodiscard]] bool stands() const { return paused_ || !begun_; }
+  void start_or_stop(bool& flag, bool value);
 
   const Time step_;
-  const double factor_;
-  const Time longest_lag_;
   const std::function<void()> step_world_;
 
   mutable std::mutex mutex_;
+  double factor_;
+  Time longest_lag_;
   std::condition_variable changed_;  ///< For the world's thread: resumed, or ending.
   std::condition_variable stepped_;  ///< For those who wait: the first deadline may have come.
   std::multiset<Time> deadlines_;
@@ -64,6 +77,7 @@ class RealTimeClock final : public Clock {
   Time anchor_time_{0};
   Time world_time_{0};
   std::uint64_t overruns_ = 0;
+  bool begun_;
   bool paused_ = false;
   bool ending_ = false;
   std::thread thread_;

@@ -85,6 +85,13 @@ class MixBackend final : public Backend {
     return main_->radio_conditions();
   }
   WorldControl* world() override { return main_->world(); }
+  Environment* environment() override {
+    if (Environment* const mains = main_->environment()) return mains;
+    for (const auto& backend : backends_) {
+      if (Environment* const other = backend->environment()) return other;
+    }
+    return nullptr;
+  }
   camera::View* camera_view() override {
     Backend& backend = of("camera");
     const auto view = views_.find(&backend);

@@ -73,10 +73,15 @@ SharedSim::SharedSim(files::Scenario scenario, const Config& config, Turns* turn
                           late.robot.arguments, from_seconds(late.time), late.where});
   }
   world_ = std::make_shared<SimWorld>(std::move(scenario), simulation_settings(config), log);
-  if (turns != nullptr) return;
-  wall_ = std::make_shared<RealTimeClock>(step_, config.number("factor"),
-                                          [world = world_] { world->step(); });
-  wall_->pause();  // until all robots are there
+  if (turns != nullptr) {
+    gate_ = std::make_shared<TimeGate>(step_);
+    view_ = std::make_shared<SimEnvironment>(*world_, gate_);
+    return;
+  }
+  wall_ = std::make_shared<RealTimeClock>(
+      step_, config.number("factor"), [world = world_] { world->step(); },
+      RealTimeClock::Start::Later);
+  view_ = std::make_shared<SimEnvironment>(*world_, wall_);
 }
 
 StateHash SharedSim::hash() {

@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "clock/real_time_clock.hpp"
+#include "clock/time_gate.hpp"
 #include "eyebridge/hal/shared_world.hpp"
 #include "radio/radio_medium.hpp"
+#include "sim/sim_environment.hpp"
 #include "sim/sim_world.hpp"
 
 namespace eyebridge::hal {
@@ -27,15 +29,20 @@ class SharedSim final : public SharedWorld {
   }
   [[nodiscard]] Time step_length() const override { return step_; }
   void begin_time() override {
-    if (wall_) wall_->resume();
+    if (wall_) wall_->begin();
   }
-  void step() override { world_->step(); }
+  void step() override {
+    gate_->pass();
+    world_->step();
+  }
+  [[nodiscard]] Environment& environment() override { return *view_; }
   void end() noexcept override { world_->end_report(); }
   [[nodiscard]] StateHash hash() override;
   [[nodiscard]] bool is_locked() override { return world_->is_locked(); }
   [[nodiscard]] std::uint64_t overruns() const override;
 
   [[nodiscard]] std::shared_ptr<SimWorld> world() { return world_; }
+  [[nodiscard]] std::shared_ptr<Environment> view() { return view_; }
   [[nodiscard]] std::shared_ptr<RadioMedium> air() { return air_; }
   /// The time that robot `index` lives in, from now on.
   std::shared_ptr<Clock> clock_of(std::size_t index);
@@ -49,7 +56,9 @@ class SharedSim final : public SharedWorld {
   const std::vector<robot::RobotModel> models_;  ///< The scenario's.
   std::shared_ptr<SimWorld> world_;
   std::shared_ptr<RadioMedium> air_ = std::make_shared<RadioMedium>();
+  std::shared_ptr<TimeGate> gate_;       ///< Null in real time.
   std::shared_ptr<RealTimeClock> wall_;  ///< After the world that it steps; null in virtual time.
+  std::shared_ptr<Environment> view_;
 };
 
 }  // namespace eyebridge::hal

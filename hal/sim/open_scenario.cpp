@@ -5,8 +5,10 @@
 
 #include "clock/lockstep_clock.hpp"
 #include "clock/real_time_clock.hpp"
+#include "clock/time_gate.hpp"
 #include "sim/open_sim.hpp"
 #include "sim/sim_backend.hpp"
+#include "sim/sim_environment.hpp"
 
 namespace eyebridge::hal {
 
@@ -21,11 +23,6 @@ robot::SimulationSettings simulation_settings(const Config& config) {
 
 void report_scenario(const files::Scenario& scenario, LogSink& log) {
   for (const Warning& warning : scenario.warnings) log.write(Severity::Warning, warning.str());
-  if (scenario.start_paused) {
-    log.write(Severity::Info,
-              "the world asks to start paused: ignored, as there is no window that "
-              "could resume it");
-  }
 }
 
 void begin_report(const Config& config, SimWorld& world) {
@@ -39,11 +36,24 @@ void begin_report(const Config& config, SimWorld& world) {
 
 namespace {
 
-std::unique_ptr<Clock> make_clock(const Config& config, Time step, SimWorld& world) {
+/// The time of a world, and what a person does to it.
+struct WorldTime {
+  std::shared_ptr<Clock> clock;
+  std::shared_ptr<TimeControl> control;
+};
+
+WorldTime make_time(const Config& config, Time step, SimWorld& world) {
   if (config.boolean("fast")) {
-    return std::make_unique<LockstepClock>(step, [&world] { world.step(); });
+    auto gate = std::make_shared<TimeGate>(step);
+    auto clock = std::make_shared<LockstepClock>(step, [&world, gate] {
+      gate->pass();
+      world.step();
+    });
+    return {std::move(clock), std::move(gate)};
   }
-  return std::make_unique<RealTimeClock>(step, config.number("factor"), [&world] { world.step(); });
+  auto clock =
+      std::make_shared<RealTimeClock>(step, config.number("factor"), [&world] { world.step(); });
+  return {clock, clock};
 }
 
 }  // namespace
@@ -71,8 +81,10 @@ std::unique_ptr<Backend> open_scenario(files::Scenario scenario, const SourceLoc
     throw ConfigError(where, error.what());
   }
   begin_report(context.config, *world);
-  auto clock = make_clock(context.config, from_seconds(settings.step), *world);
-  return std::make_unique<SimBackend>(std::move(world), std::move(clock), 0,
+  WorldTime time = make_time(context.config, from_seconds(settings.step), *world);
+  auto environment = std::make_shared<SimEnvironment>(*world, std::move(time.control));
+  return std::make_unique<SimBackend>(std::move(world), std::move(time.clock),
+                                      std::move(environment), 0,
                                       context.config.number("supply_voltage"));
 }
 

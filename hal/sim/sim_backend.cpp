@@ -40,9 +40,11 @@ std::vector<DeviceFacts> facts_about(const std::vector<Sensor>& sensors) {
 }  // namespace
 
 SimBackend::SimBackend(std::shared_ptr<SimWorld> world, std::shared_ptr<Clock> clock,
-                       robot::RobotIndex robot, double supply_voltage, AtEnd at_end)
+                       std::shared_ptr<Environment> environment, robot::RobotIndex robot,
+                       double supply_voltage, AtEnd at_end)
     : world_(std::move(world)),
       clock_(std::move(clock)),
+      environment_(std::move(environment)),
       robot_(robot),
       at_end_(at_end),
       drive_(*world_, robot),

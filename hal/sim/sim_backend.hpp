@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "eyebridge/hal/backend.hpp"
+#include "eyebridge/hal/environment.hpp"
 #include "sim/sim_analog.hpp"
 #include "sim/sim_camera_view.hpp"
 #include "sim/sim_compass.hpp"
@@ -32,8 +33,9 @@ class SimBackend final : public Backend {
   /// `clock` steps `world`. The robot has the devices of its model, a compass, two motors with
   /// encoders (1 left, 2 right), two servos (1 pan, 2 tilt; and a kicker's), digital lines, and
   /// analog inputs with a battery of `supply_voltage` volts. It has no I/O board and nothing of a
-  /// computer. World and clock may be shared with other robots.
-  SimBackend(std::shared_ptr<SimWorld> world, std::shared_ptr<Clock> clock, robot::RobotIndex robot,
+  /// computer. World, clock and environment may be shared with other robots.
+  SimBackend(std::shared_ptr<SimWorld> world, std::shared_ptr<Clock> clock,
+             std::shared_ptr<Environment> environment, robot::RobotIndex robot,
              double supply_voltage, AtEnd at_end = AtEnd::Stop);
 
   Clock& clock() override { return *clock_; }
@@ -56,6 +58,7 @@ class SimBackend final : public Backend {
   Radio* radio() override { return nullptr; }
   [[nodiscard]] RadioConditions radio_conditions() const override;
   WorldControl* world() override { return &control_; }
+  Environment* environment() override { return environment_.get(); }
   camera::View* camera_view() override { return view_ ? &*view_ : nullptr; }
   camera::Source* camera_source() override { return nullptr; }
   std::vector<DeviceFacts> facts_of(std::string_view kind) override;
@@ -65,6 +68,7 @@ class SimBackend final : public Backend {
  private:
   std::shared_ptr<SimWorld> world_;
   std::shared_ptr<Clock> clock_;  ///< After the world that it steps: it must end first.
+  std::shared_ptr<Environment> environment_;
   const robot::RobotIndex robot_;
   const AtEnd at_end_;
   SimDrive drive_;

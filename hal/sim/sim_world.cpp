@@ -21,6 +21,7 @@ std::string name_of(world::BodyId body, std::optional<robot::RobotIndex> robot) 
 SimWorld::SimWorld(files::Scenario scenario, const robot::SimulationSettings& settings,
                    LogSink& log)
     : directory_(scenario.directory.string()),
+      starts_paused_(scenario.start_paused),
       step_length_(from_seconds(settings.step)),
       simulation_(std::make_shared<const world::WorldModel>(std::move(scenario.world)), settings) {
   for (const files::RobotPlacement& placement : scenario.robots) {

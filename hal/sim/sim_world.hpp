@@ -58,6 +58,7 @@ class SimWorld {
   /// A copy: the simulation's own moves when a robot is added.
   [[nodiscard]] robot::RobotModel model(robot::RobotIndex robot);
   [[nodiscard]] const std::string& directory() const { return directory_; }
+  [[nodiscard]] bool starts_paused() const { return starts_paused_; }
 
  private:
   void trace();  ///< mutex_ is held.
@@ -67,6 +68,7 @@ class SimWorld {
   void tell(const robot::CollisionEvent& event, LogSink& log);
 
   const std::string directory_;
+  const bool starts_paused_;
   const Time step_length_;
   WorldLock mutex_;
   robot::Simulation simulation_;

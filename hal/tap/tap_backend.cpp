@@ -39,6 +39,7 @@ class TapBackend final : public Backend {
   Radio* radio() override { return wrap(radios_, "radio", 1, inner_->radio()); }
 
   WorldControl* world() override { return inner_->world(); }
+  Environment* environment() override { return inner_->environment(); }
   camera::View* camera_view() override { return inner_->camera_view(); }
   camera::Source* camera_source() override { return inner_->camera_source(); }
   [[nodiscard]] RadioConditions radio_conditions() const override {

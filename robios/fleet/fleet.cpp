@@ -9,12 +9,14 @@
 #include <unistd.h>
 
 #include "crash_handler.hpp"
+#include "eyebridge/hal/environment.hpp"
 #include "fleet_scheduler.hpp"
 #include "generation.hpp"
 #include "robot_calls.hpp"
 #include "robot_programs.hpp"
 #include "session_parts.hpp"
 #include "signals.hpp"
+#include "windows/open_windows.hpp"
 
 namespace eyebridge::robios {
 
@@ -37,6 +39,7 @@ Fleet::Fleet(hal::Config config, const std::vector<std::string>& words,
                                          : in_real_time()),
       scenario_(config_.is_set("world") ? config_.path("world") : "the empty room") {
   calls = robot_calls(scheduler_->strands());
+  windows_ = open_windows(config_, log_);
   world_ = hal::open_shared_world(config_, log_, scheduler_->turns());
   add_robots(words);
 }
@@ -139,6 +142,11 @@ int Fleet::run() {
         "no robot can be added: expected $XDG_RUNTIME_DIR/eyebridge, or a folder in /tmp, to "
         "be this user's alone");
   }
+  if (windows_ != nullptr) {
+    show_world(*windows_, world_->environment());
+  } else if (world_->environment().starts_paused()) {
+    log_.write(Severity::Info, kPauseIgnored);
+  }
   const auto start = std::chrono::steady_clock::now();
   for (Robot* const robot : robots_at_start) robot->start_process();  // all interpreters at once
   scheduler_->run(*this, robots_at_start);
@@ -158,6 +166,7 @@ int Fleet::run() {
       world_->overruns() == 0
           ? ""
           : fmt::format("; the computer was too slow {} times", world_->overruns()));
+  if (windows_ != nullptr) windows_->finish("All programs have ended");
   return exit_code();
 }
 

@@ -15,6 +15,7 @@
 #include "launcher.h"
 #include "robot.hpp"
 #include "stderr_log.hpp"
+#include "windows/windows.hpp"
 
 namespace eyebridge::robios {
 
@@ -74,6 +75,7 @@ class Fleet {
   std::size_t entries_ = 0;                      ///< How many of them have been asked in.
   bool has_refused_ = false;                     ///< One of them.
   std::optional<Door> door_;
+  Windows* windows_ = nullptr;                  ///< Of the process; null for none.
   mutable std::mutex mutex_;                    ///< Who enters, and robots_.
   std::vector<std::unique_ptr<Robot>> robots_;  ///< Those with a program.
   std::atomic<bool> is_stopped_ = false;

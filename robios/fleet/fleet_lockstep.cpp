@@ -11,6 +11,7 @@
 
 #include "arrivals.hpp"
 #include "crash_handler.hpp"
+#include "eyebridge/hal/environment.hpp"
 #include "fiber_robot.hpp"
 #include "fleet_scheduler.hpp"
 #include "watchdog.hpp"
@@ -24,8 +25,7 @@ double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_
 
 struct Fleet::InLockstep final : Scheduler {
   explicit InLockstep(double hang_limit)
-      : watchdog([this] { return lockstep.switches() + rounds; }, tell, [this] { interrupt(); },
-                 hang_limit) {}
+      : watchdog([this] { return progress(); }, tell, [this] { interrupt(); }, hang_limit) {}
 
   hal::Turns* turns() override { return &lockstep; }
   Strands* strands() override { return &threads; }
@@ -48,6 +48,7 @@ struct Fleet::InLockstep final : Scheduler {
   void run(Fleet& fleet, const std::vector<Robot*>& /*robots*/) override {
     const CrashStack stack;
     thread = pthread_self();
+    time = &fleet.world_->environment().time();
     lockstep.run(fleet.world_->step_length(), [this, &fleet] { between_rounds(fleet); });
     arrivals.close();
     for (Robot* const robot : fleet.robots()) robot->end_stuck();
@@ -71,6 +72,12 @@ struct Fleet::InLockstep final : Scheduler {
     ProgramProcess* const process = awaited;
     watchdog.look(processor_time() + (process != nullptr ? process->processor_time() : 0.0));
   }
+  std::uint64_t progress() {
+    // While a person lets time stand still nobody hangs.
+    hal::TimeControl* const control = time;
+    if (control != nullptr && control->is_paused()) ++paused_looks;
+    return lockstep.switches() + rounds + paused_looks;
+  }
   void interrupt() {
     if (ProgramProcess* const process = awaited) {
       process->kill_hanging();
@@ -90,6 +97,8 @@ struct Fleet::InLockstep final : Scheduler {
   Arrivals arrivals;
   std::atomic<std::uint64_t> rounds = 0;  ///< While all sleep, or are still to come.
   AwaitedProcess awaited = nullptr;
+  std::atomic<hal::TimeControl*> time = nullptr;  ///< Of the world, which runs.
+  std::uint64_t paused_looks = 0;
   Watchdog watchdog;
   pthread_t thread{};
 };

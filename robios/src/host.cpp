@@ -94,6 +94,7 @@ void EYEBRIDGEHostEnd(void) {
   if (!Session::has_begun()) return;
   Session::instance().end();
   Session::instance().timers().finish();
+  Session::program_ends(0);
   Session::instance().await_end();
 }
 

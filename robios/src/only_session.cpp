@@ -67,6 +67,7 @@ Session& Session::only() {
       watch_forks();
       watch_signals([](int) { only().end(); }, [] { only().look_around(); });
       if (made->impl_->panel) made->impl_->panel->start();
+      made->impl_->open_windows();
       return made;
     } catch (const ConfigError& error) {
       fmt::print(stderr, "eyebridge: {}\n", error.what());
@@ -77,6 +78,16 @@ Session& Session::only() {
     }
   }();
   return *session;
+}
+
+void Session::program_ends(int status) noexcept {
+  Session* const session = the_session;
+  if (session == nullptr || session->impl_->windows == nullptr) return;
+  if (session->impl_->stage == Impl::Stage::Forked) return;
+  session->end();
+  std::fflush(nullptr);  // whoever reads the program's output does not wait for the person
+  session->impl_->windows->finish(
+      status == 0 ? "The program has ended" : fmt::format("The program has ended with {}", status));
 }
 
 void Session::watch_forks() {

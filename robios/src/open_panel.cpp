@@ -26,11 +26,12 @@ bool has_person() {
 
 }  // namespace
 
-std::unique_ptr<TerminalPanel> open_panel(const hal::Config& config, const Screen& screen) {
+std::unique_ptr<TerminalPanel> open_panel(const hal::Config& config, const Screen& screen,
+                                          bool has_windows) {
   const hal::ConfigValue& panel = config.value("panel");
   const bool is_auto = panel.text == "auto";
-  if (panel.text == "none" || (is_auto && (config.boolean("fast") || !has_person())))
-    return nullptr;
+  if (panel.text == "none") return nullptr;
+  if (is_auto && (has_windows || config.boolean("fast") || !has_person())) return nullptr;
   // Of its own: programs close standard input and output, or have them elsewhere.
   UniqueFd terminal(open("/dev/tty", O_RDWR | O_NOCTTY | O_CLOEXEC));
   if (!terminal.valid()) {

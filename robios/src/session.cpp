@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "costs.hpp"
+#include "eyebridge/hal/environment.hpp"
 #include "flow.hpp"
 #include "host.hpp"
 #include "library_threads.hpp"
@@ -27,6 +28,7 @@ Session* Session::begin(SessionStart start) {
   auto* made = new Session(std::make_unique<Impl>(std::move(start)));
   Session* const before = std::exchange(here_, made);
   publish_globals(*made);
+  made->impl_->open_windows();
   here_ = before;
   return made;
 }
@@ -91,6 +93,9 @@ void Session::look_around() {
 // time would pass. When it has only computed for a second, time goes on from timer to timer;
 // slowly, so that not many more are called than it waits for.
 void Session::go_on_without_calls() {
+  // While a person lets time stand still, whoever lets it pass would wait for him.
+  hal::Environment* const world = impl_->backend->environment();
+  if (world != nullptr && world->time().is_paused()) return;
   constexpr int kTimersAtOnce = 50;  // then signals are looked after, too
   const std::uint64_t calls = impl_->calls;
   const std::clock_t processor = std::clock();

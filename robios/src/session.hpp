@@ -45,6 +45,10 @@ class Session {
   /// exit code 2, before the call returns.
   static Session& instance() { return here_ != nullptr ? *here_ : only(); }
 
+  /// The program of this process ends by itself, with `status`, and no exit handler has run yet:
+  /// ends the session, and returns when the person at the windows has closed them.
+  static void program_ends(int status) noexcept;
+
   /// True once the first call has started it.
   static bool has_begun();
 

@@ -6,15 +6,26 @@
 
 #include "eyebridge/camera/frame_sink.hpp"
 #include "eyebridge/camera/view.hpp"
+#include "eyebridge/hal/environment.hpp"
 #include "eyebridge/hal/registry.hpp"
+#include "host.hpp"
 #include "open_panel.hpp"
 #include "session_parts.hpp"
+#include "windows/first_use.hpp"
+#include "windows/open_windows.hpp"
 
 namespace eyebridge::robios {
 namespace {
 
 hal::BackendContext context_of(const hal::Config& config, LogSink& log, const SessionStart* start) {
   return {config, log, start != nullptr ? &start->seat : nullptr};
+}
+
+void tell_of_pause(const hal::Environment* environment, const Windows* windows,
+                   const std::string& name, LogSink& log) {
+  if (environment == nullptr || !environment->starts_paused()) return;
+  if (windows != nullptr || !name.empty()) return;  // who runs several tells once
+  log.write(Severity::Info, kPauseIgnored);
 }
 
 /// Where results go; empty when none are wanted.
@@ -33,6 +44,7 @@ Session::Impl::Impl(SessionStart* start, hal::Config configuration)
       runner(start != nullptr ? start->runner : nullptr),
       name(start != nullptr ? start->name : name_among_several(config)),
       log(lowest_severity(config), name),
+      windows(robios::open_windows(config, log)),
       backend(hal::open_backend(context_of(config, log, start))),
       clock(backend->clock()),
       is_virtual(clock.is_virtual()),
@@ -41,12 +53,13 @@ Session::Impl::Impl(SessionStart* start, hal::Config configuration)
       timers(clock),
       screen(make_screen(config)),
       // One terminal shows one robot.
-      panel(!name.empty() ? nullptr : open_panel(config, *screen)),
+      panel(!name.empty() ? nullptr : open_panel(config, *screen, windows != nullptr)),
       keys(make_keys(config, clock, *screen, !name.empty() ? nullptr : person_at(panel.get()))),
       camera(config.text("camera"), {&clock, backend->camera_view(), &log},
              backend->camera_source()),
       recorder(clock, timers),
       out(results_folder(config, start)) {
+  tell_of_pause(backend->environment(), windows, name, log);
   check_camera(config, {&clock, backend->camera_view(), &log});
   if (config.is_set("time_limit")) limit = from_seconds(config.number("time_limit"));
   if (!out.empty()) {
@@ -58,6 +71,18 @@ Session::Impl::Impl(SessionStart* start, hal::Config configuration)
     if (output) output->frame(frame);
     if (sink != nullptr) sink->take(frame);
   });
+}
+
+void Session::Impl::open_windows() {
+  if (windows == nullptr) return;
+  if (hal::Environment* const environment = backend->environment()) {
+    auto watched = std::make_unique<FirstUse>(std::move(backend));
+    watched->on_first_use([this, environment] { show_world(*windows, *environment); });
+    backend = std::move(watched);
+  }
+  const std::string robot = name.empty() ? "robot" : name;
+  windows->open_panel(
+      {program_file().filename().string() + " – " + robot, screen.get(), keys.get()});
 }
 
 bool Session::Impl::claim_end() {

@@ -23,6 +23,7 @@
 #include "stderr_log.hpp"
 #include "terminal/terminal_panel.hpp"
 #include "timers.hpp"
+#include "windows/windows.hpp"
 
 namespace eyebridge::robios {
 
@@ -35,6 +36,9 @@ struct Session::Impl {
   /// That of one of several.
   explicit Impl(SessionStart start);
 
+  /// Opens the robot's windows, if it has any: when everything else is there, before the program
+  /// goes on.
+  void open_windows();
   /// exit() must be called by one thread only. True when that is the caller, now or before.
   bool claim_end();
   /// Throws std::runtime_error when something could not be written.
@@ -46,6 +50,7 @@ struct Session::Impl {
   StderrLog log;
 
   // What every call looks at lies together: with a hundred robots the processor waits for memory.
+  Windows* windows;  ///< Of the process; null for none.
   std::unique_ptr<hal::Backend> backend;
   Clock& clock;
   const bool is_virtual;

@@ -111,17 +111,6 @@ TEST_P(Add, WithoutARunOrWithSeveralItSaysSo) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path() + "/eyebridge"));
 }
 
-TEST_P(Add, APythonProgramComesToo) {
-  folder_.write("says.py",
-                "#!/usr/bin/env python3\nfrom eye import *\nimport sys\n"
-                "RADIOInit()\nRADIOSend(1, sys.argv[1])\n");
-  RunningProgram run(start());
-  run.wait_for("ready\n");
-  EXPECT_EQ(add({"S4", "500", "1000", "90", "says.py", "hello"}).out, "3\n");
-  EXPECT_EQ(run.wait(), 0) << run.said();
-  EXPECT_THAT(run.said(), HasSubstr("hello from 3\n"));
-}
-
 TEST_P(Add, ARunThatNobodyCanFindSaysSo) {
   testing::ProgramStart hidden = start();
   folder_.write("taken", "a file, no folder");

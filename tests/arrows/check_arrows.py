@@ -19,7 +19,7 @@ SKIPPED = {"build", "out", ".git", "__pycache__", ".cache"}
 CORE = ["core/base", "core/world", "core/robot", "core/files", "core/episode", "core/mapping"]
 BACKENDS = ["hal/sim", "hal/shared", "hal/seat", "hal/board", "hal/replay", "hal/hand", "hal/host"]
 FIRMWARE = ["firmware-stubs/board", "firmware-stubs/ports", "firmware-stubs/pins", "firmware-stubs/mps2"]
-EVERYTHING = [*CORE, "hal", *BACKENDS, "camera", "robios", "bridges", *FIRMWARE, "apps", "tests"]
+EVERYTHING = [*CORE, "hal", *BACKENDS, "camera", "robios", "bridges", *FIRMWARE, "apps", "gui", "tests"]
 
 # Room -> what it may include besides itself. The longest room that holds a file is the file's.
 ALLOWED = {
@@ -45,7 +45,7 @@ ALLOWED = {
     "firmware-stubs/ports": ["core/base", "firmware-stubs/board"],
     "firmware-stubs/pins": [*CORE, "firmware-stubs/board"],
     "firmware-stubs/mps2": [*CORE, "firmware-stubs/board", "firmware-stubs/ports", "firmware-stubs/pins"],
-    "gui": [*CORE, "camera", "robios"],
+    "gui": [*CORE, "hal", "camera", "robios"],
     "python": [*CORE, "camera", "robios"],
     "apps": [*CORE, "hal", "hal/replay", "camera", "robios", "bridges", *FIRMWARE],
     "examples": ["robios:eyebot.h", "robios:eyebot++.h"],

@@ -7,6 +7,7 @@ import select
 import signal
 import stat
 import sys
+import unittest.mock
 
 from support import BUILD, SOURCE, ProgramTest, main
 
@@ -212,6 +213,27 @@ class Several(ProgramTest):
             """)
         run = self.run_scenario("sim.py", "sim.py")
         self.assertEqual(run.out, "1 2000 2000 90\n2 2000 2000 90\n", run.err)
+
+    def test_one_is_added_while_others_run(self):
+        self.write("waits.py", """
+            from eye import *
+            RADIOInit()
+            print("ready", flush=True)
+            while RADIOCheck() <= 0:
+                OSWait(100)
+            print(*RADIOReceive(), flush=True)
+            """)
+        self.write("says.py", "from eye import *\nimport sys\nRADIOInit()\nRADIOSend(1, sys.argv[1])\n")
+        own = {"XDG_RUNTIME_DIR": str(self.folder)}
+        for clock in CLOCKS:
+            path = self.scenario("waits.py")
+            with unittest.mock.patch.dict(os.environ, own):
+                process = self.start([EYEBRIDGE, "run", "--robots", "all", "--world", path], clock)
+                self.assertEqual(process.stdout.readline(), "ready\n")
+                added = self.run_words([EYEBRIDGE, "add", "S4", 1500, 1500, 90, "says.py", "hello"])
+            self.assertEqual((added.out, added.err), ("2\n", ""))
+            run = self.finish(process)
+            self.assertEqual((run.returncode, run.out), (0, "2 hello\n"), run.err)
 
     def test_ctrl_c_leaves_no_process_behind(self):
         for program in ("while True:\n    OSWait(1000)\n", "while True:\n    pass\n"):

@@ -30,6 +30,8 @@ class View;
 
 namespace eyebridge::hal {
 
+class Environment;
+
 /// One robot, whichever way it is reached. Owns its devices; null means "this robot has none".
 ///
 /// Device ids are those of RoBIOS: they start at 1 (serial ports at 0), and any other number, too,
@@ -75,6 +77,8 @@ class Backend {
 
   /// Null on real hardware.
   virtual WorldControl* world() = 0;
+  /// The simulated world as a window sees it; null where there is none in this process.
+  virtual Environment* environment() { return nullptr; }
   /// What a rendered camera on this robot looks at; null when nothing here can be rendered.
   virtual camera::View* camera_view() = 0;
   /// The camera that is part of this robot and open already (a person carries both); null when

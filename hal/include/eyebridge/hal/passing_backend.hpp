@@ -38,6 +38,7 @@ class PassingBackend : public Backend {
     return inner_->radio_conditions();
   }
   WorldControl* world() override { return inner_->world(); }
+  Environment* environment() override { return inner_->environment(); }
   camera::View* camera_view() override { return inner_->camera_view(); }
   camera::Source* camera_source() override { return inner_->camera_source(); }
   camera::FrameSink* frame_sink() override { return inner_->frame_sink(); }

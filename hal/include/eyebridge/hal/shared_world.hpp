@@ -18,6 +18,8 @@ class LogSink;
 
 namespace eyebridge::hal {
 
+class Environment;
+
 /// Who decides which of several robots runs, in virtual time. One thread at a time.
 ///
 /// Time of the world passes in rounds of one step. Within a round each robot runs by itself, in a
@@ -75,6 +77,8 @@ class SharedWorld {
   virtual void begin_time() = 0;
   /// Makes one step. In virtual time only, where whoever implements Turns calls it between rounds.
   virtual void step() = 0;
+  /// As windows see it.
+  [[nodiscard]] virtual Environment& environment() = 0;
   /// The last program has ended: the run's report says so.
   virtual void end() noexcept = 0;
   /// The state of everything that moves: the same for the same run.

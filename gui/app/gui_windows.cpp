@@ -1,0 +1,128 @@
+#include "app/gui_windows.hpp"
+
+#include <QApplication>
+#include <QMetaObject>
+#include <array>
+#include <utility>
+
+#include <pthread.h>
+#include <signal.h>
+
+#include "environment/environment_window.hpp"
+#include "panel/panel_window.hpp"
+
+namespace eyebridge::gui {
+namespace {
+
+// How far each new panel lies from the one before, pixels.
+constexpr int kCascade = 32;
+constexpr int kCascadeLength = 10;
+
+}  // namespace
+
+GuiWindows::GuiWindows(robios::WindowsStart start) : start_(std::move(start)) {
+  // It and Qt's own threads take no signal: handlers of the program run on the program's threads,
+  // and threads that take none do not keep a process alive whose program has left.
+  sigset_t all;
+  sigset_t before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  thread_ = std::thread([this] { run(); });
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return is_ready_; });
+}
+
+GuiWindows::~GuiWindows() {
+  post([] { QApplication::quit(); });
+  thread_.join();
+}
+
+void GuiWindows::run() {
+  pthread_setname_np(pthread_self(), "eb:gui");
+  int argc = 1;
+  std::string name = "eyebridge";
+  std::array<char*, 2> argv = {name.data(), nullptr};
+  QApplication application(argc, argv.data());
+  QApplication::setApplicationName("eyebridge");
+  QApplication::setOrganizationName("eyebridge");
+  QApplication::setQuitOnLastWindowClosed(false);
+  QObject::connect(&application, &QApplication::lastWindowClosed, [this] { last_window_closed(); });
+  QMetaObject::invokeMethod(
+      &application,
+      [this] {
+        const std::lock_guard lock(mutex_);
+        is_ready_ = true;
+        changed_.notify_all();
+      },
+      Qt::QueuedConnection);
+  QApplication::exec();
+  panels_.clear();
+  environments_.clear();
+  const std::lock_guard lock(mutex_);
+  has_ended_ = true;
+  changed_.notify_all();
+}
+
+void GuiWindows::post(std::function<void()> action) {
+  const std::lock_guard lock(mutex_);
+  if (has_ended_) return;
+  QMetaObject::invokeMethod(qApp, std::move(action), Qt::QueuedConnection);
+}
+
+void GuiWindows::in_thread(const std::function<void()>& action) {
+  QMetaObject::invokeMethod(qApp, action, Qt::BlockingQueuedConnection);
+}
+
+void GuiWindows::open_panel(const robios::PanelStart& start) {
+  post([this, start] {
+    const auto& panel = panels_.emplace_back(std::make_unique<PanelWindow>(start));
+    const int step = kCascade * (static_cast<int>(panels_.size() - 1) % kCascadeLength);
+    panel->move(kCascade + step, kCascade + step);
+    show(*panel);
+  });
+}
+
+void GuiWindows::open_environment(hal::Environment& environment) {
+  post([this, &environment] {
+    environments_.push_back(
+        std::make_unique<EnvironmentWindow>(environment, QString::fromStdString(start_.program)));
+    show(*environments_.back());
+  });
+}
+
+void GuiWindows::show(QWidget& window) {
+  window.show();
+  window.raise();
+}
+
+void GuiWindows::last_window_closed() {
+  if (program_has_ended_) {
+    QApplication::quit();
+  } else {
+    start_.quit();
+  }
+}
+
+void GuiWindows::finish(const std::string& how) {
+  // The display went away, and Qt ends the process.
+  if (std::this_thread::get_id() == thread_.get_id()) return;
+  post([this, how] {
+    program_has_ended_ = true;
+    const QString text = QString::fromStdString(how);
+    bool any = false;
+    for (const auto& panel : panels_) {
+      panel->tell_end(text);
+      any = any || panel->isVisible();
+    }
+    for (const auto& window : environments_) {
+      window->tell_end(text);
+      any = any || window->isVisible();
+    }
+    if (!any) QApplication::quit();
+  });
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return has_ended_; });
+}
+
+}  // namespace eyebridge::gui

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "windows/windows.hpp"
+
+class QWidget;
+
+namespace eyebridge::gui {
+
+class EnvironmentWindow;
+class PanelWindow;
+
+/// The windows of a process and their thread. Robot programs have the process's main thread (it is
+/// their main() or their interpreter), so that Qt's main thread is another one: on Linux it can be
+/// any, if it is always the same.
+class GuiWindows final : public robios::Windows {
+ public:
+  explicit GuiWindows(robios::WindowsStart start);
+  ~GuiWindows() override;
+
+  void open_panel(const robios::PanelStart& start) override;
+  void open_environment(hal::Environment& environment) override;
+  void finish(const std::string& how) override;
+
+  /// For tests: runs `action` in the windows' thread and waits for it.
+  void in_thread(const std::function<void()>& action);
+
+ private:
+  void run();
+  void show(QWidget& window);
+  void last_window_closed();
+  void post(std::function<void()> action);
+
+  const robios::WindowsStart start_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool is_ready_ = false;   ///< The event loop can be posted to.
+  bool has_ended_ = false;  ///< It has ended: windows are gone.
+  // The rest: the windows' thread.
+  bool program_has_ended_ = false;
+  std::vector<std::unique_ptr<PanelWindow>> panels_;
+  std::vector<std::unique_ptr<EnvironmentWindow>> environments_;
+  std::thread thread_;  ///< Last: it uses the others.
+};
+
+}  // namespace eyebridge::gui

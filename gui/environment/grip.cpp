@@ -1,0 +1,41 @@
+#include "environment/grip.hpp"
+
+#include <algorithm>
+
+namespace eyebridge::gui {
+namespace {
+
+// What is farther out than this is rim: a third of the way is left for it.
+constexpr double kRim = 0.67;
+
+}  // namespace
+
+std::optional<Grip> grip_at(const hal::WorldLook& look, Vec2 place, double slack) {
+  std::optional<Grip> found;
+  double nearest = 0.0;
+  for (const world::BodyView& body : look.scene.bodies) {
+    const double away = norm(place - body.pose.position());
+    if (away > body.radius + slack || (found && away >= nearest)) continue;
+    nearest = away;
+    found = Grip{body.id, {}, body.pose, place, false};
+    const auto robot = std::ranges::find(look.robots, body.id, &hal::RobotLook::body);
+    if (robot == look.robots.end()) continue;
+    found->robot = static_cast<std::size_t>(robot - look.robots.begin());
+    found->turns = away > kRim * body.radius;
+  }
+  return found;
+}
+
+Pose moved(const Grip& grip, Vec2 place) {
+  const Vec2 centre = grip.start.position();
+  if (!grip.turns) {
+    const Vec2 to = centre + (place - grip.hold);
+    return {to.x, to.y, grip.start.theta};
+  }
+  const Vec2 from = grip.hold - centre;
+  const Vec2 now = place - centre;
+  const double turn = arc_tan2(cross(from, now), dot(from, now));
+  return {centre.x, centre.y, wrap_angle(grip.start.theta + turn)};
+}
+
+}  // namespace eyebridge::gui

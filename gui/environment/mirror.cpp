@@ -1,0 +1,105 @@
+#include "environment/mirror.hpp"
+
+#include <algorithm>
+
+namespace eyebridge::gui {
+namespace {
+
+/// `model` with devices that do not err.
+robot::RobotModel perfect(robot::RobotModel model) {
+  for (auto& sensor : model.range_sensors) sensor.error = {};
+  for (auto& sensor : model.proximity_sensors) sensor.error = {};
+  for (auto& bumper : model.bumpers) bumper.error = {};
+  if (model.lidar) model.lidar->error = {};
+  return model;
+}
+
+SensorRay ray(const Pose& sensor, double length, double range) {
+  const Vec2 end = sensor.position() + length * Heading::from_angle(sensor.theta).forward();
+  return {sensor.position(), end, range};
+}
+
+}  // namespace
+
+void Mirror::begin(const hal::WorldLook& look) {
+  world_.emplace(look.scene.model, robot::SimulationSettings{});
+}
+
+void Mirror::follow(const hal::WorldLook& look) {
+  if (!world_ || &world_->world().model() != look.scene.model.get()) begin(look);
+  while (world_->robot_count() < look.robots.size()) {
+    // Where nobody stands: a person may have put robots into each other.
+    constexpr double kFarAway = 1e4;
+    const Pose place{-kFarAway - 10.0 * static_cast<double>(world_->robot_count()), -kFarAway, 0.0};
+    world_->add_robot(perfect(*look.robots[world_->robot_count()].model), place);
+  }
+  for (const world::BodyView& body : look.scene.bodies) {
+    if (body.id < world_->world().object_count()) world_->world().set_pose(body.id, body.pose);
+  }
+  for (std::size_t i = 0; i < look.robots.size(); ++i) {
+    world_->set_pose(static_cast<robot::RobotIndex>(i), look.robots[i].pose);
+  }
+}
+
+std::vector<SensorRay> Mirror::distance_rays(std::size_t robot) const {
+  const auto index = static_cast<robot::RobotIndex>(robot);
+  const Pose pose = world_->pose(index);
+  const auto& sensors = world_->model(index).range_sensors;
+  std::vector<SensorRay> rays;
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    const double range = world_->true_range(index, i);
+    rays.push_back(ray(transform(pose, sensors[i].pose_in_robot),
+                       std::min(range, sensors[i].max_range), range));
+  }
+  return rays;
+}
+
+std::vector<SensorRay> Mirror::lidar_rays(std::size_t robot) {
+  const auto index = static_cast<robot::RobotIndex>(robot);
+  const auto& model = world_->model(index);
+  if (!model.lidar) return {};
+  const robot::LidarModel& lidar = *model.lidar;
+  ranges_.resize(static_cast<std::size_t>(lidar.points));
+  world_->read_lidar(index, lidar.field_of_view, ranges_);
+  const Pose sensor = transform(world_->pose(index), lidar.pose_in_robot);
+  // As read_lidar() says: a full circle does not repeat its first ray.
+  const bool is_circle = lidar.field_of_view >= 2 * kPi - 1e-9;
+  const double gap = lidar.field_of_view / std::max(1, is_circle ? lidar.points : lidar.points - 1);
+  std::vector<SensorRay> rays;
+  for (int i = 0; i < lidar.points; ++i) {
+    const double bearing = lidar.points == 1 ? 0.0 : lidar.field_of_view / 2 - i * gap;
+    const double range = ranges_[static_cast<std::size_t>(i)];
+    rays.push_back(ray({sensor.x, sensor.y, sensor.theta + bearing}, range, range));
+  }
+  return rays;
+}
+
+std::vector<SensorRay> Mirror::proximity_rays(std::size_t robot) const {
+  const auto index = static_cast<robot::RobotIndex>(robot);
+  const Pose pose = world_->pose(index);
+  std::vector<SensorRay> rays;
+  for (const auto& sensor : world_->model(index).proximity_sensors) {
+    const Pose place = transform(pose, sensor.pose_in_robot);
+    const double range =
+        world_->world().cast_ray(place.position(), Heading::from_angle(place.theta).forward(),
+                                 sensor.threshold, world_->body(index));
+    rays.push_back(ray(place, range, range));
+  }
+  return rays;
+}
+
+std::vector<bool> Mirror::bumpers(std::size_t robot) {
+  const auto index = static_cast<robot::RobotIndex>(robot);
+  std::vector<bool> touched(world_->model(index).bumpers.size());
+  for (std::size_t i = 0; i < touched.size(); ++i) touched[i] = world_->read_bumper(index, i);
+  return touched;
+}
+
+bool Mirror::is_free(world::BodyId body, Vec2 place) const {
+  const world::WorldModel& model = world_->world().model();
+  const bool on_floor =
+      place.x >= 0.0 && place.y >= 0.0 && place.x <= model.width && place.y <= model.height;
+  return on_floor && world_->world().is_free(place, world_->world().radius(body), body);
+}
+
+}  // namespace eyebridge::gui

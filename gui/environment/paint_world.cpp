@@ -1,0 +1,153 @@
+#include "environment/paint_world.hpp"
+
+#include <QImage>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+namespace eyebridge::gui {
+namespace {
+
+const QColor kOutside(88, 92, 98);
+const QColor kFloor(244, 244, 240);
+const QColor kWallLine(40, 40, 44);
+
+QPen thin(const QColor& colour) {
+  QPen pen(colour);
+  pen.setCosmetic(true);
+  return pen;
+}
+
+void paint_wall(QPainter& painter, const Viewport& view, const world::Wall& wall) {
+  const double width = wall.thickness * view.pixels_per_metre();
+  constexpr double kLeastWidth = 2.0;  // pixels: a bare line can be seen
+  QPen pen(width > kLeastWidth ? colour_of(wall.colour).darker(150) : kWallLine,
+           std::max(width, kLeastWidth));
+  pen.setCapStyle(Qt::SquareCap);
+  painter.setPen(pen);
+  painter.drawLine(view.to_pixel(wall.a), view.to_pixel(wall.b));
+}
+
+/// In pixels, its x axis along the body's heading.
+void enter(QPainter& painter, const Viewport& view, const Pose& pose) {
+  painter.translate(view.to_pixel(pose.position()));
+  painter.rotate(-rad_to_deg(pose.theta));
+}
+
+void paint_thing(QPainter& painter, const Viewport& view, const world::BodyView& body) {
+  const double scale = view.pixels_per_metre();
+  painter.save();
+  enter(painter, view, body.pose);
+  painter.setPen(thin(kWallLine));
+  painter.setBrush(colour_of(body.colour));
+  if (body.shape == world::BodyShape::Box) {
+    painter.drawRect(QRectF(-body.size.x * scale / 2, -body.size.y * scale / 2, body.size.x * scale,
+                            body.size.y * scale));
+  } else {
+    painter.drawEllipse(QPointF(0, 0), body.radius * scale, body.radius * scale);
+  }
+  painter.restore();
+}
+
+void paint_robot(QPainter& painter, const Viewport& view, const world::BodyView& body,
+                 const QString& number, bool is_chosen, bool is_stalled) {
+  const double radius = body.radius * view.pixels_per_metre();
+  painter.save();
+  enter(painter, view, body.pose);
+  QPen rim(is_stalled  ? QColor(220, 0, 0)
+           : is_chosen ? QColor(0, 90, 220)
+                       : kWallLine,
+           is_stalled || is_chosen ? 3.0 : 1.0);
+  painter.setPen(rim);
+  painter.setBrush(colour_of(body.colour));
+  painter.drawEllipse(QPointF(0, 0), radius, radius);
+  // The front: a wedge, as on the robots' lids.
+  const QPolygonF front({QPointF(radius, 0), QPointF(0.45 * radius, 0.4 * radius),
+                         QPointF(0.45 * radius, -0.4 * radius)});
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(kWallLine);
+  painter.drawPolygon(front);
+  painter.restore();
+  constexpr double kReadable = 8.0;  // pixels
+  if (radius < kReadable) return;
+  painter.setPen(kWallLine);
+  const QPointF centre = view.to_pixel(body.pose.position());
+  painter.drawText(QRectF(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius),
+                   Qt::AlignCenter, number);
+}
+
+}  // namespace
+
+QColor colour_of(Rgb colour) { return {colour.r, colour.g, colour.b}; }
+
+void paint_ground(QPainter& painter, const Viewport& view, const world::WorldModel& model,
+                  const QImage& texture) {
+  painter.fillRect(painter.viewport(), kOutside);
+  const QRectF floor(view.to_pixel({0.0, model.height}), view.to_pixel({model.width, 0.0}));
+  painter.fillRect(floor, kFloor);
+  if (!texture.isNull()) painter.drawImage(floor, texture);
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const world::Marker& marker : model.markers) {
+    constexpr double kRadius = 0.05;  // metres, about what EyeSim draws
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour_of(marker.colour));
+    painter.drawEllipse(view.to_pixel(marker.position), kRadius * view.pixels_per_metre(),
+                        kRadius * view.pixels_per_metre());
+  }
+  for (const world::Wall& wall : model.walls) paint_wall(painter, view, wall);
+}
+
+void paint_bodies(QPainter& painter, const Viewport& view, const hal::WorldLook& look,
+                  std::optional<std::size_t> chosen) {
+  for (const world::BodyView& body : look.scene.bodies) {
+    const auto robot = std::ranges::find(look.robots, body.id, &hal::RobotLook::body);
+    if (robot == look.robots.end()) {
+      paint_thing(painter, view, body);
+      continue;
+    }
+    const auto index = static_cast<std::size_t>(robot - look.robots.begin());
+    paint_robot(painter, view, body, QString::number(index + 1), chosen == index,
+                robot->stalled != robot::kStallNone);
+  }
+}
+
+void paint_rays(QPainter& painter, const Viewport& view, std::span<const SensorRay> rays,
+                const QColor& colour) {
+  painter.setPen(thin(colour));
+  for (const SensorRay& ray : rays)
+    painter.drawLine(view.to_pixel(ray.from), view.to_pixel(ray.to));
+}
+
+void paint_camera_cone(QPainter& painter, const Viewport& view, const hal::RobotLook& robot,
+                       double reach) {
+  if (!robot.model->camera) return;
+  const robot::CameraModel& camera = *robot.model->camera;
+  const Pose eye = transform(robot.pose, {camera.x, camera.y, robot.pan});
+  const double half = camera.horizontal_field_of_view / 2;
+  QPainterPath cone(view.to_pixel(eye.position()));
+  for (const double side : {half, -half}) {
+    cone.lineTo(
+        view.to_pixel(eye.position() + reach * Heading::from_angle(eye.theta + side).forward()));
+  }
+  cone.closeSubpath();
+  painter.fillPath(cone, QColor(255, 200, 0, 60));
+}
+
+void paint_trail(QPainter& painter, const Viewport& view, const std::deque<Trails::Point>& trail,
+                 const QColor& colour) {
+  QPainterPath path;
+  for (const Trails::Point& point : trail) {
+    const QPointF pixel = view.to_pixel(point.place);
+    if (point.begins) {
+      path.moveTo(pixel);
+    } else {
+      path.lineTo(pixel);
+    }
+  }
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(colour, 2.0));
+  painter.drawPath(path);
+}
+
+}  // namespace eyebridge::gui

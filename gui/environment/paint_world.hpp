@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QColor>
+#include <span>
+
+#include "environment/mirror.hpp"
+#include "environment/trails.hpp"
+#include "environment/viewport.hpp"
+#include "eyebridge/hal/environment.hpp"
+
+class QPainter;
+
+namespace eyebridge::gui {
+
+QColor colour_of(Rgb colour);
+
+/// Floor, its texture unless null, markers and walls: what does not move.
+void paint_ground(QPainter& painter, const Viewport& view, const world::WorldModel& model,
+                  const class QImage& texture);
+/// Balls, cans, boxes and robots, these with their numbers and a marker in front. `chosen` has a
+/// ring; a robot that is stalled has one in red.
+void paint_bodies(QPainter& painter, const Viewport& view, const hal::WorldLook& look,
+                  std::optional<std::size_t> chosen);
+void paint_rays(QPainter& painter, const Viewport& view, std::span<const SensorRay> rays,
+                const QColor& colour);
+/// What the robot's camera sees on the floor, up to `reach` metres.
+void paint_camera_cone(QPainter& painter, const Viewport& view, const hal::RobotLook& robot,
+                       double reach);
+void paint_trail(QPainter& painter, const Viewport& view, const std::deque<Trails::Point>& trail,
+                 const QColor& colour);
+
+}  // namespace eyebridge::gui

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QPointF>
+#include <QSizeF>
+
+#include "eyebridge/base/pose.hpp"
+
+namespace eyebridge::gui {
+
+/// Which part of the world a view shows: the world's y points up, the view's down.
+class Viewport {
+ public:
+  static constexpr double kFarthest = 1.0;     ///< Least pixels a metre.
+  static constexpr double kNearest = 20000.0;  ///< Most.
+
+  /// Pixels of the view. Its middle stays where it is in the world.
+  void resize(QSizeF size) { size_ = size; }
+  /// Shows the world from (0, 0) to `extent`, metres, with a margin.
+  void fit(Vec2 extent);
+  void centre_on(Vec2 place) { centre_ = place; }
+  /// What lies under `pixel` stays there.
+  void zoom_at(QPointF pixel, double factor);
+  /// Moves the picture with the mouse.
+  void pan(QPointF pixels);
+
+  [[nodiscard]] QPointF to_pixel(Vec2 place) const;
+  [[nodiscard]] Vec2 to_world(QPointF pixel) const;
+  [[nodiscard]] double pixels_per_metre() const { return scale_; }
+
+  friend bool operator==(const Viewport&, const Viewport&) = default;
+
+ private:
+  QSizeF size_{1, 1};
+  Vec2 centre_;
+  double scale_ = 100.0;
+};
+
+}  // namespace eyebridge::gui

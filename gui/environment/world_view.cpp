@@ -1,0 +1,172 @@
+#include "environment/world_view.hpp"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "environment/paint_world.hpp"
+
+namespace eyebridge::gui {
+namespace {
+
+constexpr double kSlack = 4.0;  // pixels that one may point beside a small thing
+
+QImage texture_of(hal::Environment& environment, const world::WorldModel& model) {
+  if (!model.floor_texture) return {};
+  const auto path = std::filesystem::path(environment.directory()) / *model.floor_texture;
+  return QImage(QString::fromStdString(path.string()));
+}
+
+}  // namespace
+
+WorldView::WorldView(hal::Environment& environment, QWidget* parent)
+    : QWidget(parent), environment_(environment) {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumSize(200, 150);
+  refresh();
+  texture_ = texture_of(environment_, *look_.scene.model);
+  fit();
+}
+
+void WorldView::refresh() {
+  environment_.look(look_);
+  mirror_.follow(look_);
+  trails_.add(look_);
+  if (chosen_ && *chosen_ >= look_.robots.size()) chosen_.reset();
+  if (follows_ && chosen_ && !grip_) view_.centre_on(look_.robots[*chosen_].pose.position());
+  update();
+}
+
+void WorldView::set_layers(const Layers& layers) {
+  layers_ = layers;
+  update();
+}
+
+void WorldView::clear_trails() {
+  trails_.clear();
+  update();
+}
+
+void WorldView::fit() {
+  is_fitted_ = true;
+  follows_ = false;
+  view_.fit({look_.scene.model->width, look_.scene.model->height});
+  update();
+}
+
+void WorldView::change_view(const std::function<void(Viewport&)>& change) {
+  is_fitted_ = false;
+  change(view_);
+  update();
+}
+
+void WorldView::zoom(double factor) {
+  change_view([&](Viewport& view) { view.zoom_at(QRectF(rect()).center(), factor); });
+}
+
+void WorldView::follow(bool follows) {
+  follows_ = follows;
+  if (follows) is_fitted_ = false;
+}
+
+void WorldView::choose(std::optional<std::size_t> robot) {
+  chosen_ = robot;
+  update();
+}
+
+void WorldView::paintEvent(QPaintEvent* /*event*/) {
+  const QSize pixels = size() * devicePixelRatioF();
+  if (ground_.isNull() || ground_.size() != pixels || !(ground_view_ == view_)) {
+    ground_ = QPixmap(pixels);
+    ground_.setDevicePixelRatio(devicePixelRatioF());
+    ground_view_ = view_;
+    QPainter painter(&ground_);
+    paint_ground(painter, view_, *look_.scene.model, texture_);
+  }
+  QPainter painter(this);
+  painter.drawPixmap(0, 0, ground_);
+  painter.setRenderHint(QPainter::Antialiasing);
+  paint_robots_layers(painter);
+  paint_bodies(painter, view_, look_, chosen_);
+}
+
+void WorldView::paint_robots_layers(QPainter& painter) {
+  constexpr double kConeLength = 1.0;  // metres
+  for (std::size_t i = 0; i < look_.robots.size(); ++i) {
+    const hal::RobotLook& robot = look_.robots[i];
+    if (layers_.camera) paint_camera_cone(painter, view_, robot, kConeLength);
+    if (layers_.lidar) paint_rays(painter, view_, mirror_.lidar_rays(i), QColor(120, 0, 160, 90));
+    if (layers_.distances) paint_rays(painter, view_, mirror_.distance_rays(i), QColor(0, 140, 0));
+    if (layers_.proximities) {
+      paint_rays(painter, view_, mirror_.proximity_rays(i), QColor(200, 90, 0));
+    }
+    if (layers_.trails) {
+      const auto body = std::ranges::find(look_.scene.bodies, robot.body, &world::BodyView::id);
+      const QColor colour = body == look_.scene.bodies.end() ? QColor() : colour_of(body->colour);
+      paint_trail(painter, view_, trails_.of(i), colour.darker(120));
+    }
+  }
+}
+
+void WorldView::resizeEvent(QResizeEvent* /*event*/) {
+  view_.resize(size());
+  if (is_fitted_) fit();
+}
+
+void WorldView::mousePressEvent(QMouseEvent* event) {
+  const Vec2 place = view_.to_world(event->position());
+  if (event->button() == Qt::LeftButton) {
+    grip_ = grip_at(look_, place, kSlack / view_.pixels_per_metre());
+    if (grip_ && grip_->robot) choose(grip_->robot);
+  }
+  const bool pans =
+      (event->button() == Qt::LeftButton && !grip_) || event->button() == Qt::MiddleButton;
+  if (!pans) return;
+  pan_from_ = event->position();
+  setCursor(Qt::ClosedHandCursor);
+}
+
+void WorldView::mouseMoveEvent(QMouseEvent* event) {
+  const Vec2 place = view_.to_world(event->position());
+  if (on_pointer) on_pointer(place);
+  if (grip_) carry(place);
+  if (!pan_from_) return;
+  const QPointF way = event->position() - *pan_from_;
+  pan_from_ = event->position();
+  follows_ = false;
+  change_view([&](Viewport& view) { view.pan(way); });
+}
+
+void WorldView::mouseReleaseEvent(QMouseEvent* /*event*/) {
+  grip_.reset();
+  pan_from_.reset();
+  unsetCursor();
+}
+
+void WorldView::carry(Vec2 place) {
+  const Pose pose = moved(*grip_, place);
+  // Nothing is put into something else: it stays where it could stand last.
+  if (!grip_->turns && !mirror_.is_free(grip_->body, pose.position())) {
+    if (on_trouble) on_trouble(tr("There is no room here"));
+    return;
+  }
+  hal::WorldControl& control = environment_.control();
+  const Result<void> done = grip_->robot
+                                ? control.set_robot_pose(static_cast<int>(*grip_->robot) + 1, pose)
+                                : control.set_object_pose(static_cast<int>(grip_->body) + 1, pose);
+  if (on_trouble) on_trouble(done ? QString() : QString::fromStdString(done.error().what));
+  refresh();
+}
+
+void WorldView::wheelEvent(QWheelEvent* event) {
+  constexpr double kStep = 120.0;  // of a wheel's notch, as Qt counts
+  constexpr double kFactor = 1.25;
+  const double notches = event->angleDelta().y() / kStep;
+  change_view([&](Viewport& view) { view.zoom_at(event->position(), std::pow(kFactor, notches)); });
+}
+
+}  // namespace eyebridge::gui

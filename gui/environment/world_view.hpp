@@ -1,0 +1,89 @@
+#pragma once
+
+#include <QImage>
+#include <QPixmap>
+#include <QWidget>
+#include <functional>
+#include <optional>
+
+#include "environment/grip.hpp"
+#include "environment/mirror.hpp"
+#include "environment/trails.hpp"
+#include "environment/viewport.hpp"
+
+namespace eyebridge::gui {
+
+/// What is drawn beside walls and bodies.
+struct Layers {
+  bool trails = true;
+  bool distances = true;
+  bool proximities = true;
+  bool lidar = false;
+  bool camera = false;
+
+  friend bool operator==(const Layers&, const Layers&) = default;
+};
+
+/// The world from above. The left button takes a robot by its middle to carry it, or by its rim to
+/// turn it, and things likewise; on the floor, and with the middle button, it moves the picture;
+/// the wheel zooms to the pointer.
+class WorldView final : public QWidget {
+ public:
+  /// `environment` is lent.
+  WorldView(hal::Environment& environment, QWidget* parent);
+
+  /// Looks at the world as it is now.
+  void refresh();
+  [[nodiscard]] const hal::WorldLook& look() const { return look_; }
+  [[nodiscard]] Mirror& mirror() { return mirror_; }
+  [[nodiscard]] const Viewport& viewport() const { return view_; }
+
+  [[nodiscard]] const Layers& layers() const { return layers_; }
+  void set_layers(const Layers& layers);
+  void clear_trails();
+  /// Shows all of it.
+  void fit();
+  /// About the middle of the view.
+  void zoom(double factor);
+  /// The view goes with the chosen robot.
+  void follow(bool follows);
+  /// The one that a person points at, by its index: its readings are wanted.
+  [[nodiscard]] std::optional<std::size_t> chosen() const { return chosen_; }
+  void choose(std::optional<std::size_t> robot);
+
+  /// Told where the pointer is, in the world; and why a body could not be put somewhere.
+  std::function<void(Vec2)> on_pointer;
+  std::function<void(const QString&)> on_trouble;
+
+  [[nodiscard]] QSize sizeHint() const override { return {800, 600}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+
+ private:
+  void carry(Vec2 place);
+  void change_view(const std::function<void(Viewport&)>& change);
+  void paint_robots_layers(QPainter& painter);
+
+  hal::Environment& environment_;
+  hal::WorldLook look_;
+  Mirror mirror_;
+  Trails trails_;
+  Layers layers_;
+  Viewport view_;
+  bool is_fitted_ = true;  ///< Nobody has moved the view yet: it fits whatever size it gets.
+  bool follows_ = false;
+  std::optional<std::size_t> chosen_ = 0;
+  std::optional<Grip> grip_;
+  std::optional<QPointF> pan_from_;
+  QImage texture_;
+  QPixmap ground_;  ///< Of ground_view_, at this widget's size; null: to be painted.
+  Viewport ground_view_;
+};
+
+}  // namespace eyebridge::gui

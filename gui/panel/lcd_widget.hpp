@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QImage>
+#include <QWidget>
+#include <cstdint>
+
+#include "keys.hpp"
+#include "screen.hpp"
+
+namespace eyebridge::gui {
+
+/// A robot's screen, pixel for pixel, at the largest whole scale that fits. A click is a touch.
+class LcdWidget final : public QWidget {
+ public:
+  /// Both are lent.
+  LcdWidget(robios::Screen& screen, robios::Keys& keys, QWidget* parent);
+
+  /// Takes the picture anew if it has changed; true then.
+  bool refresh();
+  /// Pixels of the window for one of the screen.
+  [[nodiscard]] int scale() const;
+  [[nodiscard]] const QImage& picture() const { return picture_; }
+
+  [[nodiscard]] QSize sizeHint() const override;
+  [[nodiscard]] QSize minimumSizeHint() const override { return picture_.size(); }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+
+ private:
+  /// Where the picture's upper left corner is.
+  [[nodiscard]] QPoint corner() const;
+
+  robios::Screen& screen_;
+  robios::Keys& keys_;
+  std::uint64_t revision_;
+  QImage picture_;
+};
+
+}  // namespace eyebridge::gui

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "eyebridge/base/pose.hpp"
+#include "eyebridge/hal/time_control.hpp"
+#include "eyebridge/hal/world_control.hpp"
+#include "eyebridge/robot/robot_model.hpp"
+#include "eyebridge/robot/simulation.hpp"
+#include "eyebridge/world/scene.hpp"
+
+namespace eyebridge::hal {
+
+/// One robot at one moment.
+struct RobotLook {
+  std::shared_ptr<const robot::RobotModel> model;  ///< Its errors are those that it came with.
+  world::BodyId body = 0;
+  Pose pose;             ///< Truth, in the world.
+  Pose odometry;         ///< As the robot believes, from where it started.
+  Twist twist;           ///< As driven in the last step.
+  unsigned stalled = 0;  ///< robot::StallMask.
+  double pan = 0.0;      ///< Of the camera in the robot, radians, left positive.
+};
+
+/// A world at one moment, and what happened since the look before.
+struct WorldLook {
+  world::Scene scene;
+  std::vector<RobotLook> robots;                  ///< In the order of their numbers, from 1.
+  std::vector<robot::CollisionEvent> collisions;  ///< The oldest first.
+  std::uint64_t collision_count = 0;              ///< Of all so far; kept from look to look.
+};
+
+/// A simulated world as a window sees it and reaches into it. Any thread; whoever owns the world
+/// owns it.
+class Environment {
+ public:
+  virtual ~Environment() = default;
+
+  /// Brings `look` up to date: a microsecond or some, in which no step is made. Sensors are not
+  /// read: that would change the run.
+  virtual void look(WorldLook& look) = 0;
+  [[nodiscard]] virtual TimeControl& time() = 0;
+  /// Robot 0 is the first one.
+  [[nodiscard]] virtual WorldControl& control() = 0;
+  /// Whether the scenario wants a person to let time begin.
+  [[nodiscard]] virtual bool starts_paused() const = 0;
+  /// Where textures and the like are looked for.
+  [[nodiscard]] virtual std::string directory() const = 0;
+};
+
+}  // namespace eyebridge::hal

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "eyebridge/base/log.hpp"
+#include "eyebridge/hal/config.hpp"
+#include "windows/windows.hpp"
+
+namespace eyebridge::robios {
+
+/// Whether `config` asks for windows, or leaves it to us and there is a display.
+bool wants_windows(const hal::Config& config);
+
+/// The windows of this process, opened with the first call; null where they are not wanted, and
+/// where there are none and nobody insists, which the log tells as Info. Throws ConfigError where
+/// `gui` is on and they cannot be. Later calls give what the first one did.
+Windows* open_windows(const hal::Config& config, LogSink& log);
+
+/// Opens the window on a world, paused if that wants to begin so; once.
+void show_world(Windows& windows, hal::Environment& environment);
+
+/// What the log says where a world wants that and there is no window.
+inline constexpr const char* kPauseIgnored =
+    "the world asks to start paused: ignored, as there is no window that could resume it";
+
+}  // namespace eyebridge::robios

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace eyebridge {
+namespace hal {
+class Environment;
+}
+
+namespace robios {
+
+class Keys;
+class Screen;
+
+/// What a robot's panel shows, and where what a person does there goes. All lent.
+struct PanelStart {
+  std::string title;
+  Screen* screen = nullptr;
+  Keys* keys = nullptr;
+};
+
+/// What windows need of the process that they are in.
+struct WindowsStart {
+  /// A person closed the last window while the program runs. Called from the windows' thread.
+  std::function<void()> quit;
+  std::string program;  ///< Its name, for titles.
+};
+
+/// The windows of this process; the plug-in gui/ implements them. They have a thread of their own,
+/// and no program ever waits for them. Any thread.
+class Windows {
+ public:
+  virtual ~Windows() = default;
+
+  virtual void open_panel(const PanelStart& start) = 0;
+  /// Shows a world, lent like all; called once for each.
+  virtual void open_environment(hal::Environment& environment) = 0;
+  /// The program has ended, `how` in words: the windows say so and stay. Returns when a person has
+  /// closed them all, at once in the windows' own thread; from then on nothing lent is used.
+  virtual void finish(const std::string& how) = 0;
+};
+
+/// Both sides are of one version, or they do not talk.
+inline constexpr int kWindowsVersion = 1;
+
+/// What the plug-in exports as `eyebridge_open_windows`: null, and `why`, where windows cannot be.
+/// They live as long as the process.
+using OpenWindows = Windows*(int version, WindowsStart start, std::string& why);
+
+}  // namespace robios
+}  // namespace eyebridge

@@ -1,0 +1,97 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "environment/grip.hpp"
+#include "environment/mirror.hpp"
+#include "environment/trails.hpp"
+#include "room.hpp"
+
+namespace eyebridge::gui {
+namespace {
+
+using ::testing::Each;
+
+hal::WorldLook look_at(testing::Room& room) {
+  hal::WorldLook look;
+  room.environment().look(look);
+  return look;
+}
+
+TEST(Mirror, SeesWhatTheRobotsSee) {
+  testing::Room room;
+  Mirror mirror;
+  for (int i = 0; i < 5; ++i) {
+    ASSERT_TRUE(room.robot().drive()->set_speed({0.1, 0.8}));
+    room.pass(0.3);
+    const hal::WorldLook look = look_at(room);
+    mirror.follow(look);
+    const auto rays = mirror.distance_rays(0);
+    ASSERT_FALSE(rays.empty());
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      const int id = look.robots[0].model->range_sensors[k].id;
+      const double read = room.robot().range_sensor(id)->read().value();
+      EXPECT_NEAR(rays[k].range, read, 1e-6) << "sensor " << id;
+      EXPECT_NEAR(norm(rays[k].to - rays[k].from), rays[k].range, 1e-6);
+    }
+  }
+}
+
+TEST(Mirror, KnowsWhatIsFree) {
+  testing::Room room;
+  Mirror mirror;
+  const hal::WorldLook look = look_at(room);
+  mirror.follow(look);
+  const world::BodyId first = look.robots[0].body;
+  EXPECT_TRUE(mirror.is_free(first, {0.5, 0.5})) << "its own place";
+  EXPECT_TRUE(mirror.is_free(first, {0.2, 0.8}));
+  EXPECT_FALSE(mirror.is_free(first, {1.5, 0.5})) << "another robot";
+  EXPECT_FALSE(mirror.is_free(first, {1.0, 0.2})) << "a can";
+  EXPECT_FALSE(mirror.is_free(first, {0.05, 0.5})) << "a wall";
+  EXPECT_THAT(mirror.bumpers(0), Each(false));
+}
+
+TEST(Grip, TakesRobotsByMiddleAndRimAndThings) {
+  testing::Room room;
+  const hal::WorldLook look = look_at(room);
+  const auto middle = grip_at(look, {0.52, 0.5}, 0.0);
+  ASSERT_TRUE(middle);
+  EXPECT_EQ(middle->robot, 0U);
+  EXPECT_FALSE(middle->turns);
+  EXPECT_EQ(moved(*middle, {0.72, 0.4}), (Pose{0.7, 0.4, 0.0}));
+  const auto rim = grip_at(look, {0.5, 0.58}, 0.0);
+  ASSERT_TRUE(rim);
+  EXPECT_TRUE(rim->turns);
+  EXPECT_NEAR(moved(*rim, {-3.0, 0.5}).theta, kPi / 2, 1e-6);
+  const auto can = grip_at(look, {1.0, 0.2}, 0.0);
+  ASSERT_TRUE(can);
+  EXPECT_FALSE(can->robot);
+  EXPECT_FALSE(can->turns);
+  EXPECT_FALSE(grip_at(look, {1.0, 0.7}, 0.0));
+  EXPECT_FALSE(grip_at(look, {0.5, 0.61}, 0.0));
+  EXPECT_TRUE(grip_at(look, {0.5, 0.61}, 0.02)) << "who points beside it by less than that";
+}
+
+TEST(Trails, GrowWithTheWayAndBreakWhereARobotIsCarried) {
+  testing::Room room;
+  Trails trails;
+  trails.add(look_at(room));
+  trails.add(look_at(room));
+  EXPECT_EQ(trails.of(0).size(), 1U) << "nobody moved";
+  ASSERT_TRUE(room.robot().drive()->set_speed({0.2, 0.0}));
+  for (int i = 0; i < 10; ++i) {
+    room.pass(0.1);
+    trails.add(look_at(room));
+  }
+  EXPECT_GT(trails.of(0).size(), 8U);
+  EXPECT_FALSE(trails.of(0).back().begins);
+  ASSERT_TRUE(room.environment().control().set_robot_pose(1, {0.3, 0.8, 0.0}));
+  trails.add(look_at(room));
+  EXPECT_TRUE(trails.of(0).back().begins);
+  EXPECT_EQ(trails.of(1).size(), 1U);
+  EXPECT_TRUE(trails.of(7).empty());
+  trails.clear();
+  EXPECT_TRUE(trails.of(0).empty());
+}
+
+}  // namespace
+}  // namespace eyebridge::gui

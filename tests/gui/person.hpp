@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QImage>
+#include <QPoint>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <xcb/xcb.h>
+
+namespace eyebridge::gui::testing {
+
+/// Somebody at the display, who has mouse and keyboard and sees what there is: the windows of other
+/// processes, too. What he waits for comes within half a minute, or the test fails.
+class Person {
+ public:
+  Person();
+
+  /// Waits for a window whose title has this in it.
+  xcb_window_t window(const std::string& title);
+  /// Returns when there is none any more.
+  void wait_until_gone(const std::string& title);
+  [[nodiscard]] std::vector<std::string> titles();
+  /// Types a character into the window.
+  void type(xcb_window_t window, char character);
+  /// Clicks there, pixels from the window's upper left corner.
+  void click(xcb_window_t window, QPoint place);
+  /// As by the cross in the frame, which a window manager would draw.
+  void close(xcb_window_t window);
+  [[nodiscard]] QImage picture(xcb_window_t window);
+
+ private:
+  struct Named {
+    xcb_window_t window;
+    std::string title;
+  };
+  [[nodiscard]] std::vector<Named> windows();
+  [[nodiscard]] std::optional<xcb_window_t> find(const std::string& title);
+  [[nodiscard]] xcb_atom_t atom(const char* name);
+  [[nodiscard]] std::string text_of(xcb_window_t window, const char* property);
+  void fake(std::uint8_t type, std::uint8_t detail, QPoint place = {});
+
+  std::unique_ptr<xcb_connection_t, void (*)(xcb_connection_t*)> connection_;
+  xcb_window_t root_;
+};
+
+}  // namespace eyebridge::gui::testing

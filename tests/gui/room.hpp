@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QPointF>
+#include <memory>
+#include <string>
+
+#include "eyebridge/base/log.hpp"
+#include "eyebridge/hal/backend.hpp"
+#include "eyebridge/hal/environment.hpp"
+#include "run_program.hpp"
+
+namespace eyebridge::gui::testing {
+
+/// A room of 2 x 1 m in virtual time, whose robot 1 stands at (500, 500) mm and looks along +x,
+/// robot 2 at (1500, 500), and a can at (1000, 200).
+class Room {
+ public:
+  Room();
+  [[nodiscard]] hal::Environment& environment() { return *backend_->environment(); }
+  [[nodiscard]] hal::Backend& robot() { return *backend_; }
+  [[nodiscard]] Pose pose(int robot);
+  /// Time passes.
+  void pass(double seconds);
+
+ private:
+  struct Silence final : LogSink {
+    void write(Severity, std::string_view) override {}
+  };
+  eyebridge::testing::ScratchFolder folder_;
+  Silence log_;
+  std::unique_ptr<hal::Backend> backend_;
+};
+
+}  // namespace eyebridge::gui::testing

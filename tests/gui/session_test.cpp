@@ -1,0 +1,118 @@
+// A robot program and its windows, from outside: what a person does at the display.
+#include <QTest>
+#include <csignal>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "person.hpp"
+#include "running_program.hpp"
+
+namespace eyebridge::gui {
+namespace {
+
+using eyebridge::testing::RunningProgram;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// Waits for a key, drives, and tells where it is.
+constexpr const char* kProgram = R"(
+#include <eyebot.h>
+#include <stdio.h>
+int main(void) {
+  LCDMenu("GO", "", "", "END");
+  LCDArea(0, 0, 100, 100, RED, 1);
+  puts("ready");
+  fflush(stdout);
+  if (KEYWait(ANYKEY) == KEY4) return 4;
+  VWStraight(100, 200);
+  VWWait();
+  int x, y, phi;
+  VWGetPosition(&x, &y, &phi);
+  printf("at %d\n", x);
+  return 7;
+}
+)";
+
+class Session : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    folder_.write("drives.c", kProgram);
+    const auto built = eyebridge::testing::run_program(
+        {{EYEBRIDGE_BIN "/eyebridge-cc", "drives.c", "-o", "drives"}, {}, folder_.path()});
+    ASSERT_EQ(built.exit_code, 0) << built.err;
+  }
+  [[nodiscard]] eyebridge::testing::ProgramStart start(std::vector<std::string> options) const {
+    options.insert(options.begin(), {EYEBRIDGE_BIN "/eyebridge", "run"});
+    options.push_back("./drives");
+    return {options, {{"XDG_CONFIG_HOME", folder_.path()}}, folder_.path()};
+  }
+
+  eyebridge::testing::ScratchFolder folder_;
+  testing::Person person_;
+};
+
+TEST_F(Session, PanelThenEnvironmentAndBothStayAtTheEnd) {
+  RunningProgram program(start({"--factor", "5"}));
+  const xcb_window_t panel = person_.window("drives – robot");
+  program.wait_for("ready\n");
+  EXPECT_THAT(person_.titles(), Not(Contains(HasSubstr("environment")))) << "it has not driven yet";
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] { return person_.picture(panel).pixelColor(50, 50) == QColor(255, 0, 0); }));
+  person_.type(panel, '1');
+  const xcb_window_t environment = person_.window("drives – environment");
+  program.wait_for("at 100\n");
+  EXPECT_THAT(person_.titles(), Contains(HasSubstr("drives – robot")));
+  person_.close(environment);
+  person_.wait_until_gone("environment");
+  person_.close(panel);
+  EXPECT_EQ(program.wait(), 7) << program.said();
+}
+
+TEST_F(Session, ClosingTheWindowsEndsTheProgramPolitely) {
+  RunningProgram program(start({"--out", folder_.path() + "/out"}));
+  person_.close(person_.window("drives – robot"));
+  EXPECT_EQ(program.wait(), 128 + SIGTERM) << program.said();
+  EXPECT_NE(eyebridge::testing::file_text(folder_.path() + "/out/lcd.txt"), "");
+}
+
+TEST_F(Session, WindowsInVirtualTimeWhereTheyAreAskedFor) {
+  RunningProgram quiet(start({"--fast", "--keys", "KEY1@1s"}));
+  EXPECT_EQ(quiet.wait(), 7) << quiet.said();
+  RunningProgram shown(start({"--fast", "--gui", "--keys", "KEY1@1s"}));
+  const xcb_window_t environment = person_.window("drives – environment");
+  person_.close(person_.window("drives – robot"));
+  person_.close(environment);
+  EXPECT_EQ(shown.wait(), 7) << shown.said();
+}
+
+TEST_F(Session, SeveralRobotsHaveAPanelEach) {
+  RunningProgram program(start({"--robots", "2", "--keys", "KEY1@1s"}));
+  const xcb_window_t environment = person_.window("– environment");
+  const xcb_window_t first = person_.window("robot 1");
+  const xcb_window_t second = person_.window("robot 2");
+  program.wait_for("at 100\n");
+  for (const xcb_window_t window : {environment, first, second}) person_.close(window);
+  EXPECT_EQ(program.wait(), 7) << program.said();
+}
+
+TEST_F(Session, NoWindowsWhereThereIsNoDisplay) {
+  auto lost = start({"--gui"});
+  lost.environment["DISPLAY"] = ":4711";
+  RunningProgram insists(lost);
+  EXPECT_EQ(insists.wait(), 2);
+  EXPECT_THAT(insists.said(), HasSubstr("no windows can be opened: the display :4711 cannot be "
+                                        "reached; expected a display, or gui = off"));
+  auto silent = start({"--log", "info", "--factor", "20", "--keys", "KEY4@1s"});
+  silent.environment["DISPLAY"] = ":4711";
+  RunningProgram goes_on(silent);
+  EXPECT_EQ(goes_on.wait(), 4) << goes_on.said();
+  EXPECT_THAT(goes_on.said(), HasSubstr("no windows: the display :4711 cannot be reached"));
+  RunningProgram off(start({"--no-gui", "--factor", "20", "--keys", "KEY4@1s"}));
+  EXPECT_EQ(off.wait(), 4) << off.said();
+  EXPECT_THAT(person_.titles(), Not(Contains(HasSubstr("drives"))));
+}
+
+}  // namespace
+}  // namespace eyebridge::gui

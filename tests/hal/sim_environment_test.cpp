@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+
+#include "eyebridge/hal/environment.hpp"
+#include "eyebridge/hal/registry.hpp"
+#include "eyebridge/hal/shared_world.hpp"
+#include "rigs.hpp"
+#include "sim/open_sim.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+class SimEnvironmentTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const Config config = rig_config({{"fast", "true"}});
+    backend_ = open_scenario(rig_scenario(1.0), {"rig"}, {config, log_});
+    environment_ = backend_->environment();
+    ASSERT_NE(environment_, nullptr);
+  }
+  const WorldLook& look() {
+    environment_->look(look_);
+    return look_;
+  }
+
+  KeepingLog log_;
+  std::unique_ptr<Backend> backend_;
+  Environment* environment_ = nullptr;
+  WorldLook look_;
+};
+
+TEST_F(SimEnvironmentTest, ShowsRobotsAndThings) {
+  must(backend_->drive()->set_speed({0.2, 0.0}));
+  backend_->clock().wait_until(from_seconds(1.0));
+  ASSERT_EQ(look().robots.size(), 2U);
+  EXPECT_EQ(look().scene.bodies.size(), 3U);
+  EXPECT_DOUBLE_EQ(look().scene.time, 1.0);
+  const RobotLook& robot = look().robots[0];
+  EXPECT_EQ(robot.model->name, rig_model().name);
+  EXPECT_EQ(robot.pose, must(environment_->control().robot_pose(1)));
+  EXPECT_NEAR(robot.odometry.x, 0.18, 0.02);
+  EXPECT_NEAR(robot.twist.linear, 0.2, 1e-6);
+  EXPECT_EQ(robot.body, 1U);
+  EXPECT_EQ(look().robots[0].model, robot.model) << "models are not copied for each look";
+}
+
+TEST_F(SimEnvironmentTest, TellsOfEachCollisionOnce) {
+  must(backend_->drive()->set_speed({0.5, 0.0}));
+  EXPECT_TRUE(look().collisions.empty());
+  backend_->clock().wait_until(from_seconds(4.0));
+  ASSERT_EQ(look().collisions.size(), 1U);
+  EXPECT_TRUE(look_.collisions[0].with_wall());
+  EXPECT_NE(look_.robots[0].stalled, robot::kStallNone);
+  EXPECT_TRUE(look().collisions.empty());
+  WorldLook other;  // who begins to look later sees what was before
+  environment_->look(other);
+  EXPECT_EQ(other.collisions.size(), 1U);
+}
+
+TEST_F(SimEnvironmentTest, ALookChangesNothing) {
+  const auto pose_after = [](bool looks) {
+    KeepingLog log;
+    const Config config = rig_config({{"fast", "true"}, {"errors", "realistic"}});
+    auto backend = open_scenario(rig_scenario(1.0), {"rig"}, {config, log});
+    must(backend->drive()->set_speed({0.1, 0.3}));
+    WorldLook look;
+    double ranges = 0.0;
+    for (int i = 1; i <= 50; ++i) {
+      backend->clock().wait_until(i * from_seconds(0.05));
+      if (looks) backend->environment()->look(look);
+      ranges += must(backend->range_sensor(1)->read());
+    }
+    return std::pair(must(backend->world()->robot_pose(1)), ranges);
+  };
+  EXPECT_EQ(pose_after(false), pose_after(true));
+}
+
+TEST(SharedEnvironment, IsOneForAllRobots) {
+  KeepingLog log;
+  const Config config = rig_config({{"robots", "2"}});
+  const auto world = open_shared_world(config, log, nullptr);
+  Environment& environment = world->environment();
+  WorldLook look;
+  environment.look(look);
+  EXPECT_EQ(look.robots.size(), 2U);
+  for (const std::size_t robot : {0U, 1U}) {
+    const Seat seat{world, robot};
+    const auto backend = open_backend({config, log, &seat});
+    EXPECT_EQ(backend->environment(), &environment);
+  }
+  environment.time().pause();
+  world->begin_time();
+  EXPECT_TRUE(environment.time().is_paused()) << "who begins does not undo what a person did";
+}
+
+}  // namespace
+}  // namespace eyebridge::hal
