@@ -8,6 +8,7 @@
 #include "eyebridge/base/hash.hpp"
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/camera/view.hpp"
+#include "eyebridge/hal/environment.hpp"
 #include "rigs.hpp"
 #include "sim/open_sim.hpp"
 

@@ -29,7 +29,7 @@ class SimEnvironmentTest : public ::testing::Test {
 };
 
 TEST_F(SimEnvironmentTest, ShowsRobotsAndThings) {
-  must(backend_->drive()->set_speed({0.2, 0.0}));
+  ASSERT_TRUE(backend_->drive()->set_speed({0.2, 0.0}));
   backend_->clock().wait_until(from_seconds(1.0));
   ASSERT_EQ(look().robots.size(), 2U);
   EXPECT_EQ(look().scene.bodies.size(), 3U);
@@ -44,7 +44,7 @@ TEST_F(SimEnvironmentTest, ShowsRobotsAndThings) {
 }
 
 TEST_F(SimEnvironmentTest, TellsOfEachCollisionOnce) {
-  must(backend_->drive()->set_speed({0.5, 0.0}));
+  ASSERT_TRUE(backend_->drive()->set_speed({0.5, 0.0}));
   EXPECT_TRUE(look().collisions.empty());
   backend_->clock().wait_until(from_seconds(4.0));
   ASSERT_EQ(look().collisions.size(), 1U);
@@ -61,7 +61,7 @@ TEST_F(SimEnvironmentTest, ALookChangesNothing) {
     KeepingLog log;
     const Config config = rig_config({{"fast", "true"}, {"errors", "realistic"}});
     auto backend = open_scenario(rig_scenario(1.0), {"rig"}, {config, log});
-    must(backend->drive()->set_speed({0.1, 0.3}));
+    EXPECT_TRUE(backend->drive()->set_speed({0.1, 0.3}));
     WorldLook look;
     double ranges = 0.0;
     for (int i = 1; i <= 50; ++i) {
