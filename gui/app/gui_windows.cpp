@@ -40,6 +40,14 @@ GuiWindows::~GuiWindows() {
 
 void GuiWindows::run() {
   pthread_setname_np(pthread_self(), "eb:gui");
+  run_application();
+  // Not before Qt is done: whoever waits for us ends the process.
+  const std::lock_guard lock(mutex_);
+  has_ended_ = true;
+  changed_.notify_all();
+}
+
+void GuiWindows::run_application() {
   int argc = 1;
   std::string name = "eyebridge";
   std::array<char*, 2> argv = {name.data(), nullptr};
@@ -57,16 +65,17 @@ void GuiWindows::run() {
       },
       Qt::QueuedConnection);
   QApplication::exec();
+  {
+    const std::lock_guard lock(mutex_);
+    is_ready_ = false;
+  }
   panels_.clear();
   environments_.clear();
-  const std::lock_guard lock(mutex_);
-  has_ended_ = true;
-  changed_.notify_all();
 }
 
 void GuiWindows::post(std::function<void()> action) {
   const std::lock_guard lock(mutex_);
-  if (has_ended_) return;
+  if (!is_ready_) return;
   QMetaObject::invokeMethod(qApp, std::move(action), Qt::QueuedConnection);
 }
 

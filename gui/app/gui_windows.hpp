@@ -35,6 +35,7 @@ class GuiWindows final : public robios::Windows {
 
  private:
   void run();
+  void run_application();
   void show(QWidget& window);
   void last_window_closed();
   void post(std::function<void()> action);
