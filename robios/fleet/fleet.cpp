@@ -166,7 +166,10 @@ int Fleet::run() {
       world_->overruns() == 0
           ? ""
           : fmt::format("; the computer was too slow {} times", world_->overruns()));
-  if (windows_ != nullptr) windows_->finish("All programs have ended");
+  if (windows_ != nullptr) {
+    std::fflush(nullptr);  // whoever reads the programs' output does not wait for the person
+    windows_->finish("All programs have ended");
+  }
   return exit_code();
 }
 
