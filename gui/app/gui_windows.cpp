@@ -77,6 +77,8 @@ void GuiWindows::in_thread(const std::function<void()>& action) {
 }
 
 void GuiWindows::open_panel(const robios::PanelStart& start) {
+  // Now, not when it is there: the program may wait for a key before that.
+  start.keys->set_window(true);
   post([this, start] {
     const auto& panel = panels_.emplace_back(std::make_unique<PanelWindow>(start));
     const int step = kCascade * (static_cast<int>(panels_.size() - 1) % kCascadeLength);
