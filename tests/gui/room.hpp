@@ -3,6 +3,7 @@
 #include <QPointF>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "eyebridge/base/log.hpp"
 #include "eyebridge/hal/backend.hpp"
@@ -18,6 +19,8 @@ class Room {
   Room();
   [[nodiscard]] hal::Environment& environment() { return *backend_->environment(); }
   [[nodiscard]] hal::Backend& robot() { return *backend_; }
+  /// The room and its robots from now on: of all this, only what was asked for before stays.
+  [[nodiscard]] std::unique_ptr<hal::Backend> take_robot() { return std::move(backend_); }
   [[nodiscard]] Pose pose(int robot);
   /// Time passes.
   void pass(double seconds);
