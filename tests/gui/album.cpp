@@ -1,6 +1,7 @@
 #include "album.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 
