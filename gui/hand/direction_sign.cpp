@@ -8,8 +8,9 @@ namespace eyebridge::gui {
 namespace {
 
 // Shares of the sign's height.
-constexpr double kArrowShare = 0.56;
+constexpr double kArrowShare = 0.5;
 constexpr double kHeadlineShare = 0.24;
+constexpr double kLineShare = 0.13;
 
 }  // namespace
 
@@ -18,11 +19,9 @@ DirectionSign::DirectionSign(QWidget* parent) : QWidget(parent) {
 }
 
 void DirectionSign::show_words(const HandWords& words) {
-  const bool is_same =
-      words.way == words_.way && words.headline == words_.headline && words.detail == words_.detail;
-  if (is_same) return;
+  if (words == words_) return;
   words_ = words;
-  setAccessibleDescription(words.headline + ". " + words.detail);
+  setAccessibleDescription(words.headline + ". " + words.detail + ". " + words.speed);
   update();
 }
 
@@ -60,14 +59,17 @@ void DirectionSign::paintEvent(QPaintEvent* /*event*/) {
   paint_arrow(painter, words_.way);
   painter.restore();
   painter.setPen(ink);
-  const QRect headline = headline_place();
-  painter.setFont(fitted(words_.headline, headline));
-  painter.drawText(headline, Qt::AlignCenter, words_.headline);
-  const QRect detail(headline.left(), headline.bottom(), headline.width(),
-                     std::max(1, height() - headline.bottom()));
-  const QRect line = detail.adjusted(0, 0, 0, -detail.height() / 8);
-  painter.setFont(fitted(words_.detail, line));
-  painter.drawText(line, Qt::AlignCenter, words_.detail);
+  const auto write = [&](const QString& text, const QRect& place) {
+    painter.setFont(fitted(text, place));
+    painter.drawText(place, Qt::AlignCenter, text);
+  };
+  QRect line = headline_place();
+  write(words_.headline, line);
+  line.setTop(line.bottom());
+  line.setHeight(static_cast<int>(kLineShare * height()));
+  write(words_.detail, line);
+  line.translate(0, line.height());
+  write(words_.speed, line);
 }
 
 }  // namespace eyebridge::gui

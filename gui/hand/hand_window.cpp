@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
 
@@ -37,7 +38,8 @@ HandWindow::HandWindow(const robios::HandStart& start)
   place_->setAccessibleName(tr("Where the robot is"));
   statusBar()->addWidget(place_, 1);
   make_menus(*dock);
-  // As it was left.
+  // Qt takes two thirds of the display at most; then as it was left.
+  resize(sizeHint().boundedTo(screen()->availableSize()));
   const QSettings settings;
   restoreGeometry(settings.value("hand/geometry").toByteArray());
   restoreState(settings.value("hand/state").toByteArray());
@@ -95,7 +97,7 @@ void HandWindow::show_place(const hal::HandLook& look) {
 
 void HandWindow::tell_end(const QString& how) {
   timer_.stop();
-  sign_->show_words({Way::Stand, tr("The run has ended"), how});
+  sign_->show_words({Way::Stand, tr("The run has ended"), how, {}});
 }
 
 bool HandWindow::save_window(const QString& path) {

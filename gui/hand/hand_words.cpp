@@ -78,20 +78,22 @@ QString speed_text(const Twist& speed) {
 HandWords words_for(const hal::Instruction& instruction) {
   switch (instruction.kind) {
     case Kind::Lost:
-      return {Way::Lost, HandTexts::tr("Show me a marker"),
-              QString::fromStdString(instruction.reason)};
+      return {Way::Lost,
+              HandTexts::tr("Show me a marker"),
+              QString::fromStdString(instruction.reason),
+              {}};
     case Kind::Stand:
-      return {Way::Stand, name_of(Way::Stand), {}};
+      return {Way::Stand, name_of(Way::Stand), {}, {}};
     case Kind::Speed: {
       const Way way = way_of(instruction.speed.linear, instruction.speed.angular);
-      if (way == Way::Stand) return {way, name_of(way), {}};
-      return {way, speed_text(instruction.speed), name_of(way)};
+      if (way == Way::Stand) return {way, name_of(way), {}, {}};
+      return {way, speed_text(instruction.speed), name_of(way), {}};
     }
     case Kind::Goal: {
       const Way way = way_of(instruction.distance, instruction.angle);
-      if (way == Way::Stand) return {way, name_of(way), {}};
-      return {way, amount_text(instruction.distance, instruction.angle),
-              both(name_of(way), speed_text(instruction.speed))};
+      if (way == Way::Stand) return {way, name_of(way), {}, {}};
+      return {way, amount_text(instruction.distance, instruction.angle), name_of(way),
+              speed_text(instruction.speed)};
     }
   }
   return {};

@@ -24,7 +24,10 @@ enum class Way {
 struct HandWords {
   Way way = Way::Stand;
   QString headline;  ///< "420 mm": how far still; where there is no goal, how fast.
-  QString detail;    ///< "Straight ahead, 200 mm/s"
+  QString detail;    ///< "Straight ahead", or why the robot is lost.
+  QString speed;     ///< "200 mm/s", where the headline is something else.
+
+  friend bool operator==(const HandWords&, const HandWords&) = default;
 };
 
 HandWords words_for(const hal::Instruction& instruction);

@@ -35,7 +35,7 @@ void paint_turn(QPainter& painter) {
   QPainterPath line;
   const QRectF circle(-0.65, -0.65, 1.3, 1.3);
   line.arcMoveTo(circle, -90);
-  line.arcTo(circle, -90, 260);
+  line.arcTo(circle, -90, 278);
   paint_line(painter, line);
   paint_head(painter, {-0.72, 0.62}, 185.0);
 }
