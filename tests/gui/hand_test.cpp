@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <QSettings>
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 #include <mutex>
 
