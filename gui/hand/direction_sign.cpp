@@ -15,7 +15,7 @@ constexpr double kLineShare = 0.13;
 }  // namespace
 
 DirectionSign::DirectionSign(QWidget* parent) : QWidget(parent) {
-  setAccessibleName(QCoreApplication::translate("eyebridge::gui::HandWindow", "Where to go"));
+  setAccessibleName(tr("Where to go"));
 }
 
 void DirectionSign::show_words(const HandWords& words) {

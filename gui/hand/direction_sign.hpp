@@ -10,6 +10,8 @@ namespace eyebridge::gui {
 
 /// An arrow and two lines of words, as big as there is room: to be read from two metres.
 class DirectionSign final : public QWidget {
+  Q_OBJECT
+
  public:
   explicit DirectionSign(QWidget* parent);
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QCoreApplication>
 #include <QLabel>
 #include <QMainWindow>
 #include <QTimer>
@@ -16,7 +15,7 @@ namespace eyebridge::gui {
 /// For the person who carries a robot's camera: which way, how far and how fast the program wants
 /// to go; what the camera sees, with the markers that were found; where that is, and how surely.
 class HandWindow final : public QMainWindow {
-  Q_DECLARE_TR_FUNCTIONS(eyebridge::gui::HandWindow)
+  Q_OBJECT
 
  public:
   explicit HandWindow(const robios::HandStart& start);

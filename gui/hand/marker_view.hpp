@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QCoreApplication>
 #include <QImage>
 #include <QWidget>
 #include <vector>
@@ -12,7 +11,7 @@ namespace eyebridge::gui {
 
 /// What the camera in a person's hand sees, with a frame round each marker and its number.
 class MarkerView final : public QWidget {
-  Q_DECLARE_TR_FUNCTIONS(eyebridge::gui::MarkerView)
+  Q_OBJECT
 
  public:
   explicit MarkerView(QWidget* parent);

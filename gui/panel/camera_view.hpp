@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QCoreApplication>
 #include <QImage>
 #include <QWidget>
 
@@ -11,7 +10,7 @@ namespace eyebridge::gui {
 /// The picture that the program got last from its camera, as sharp as it is: at the largest whole
 /// scale that fits, or a whole fraction. Looking takes no picture: the run stays the same.
 class CameraView final : public QWidget {
-  Q_DECLARE_TR_FUNCTIONS(eyebridge::gui::CameraView)
+  Q_OBJECT
 
  public:
   /// `frames` is lent.

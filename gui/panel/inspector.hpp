@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QCoreApplication>
 #include <QTreeWidget>
 #include <vector>
 
@@ -12,7 +11,7 @@ namespace eyebridge::gui {
 /// What the program last read from its robot's sensors and wrote to its actuators: name, value,
 /// unit, when. Asks no device itself: what the program never used is shown as such.
 class Inspector final : public QTreeWidget {
-  Q_DECLARE_TR_FUNCTIONS(eyebridge::gui::Inspector)
+  Q_OBJECT
 
  public:
   enum Column { kName, kValue, kUnit, kTime };

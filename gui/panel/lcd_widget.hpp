@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QCoreApplication>
 #include <QImage>
 #include <QWidget>
 #include <cstdint>
@@ -12,7 +11,7 @@ namespace eyebridge::gui {
 
 /// A robot's screen, pixel for pixel, at the largest whole scale that fits. A click is a touch.
 class LcdWidget final : public QWidget {
-  Q_DECLARE_TR_FUNCTIONS(eyebridge::gui::LcdWidget)
+  Q_OBJECT
 
  public:
   /// Both are lent.

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QCoreApplication>
 #include <QLabel>
 #include <QMainWindow>
 #include <QPushButton>
@@ -24,7 +23,7 @@ namespace eyebridge::gui {
 /// F4 press; beside them, in docks, what its camera gave last, its sensors and actuators, and its
 /// remote control.
 class PanelWindow final : public QMainWindow {
-  Q_DECLARE_TR_FUNCTIONS(eyebridge::gui::PanelWindow)
+  Q_OBJECT
 
  public:
   explicit PanelWindow(const robios::PanelStart& start);

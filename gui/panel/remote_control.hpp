@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QCoreApplication>
 #include <QKeySequence>
 #include <QPushButton>
 #include <QWidget>
@@ -28,7 +27,7 @@ std::span<const RemoteButton> remote_buttons();
 /// The infrared remote control of a robot: a button sends its code, which IRTVGet and IRTVRead give
 /// the program as those of the key script.
 class RemoteControl final : public QWidget {
-  Q_DECLARE_TR_FUNCTIONS(eyebridge::gui::RemoteControl)
+  Q_OBJECT
 
  public:
   /// `keys` is lent.

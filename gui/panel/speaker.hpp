@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QCoreApplication>
 #include <QElapsedTimer>
 #include <QWidget>
 
@@ -11,7 +10,7 @@ namespace eyebridge::gui {
 /// Lights while the robot's loudspeaker plays, and says what: the tone, or the file; the last one
 /// stays to be read.
 class Speaker final : public QWidget {
-  Q_DECLARE_TR_FUNCTIONS(eyebridge::gui::Speaker)
+  Q_OBJECT
 
  public:
   /// `notes` is lent.
