@@ -221,6 +221,29 @@ TEST_F(PanelDocks, AShortBeepIsSeenEvenWhenTimeIsFast) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !panel_->speaker()->is_lit(); }));
 }
 
+TEST_F(PanelDocks, TheSpeakerTellsAFileAndItsLength) {
+  const eyebridge::testing::ScratchFolder folder;
+  std::string wav = "RIFF    WAVEfmt ";
+  const auto put = [&wav](std::uint32_t value, int bytes) {
+    for (int i = 0; i < bytes; ++i) wav += static_cast<char>(value >> (8 * i));
+  };
+  put(16, 4);  // the length of what says: PCM, one channel,
+  put(1, 2);
+  put(1, 2);
+  put(8000, 4);  // of so many bytes a second, one at a time, of 8 bits
+  put(8000, 4);
+  put(1, 2);
+  put(8, 2);
+  wav += "data";
+  put(4000, 4);
+  wav += std::string(4000, '\x80');
+  hal::SoundNote sound;
+  sound.file = folder.write("horn.wav", wav);
+  notes_->put_sound(sound);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return panel_->speaker()->is_lit(); }));
+  EXPECT_EQ(panel_->speaker()->text(), "horn.wav, 0.50 s");
+}
+
 TEST_F(PanelDocks, TheScreenIsSavedPixelForPixel) {
   const eyebridge::testing::ScratchFolder folder;
   lcd_.area(10, 20, 30, 40, {200, 0, 0}, true);

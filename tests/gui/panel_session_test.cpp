@@ -94,6 +94,66 @@ int main(void) {
   program.finish(SIGTERM);
 }
 
+constexpr const char* kSees = R"(
+#include <eyebot.h>
+#include <stdio.h>
+int main(void) {
+  static BYTE frame[QQVGA_SIZE];
+  CAMInit(QQVGA);
+  for (int i = 0; i < 20; i++) {
+    CAMGet(frame);
+    VWSetSpeed(PSDGet(PSD_FRONT) / 4, frame[100] / 4);
+    AUBeep();
+    OSWait(50);
+  }
+  puts("seen");
+  fflush(stdout);
+  KEYWait(KEY1);
+  return 0;
+}
+)";
+
+TEST_F(PanelSession, TheCameraOfAProgramIsShown) {
+  build({}, kSees);
+  RunningProgram program(start({"--fast", "--gui"}));
+  const xcb_window_t panel = person_.window("prog – robot");
+  program.wait_for("seen\n");
+  // The sky, which nothing else here is as blue as.
+  const auto sees_sky = [&] {
+    const QImage picture = person_.picture(panel);
+    int sky = 0;
+    for (int y = 0; y < picture.height(); ++y) {
+      for (int x = picture.width() / 2; x < picture.width(); ++x) {
+        const QColor colour = picture.pixelColor(x, y);
+        if (colour.blue() > 220 && colour.red() < 180) ++sky;
+      }
+    }
+    return sky > 1000;
+  };
+  EXPECT_TRUE(QTest::qWaitFor(sees_sky));
+  program.finish(SIGTERM);
+}
+
+TEST_F(PanelSession, ARunIsTheSameWithAndWithoutWindows) {
+  build({}, kSees);
+  const auto trace = [&](const char* out) {
+    return eyebridge::testing::file_text(folder_.path() + "/" + out + "/trace.csv");
+  };
+  RunningProgram quiet(
+      start({"--fast", "--errors", "realistic", "--keys", "KEY1@5s", "--out", "quiet"}));
+  EXPECT_EQ(quiet.wait(), 0) << quiet.said();
+  RunningProgram seen(
+      start({"--fast", "--errors", "realistic", "--keys", "KEY1@5s", "--out", "seen", "--gui"}));
+  const xcb_window_t panel = person_.window("prog – robot");
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return trace("seen").size() >= trace("quiet").size(); }, 20000));
+  seen.signal(SIGTERM);
+  seen.wait();
+  EXPECT_GT(trace("quiet").size(), 1000U);
+  EXPECT_EQ(trace("seen"), trace("quiet"));
+  static_cast<void>(panel);
+}
+
 TEST_F(PanelSession, TheHandViewOpensWhereAPersonIsToFollow) {
   build({}, R"(
 #include <eyebot.h>

@@ -22,7 +22,7 @@ class Room {
   [[nodiscard]] std::string folder() const { return folder_.path(); }
   [[nodiscard]] hal::Environment& environment() { return *backend_->environment(); }
   [[nodiscard]] hal::Backend& robot() { return *backend_; }
-  /// The room and its robots from now on: of all this, only what was asked for before stays.
+  /// Robot 1 and the room with it, for good: nothing else here works any more.
   [[nodiscard]] std::unique_ptr<hal::Backend> take_robot() { return std::move(backend_); }
   [[nodiscard]] Pose pose(int robot);
   /// Time passes.
