@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "album.hpp"
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/camera/convert.hpp"
 #include "eyebridge/hal/backend.hpp"
@@ -160,6 +161,17 @@ TEST_F(HandView, ShowsThePictureWithAFrameRoundEachMarker) {
   EXPECT_EQ(colour_at({20, 20}), QColor(120, 120, 120));
   QTest::keyClick(&*window_, Qt::Key_M);
   EXPECT_EQ(colour_at({140, 60}), QColor(120, 120, 120)) << "switched off";
+}
+
+TEST_F(HandView, LooksAsReviewed) {
+  look_.has_markers = true;
+  look_.frame = grey_frame();
+  look_.markers = {{42, {Vec2{100, 60}, Vec2{180, 70}, Vec2{180, 140}, Vec2{100, 150}}}};
+  look_.pose = Pose{1.2, 0.35, deg_to_rad(45)};
+  tell(goal(0.42, deg_to_rad(30), 0.2, 0.0));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window_->place_text().startsWith("x 1200"); }));
+  QTest::qWait(0);
+  EXPECT_TRUE(testing::looks_as(window_->grab().toImage(), "hand"));
 }
 
 TEST_F(HandView, TellsThePoseAndHowSureItIs) {

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include "album.hpp"
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/camera/convert.hpp"
 #include "eyebridge/hal/device_notes.hpp"
@@ -265,6 +266,21 @@ TEST_F(PanelDocks, AreSwitchedByTheirKeysAndRemembered) {
   EXPECT_TRUE(dock("inspector").isVisible());
   QTest::keyClick(&*panel_, Qt::Key_F5);
   EXPECT_TRUE(dock("camera").isVisible());
+}
+
+TEST_F(PanelDocks, LookAsReviewed) {
+  lcd_.set_menu({"GO", "", "", "END"});
+  lcd_.area(10, 20, 200, 120, {200, 0, 0}, true);
+  robot_->clock().wait_until(from_seconds(2.0));
+  ASSERT_TRUE(robot_->range_sensor(1)->read());
+  ASSERT_TRUE(robot_->drive()->set_speed({0.2, 0.1}));
+  ASSERT_TRUE(robot_->drive()->odometry());
+  frames_.set(frame(160, 120, from_seconds(1.5)));
+  EXPECT_TRUE(shows("Drive/speed set", "200"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !panel_->camera()->picture().isNull(); }));
+  EXPECT_TRUE(testing::looks_as(panel_->grab().toImage(), "panel"));
+  raise("remote");
+  EXPECT_TRUE(testing::looks_as(panel_->remote().grab().toImage(), "remote_control"));
 }
 
 TEST_F(PanelDocks, NothingIsSentWhenTheProgramHasEnded) {
