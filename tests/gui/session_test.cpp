@@ -59,7 +59,7 @@ TEST_F(Session, PanelThenEnvironmentAndBothStayAtTheEnd) {
   program.wait_for("ready\n");
   EXPECT_THAT(person_.titles(), Not(Contains(HasSubstr("environment")))) << "it has not driven yet";
   ASSERT_TRUE(QTest::qWaitFor(
-      [&] { return person_.picture(panel).pixelColor(50, 50) == QColor(255, 0, 0); }));
+      [&] { return person_.picture(panel).pixelColor(50, 100) == QColor(255, 0, 0); }));
   person_.type(panel, '1');
   const xcb_window_t environment = person_.window("drives – environment");
   program.wait_for("at 100\n");
