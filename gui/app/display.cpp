@@ -22,14 +22,14 @@ bool display_can_be_reached(std::string& why) {
   const std::string display = variable("DISPLAY");
   if (display.empty()) {
     if (!variable("WAYLAND_DISPLAY").empty()) return true;
-    why = "there is no display (DISPLAY is not set)";
+    why = "there is no display (DISPLAY is not set); expected one";
     return false;
   }
   // Kept: a server whose last client leaves begins anew, and refuses Qt meanwhile (Xvfb does).
   static const std::unique_ptr<xcb_connection_t, void (*)(xcb_connection_t*)> connection(
       xcb_connect(display.c_str(), nullptr), xcb_disconnect);
   if (xcb_connection_has_error(connection.get()) == 0) return true;
-  why = "the display " + display + " cannot be reached";
+  why = "the display " + display + " cannot be reached; expected one that can";
   return false;
 }
 

@@ -9,6 +9,8 @@
 #include <thread>
 #include <vector>
 
+#include <QString>
+
 #include "windows/windows.hpp"
 
 class QWidget;
@@ -30,6 +32,7 @@ class GuiWindows final : public robios::Windows {
   void open_panel(const robios::PanelStart& start) override;
   void open_hand_view(const robios::HandStart& start) override;
   void open_environment(hal::Environment& environment) override;
+  void edit(const std::string& path) override;
   void finish(const std::string& how) override;
 
   /// For tests: runs `action` in the windows' thread and waits for it.
@@ -53,6 +56,7 @@ class GuiWindows final : public robios::Windows {
   std::vector<std::unique_ptr<PanelWindow>> panels_;
   std::vector<std::unique_ptr<HandWindow>> hand_views_;
   std::vector<std::unique_ptr<EnvironmentWindow>> environments_;
+  std::vector<std::unique_ptr<QWidget>> editors_;
   std::thread thread_;  ///< Last: it uses the others.
 };
 

@@ -10,7 +10,7 @@ extern "C" __attribute__((visibility("default"))) eyebridge::robios::Windows*
 eyebridge_open_windows(int version, eyebridge::robios::WindowsStart start, std::string& why) {
   using namespace eyebridge;
   if (version != robios::kWindowsVersion) {
-    why = "the plug-in is of another version of EyeBridge";
+    why = "the plug-in is of another version; expected that of this EyeBridge";
     return nullptr;
   }
   if (!gui::display_can_be_reached(why)) return nullptr;

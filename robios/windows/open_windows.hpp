@@ -6,11 +6,8 @@
 
 namespace eyebridge::robios {
 
-/// Whether `config` asks for windows, or leaves it to us and there is a display.
-bool wants_windows(const hal::Config& config);
-
-/// The windows of this process, opened with the first call; null where they are not wanted, and
-/// where there are none and nobody insists, which the log tells as Info. Throws ConfigError where
+/// The windows of this process, opened with the first call; null where `config` does not ask for
+/// them, nor leaves it to us and there is a display, and where there are none and nobody insists, which the log tells as Info. Throws ConfigError where
 /// `gui` is on and they cannot be. Later calls give what the first one did.
 Windows* open_windows(const hal::Config& config, LogSink& log);
 

@@ -1,0 +1,42 @@
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <signal.h>
+#include <unistd.h>
+
+#include "command.hpp"
+#include "eyebridge/base/config_error.hpp"
+#include "own_files.hpp"
+#include "windows/load_windows.hpp"
+
+namespace eyebridge::apps {
+namespace {
+
+void edit(const std::vector<std::string>& files) {
+  std::string why;
+  robios::Windows* const windows = robios::load_windows(
+      own_files().library.parent_path(), {[] { kill(getpid(), SIGTERM); }, "eyebridge"}, why);
+  if (windows == nullptr) throw ConfigError({"edit"}, "no windows can be opened: " + why);
+  for (const std::string& file : files) windows->edit(std::filesystem::absolute(file).string());
+  if (files.empty()) windows->edit("");
+  windows->finish("");
+}
+
+}  // namespace
+
+void add_edit(CLI::App& root, int& code) {
+  CLI::App* command = root.add_subcommand(
+      "edit", "Opens worlds and programs in windows: edit [FILE...]; a new world without a file");
+  const auto files = std::make_shared<std::vector<std::string>>();
+  command->add_option("files", *files, "Worlds (.wld, .maz, .sim) and programs (.c, .cpp, .py)")
+      ->type_name("FILE");
+  command->callback([files, &code] {
+    edit(*files);
+    code = kFine;
+  });
+}
+
+}  // namespace eyebridge::apps
