@@ -113,8 +113,21 @@ int main(void) {
 }
 )";
 
+// It does not drive: the environment's window would open, and lie over the panel.
 TEST_F(PanelSession, TheCameraOfAProgramIsShown) {
-  build({}, kSees);
+  build({}, R"(
+#include <eyebot.h>
+#include <stdio.h>
+int main(void) {
+  static BYTE frame[QQVGA_SIZE];
+  CAMInit(QQVGA);
+  CAMGet(frame);
+  puts("seen");
+  fflush(stdout);
+  KEYWait(KEY1);
+  return 0;
+}
+)");
   RunningProgram program(start({"--fast", "--gui"}));
   const xcb_window_t panel = person_.window("prog – robot");
   program.wait_for("seen\n");
@@ -169,6 +182,8 @@ int main(void) {
   RunningProgram program(start({"--drive", "hand:free"}));
   const xcb_window_t view = person_.window("carried by hand");
   program.wait_for("drives\n");
+  person_.close(person_.window("environment"));  // it may lie over the view
+  person_.wait_until_gone("environment");
   // The arrow: black on white, in the left half.
   EXPECT_TRUE(QTest::qWaitFor([&] {
     const QImage picture = person_.picture(view);
