@@ -212,11 +212,6 @@ bool same_traits(const ObjectTraits& a, const ObjectTraits& b) {
          a.fixed == b.fixed && a.path == b.path;
 }
 
-bool same_robot(const SimRobot& a, const SimRobot& b) {
-  return a.model == b.model && a.start == b.start && a.pose == b.pose && a.program == b.program &&
-         a.arguments == b.arguments && same_traits(a.traits, b.traits) && a.enters == b.enters;
-}
-
 bool same_rule(const ErrorRule& a, const ErrorRule& b) {
   return a.robot == b.robot && a.preset == b.preset && a.kind == b.kind && a.device == b.device &&
          a.values == b.values;
@@ -224,13 +219,21 @@ bool same_rule(const ErrorRule& a, const ErrorRule& b) {
 
 }  // namespace
 
+bool same_meaning(const SimRobot& a, const SimRobot& b) {
+  return a.model == b.model && a.start == b.start && a.pose == b.pose && a.program == b.program &&
+         a.arguments == b.arguments && same_traits(a.traits, b.traits) && a.enters == b.enters;
+}
+
 bool same_meaning(const SimFile& a, const SimFile& b) {
   const auto same_file = [](const auto& one, const auto& other) {
     return one.first == other.first;
   };
+  const auto same_line = [](const SimRobot& one, const SimRobot& other) {
+    return same_meaning(one, other);
+  };
   return a.world == b.world && std::ranges::equal(a.robot_files, b.robot_files, same_file) &&
          std::ranges::equal(a.object_files, b.object_files, same_file) &&
-         std::ranges::equal(a.robots, b.robots, same_robot) && a.objects == b.objects &&
+         std::ranges::equal(a.robots, b.robots, same_line) && a.objects == b.objects &&
          a.markers == b.markers && std::ranges::equal(a.errors, b.errors, same_rule) &&
          a.show_sensors == b.show_sensors && a.show_trail == b.show_trail;
 }
