@@ -17,7 +17,7 @@ Canvas::Canvas(Document& document, QWidget* parent) : QWidget(parent), document_
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(200, 150);
   setAccessibleName(tr("Plan of the world"));
-  set_tool(Tool::Select);
+  set_tool(PlanTool::Select);
 }
 
 void Canvas::set_catalogue(Catalogue catalogue) {
@@ -30,7 +30,7 @@ void Canvas::set_texture(const QImage& texture) {
   update();
 }
 
-void Canvas::set_tool(Tool tool) {
+void Canvas::set_tool(PlanTool tool) {
   is_down_ = false;
   chain_.reset();
   new_at_.reset();
@@ -39,7 +39,7 @@ void Canvas::set_tool(Tool tool) {
   measure_.reset();
   document_.cancel();
   tool_ = tool;
-  setCursor(tool == Tool::Select ? Qt::ArrowCursor : Qt::CrossCursor);
+  setCursor(tool == PlanTool::Select ? Qt::ArrowCursor : Qt::CrossCursor);
   update();
 }
 
@@ -108,7 +108,7 @@ void Canvas::paint_overlay(QPainter& painter) {
 void Canvas::paint_measure(QPainter& painter) {
   if (!measure_) return;
   const auto& [from, to] = *measure_;
-  if (tool_ == Tool::Measure) {
+  if (tool_ == PlanTool::Measure) {
     painter.setPen(QPen(palette().color(QPalette::Highlight), 2.0));
     painter.drawLine(view_.to_pixel(from), view_.to_pixel(to));
   }
@@ -202,11 +202,11 @@ void Canvas::keyPressEvent(QKeyEvent* event) {
 
 Item Canvas::add(Plan& plan, Vec2 at) const {
   switch (tool_) {
-    case Tool::Thing:
+    case PlanTool::Thing:
       return add_thing(plan, thing_, at);
-    case Tool::Marker:
+    case PlanTool::Marker:
       return add_marker(plan, at);
-    case Tool::Start:
+    case PlanTool::Start:
       return add_start(plan, at);
     default:
       return add_robot(plan, robot_, at);
@@ -215,11 +215,11 @@ Item Canvas::add(Plan& plan, Vec2 at) const {
 
 QString Canvas::step_name() const {
   switch (tool_) {
-    case Tool::Thing:
+    case PlanTool::Thing:
       return tr("Place object");
-    case Tool::Marker:
+    case PlanTool::Marker:
       return tr("Place marker");
-    case Tool::Start:
+    case PlanTool::Start:
       return tr("Place start");
     default:
       return tr("Place robot");

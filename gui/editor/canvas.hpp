@@ -15,7 +15,7 @@
 namespace eyebridge::gui {
 
 /// What the left button does.
-enum class Tool { Select, Wall, Thing, Marker, Robot, Start, Way, Measure };
+enum class PlanTool { Select, Wall, Thing, Marker, Robot, Start, Way, Measure };
 
 /// A point of a way that is picked, to be removed.
 struct WayPoint {
@@ -40,8 +40,8 @@ class Canvas final : public QWidget {
   /// Of the floor; null: plain.
   void set_texture(const QImage& texture);
 
-  [[nodiscard]] Tool tool() const { return tool_; }
-  void set_tool(Tool tool);
+  [[nodiscard]] PlanTool tool() const { return tool_; }
+  void set_tool(PlanTool tool);
   void set_thing(const std::string& name) { thing_ = name; }
   void set_robot(const std::string& model) { robot_ = model; }
   /// Metres; 0: none, places are then whole millimetres.
@@ -104,7 +104,7 @@ class Canvas final : public QWidget {
   Document& document_;
   Catalogue catalogue_;
   QImage texture_;
-  Tool tool_ = Tool::Select;
+  PlanTool tool_ = PlanTool::Select;
   std::string thing_ = "golf";
   std::string robot_ = "S4";
   double grid_ = 0.1;

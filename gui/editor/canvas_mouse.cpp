@@ -72,13 +72,13 @@ void Canvas::mousePressEvent(QMouseEvent* event) {
   has_moved_ = false;
   const Qt::KeyboardModifiers keys = event->modifiers();
   switch (tool_) {
-    case Tool::Select:
+    case PlanTool::Select:
       return press_select(place, keys);
-    case Tool::Wall:
+    case PlanTool::Wall:
       return press_wall(place, keys);
-    case Tool::Way:
+    case PlanTool::Way:
       return press_way(place, keys);
-    case Tool::Measure:
+    case PlanTool::Measure:
       press_place_ = on_vertex_or_grid(document_.plan(), place, is_free(keys) ? 0 : grid_, slack());
       return say_length(press_place_, press_place_);
     default:
@@ -163,7 +163,7 @@ void Canvas::mouseMoveEvent(QMouseEvent* event) {
   if (!is_down_) return;
   has_moved_ = has_moved_ || !is_tiny(event->position());
   if (!has_moved_) return;
-  if (tool_ == Tool::Measure) {
+  if (tool_ == PlanTool::Measure) {
     say_length(press_place_,
                on_vertex_or_grid(document_.plan(), place, is_free(keys) ? 0 : grid_, slack()));
   } else if (new_at_) {
@@ -232,7 +232,7 @@ void Canvas::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton || !is_down_) return;
   is_down_ = false;
   const Vec2 place = view_.to_world(event->position());
-  if (tool_ == Tool::Wall && chain_) {
+  if (tool_ == PlanTool::Wall && chain_) {
     const Vec2 end = wall_end(place, event->modifiers());
     if (!same_point(*chain_, end)) finish_wall(end);
     // A wall that was drawn in one stroke is one; a click begins the next one.
@@ -243,10 +243,10 @@ void Canvas::mouseReleaseEvent(QMouseEvent* event) {
     new_at_.reset();
     document_.commit(step_name());
     const Plan& plan = document_.plan();
-    const Kind kind = tool_ == Tool::Thing    ? Kind::Thing
-                      : tool_ == Tool::Marker ? Kind::Marker
-                      : tool_ == Tool::Robot  ? Kind::Robot
-                                              : Kind::Start;
+    const Kind kind = tool_ == PlanTool::Thing    ? Kind::Thing
+                      : tool_ == PlanTool::Marker ? Kind::Marker
+                      : tool_ == PlanTool::Robot  ? Kind::Robot
+                                                  : Kind::Start;
     Item last{kind, 0};
     while (has(plan, {kind, last.index + 1})) ++last.index;
     return document_.select({last});
@@ -266,7 +266,7 @@ void Canvas::release_select(Vec2 place, Qt::KeyboardModifiers keys) {
     document_.commit(turns ? tr("Turn") : tr("Move"));
   }
   hold_.reset();
-  if (tool_ != Tool::Measure) measure_.reset();
+  if (tool_ != PlanTool::Measure) measure_.reset();
   update();
 }
 
@@ -286,12 +286,12 @@ void Canvas::finish_wall(Vec2 end) {
 
 void Canvas::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
-  if (tool_ == Tool::Wall) {  // the first click has drawn it; this one ends the row
+  if (tool_ == PlanTool::Wall) {  // the first click has drawn it; this one ends the row
     chain_.reset();
     measure_.reset();
     return update();
   }
-  if (tool_ != Tool::Select) return mousePressEvent(event);
+  if (tool_ != PlanTool::Select) return mousePressEvent(event);
   const auto hold = pick(document_.plan(), catalogue_, view_.to_world(event->position()), slack());
   if (!hold) return;
   const Vec2 at = snapped(hold->at, event->modifiers());

@@ -42,8 +42,10 @@ void EditorWindow::make_edit_menu() {
   QMenu& menu = *menuBar()->addMenu(tr("&Edit"));
   QAction* const undo = document_.history().createUndoAction(this, tr("&Undo"));
   undo->setShortcut(QKeySequence::Undo);
+  undo->setIconText(tr("Undo"));  // of the tool bar, which must not jump
   QAction* const redo = document_.history().createRedoAction(this, tr("&Redo"));
   redo->setShortcuts({QKeySequence(QKeySequence::Redo), Qt::CTRL | Qt::Key_Y});
+  redo->setIconText(tr("Redo"));
   menu.addActions({undo, redo});
   menu.addSeparator();
   add_action(menu, tr("Cu&t"), QKeySequence::Cut, [this] {
@@ -81,35 +83,36 @@ void EditorWindow::make_tool_menu() {
   bar.setObjectName("tool_bar");
   tools_ = new QActionGroup(this);
   struct Row {
-    Tool tool;
+    PlanTool tool;
     QString text;
     Qt::Key key;
     QString help;
   };
   const Row rows[] = {
-      {Tool::Select, tr("Se&lect"), Qt::Key_V,
+      {PlanTool::Select, tr("Se&lect"), Qt::Key_V,
        tr("Drag things, ends of walls, way-points; drag a rim to turn; double-click a wall to "
           "split "
           "it")},
-      {Tool::Wall, tr("&Wall"), Qt::Key_W,
+      {PlanTool::Wall, tr("&Wall"), Qt::Key_W,
        tr("Drag a wall, or click from corner to corner; Shift: straight; Ctrl: off the grid")},
-      {Tool::Thing, tr("&Object"), Qt::Key_O, tr("Click to place it; drag on to turn it")},
-      {Tool::Robot, tr("&Robot"), Qt::Key_R, tr("Click to place it; drag on to turn it")},
-      {Tool::Start, tr("&Start"), Qt::Key_S, tr("Click where robots may start; drag on to turn")},
-      {Tool::Marker, tr("&Marker"), Qt::Key_M, tr("Click to paint a disc on the floor")},
-      {Tool::Way, tr("Wa&y"), Qt::Key_P,
+      {PlanTool::Thing, tr("&Object"), Qt::Key_O, tr("Click to place it; drag on to turn it")},
+      {PlanTool::Robot, tr("&Robot"), Qt::Key_R, tr("Click to place it; drag on to turn it")},
+      {PlanTool::Start, tr("&Start"), Qt::Key_S,
+       tr("Click where robots may start; drag on to turn")},
+      {PlanTool::Marker, tr("&Marker"), Qt::Key_M, tr("Click to paint a disc on the floor")},
+      {PlanTool::Way, tr("Wa&y"), Qt::Key_P,
        tr("Click on an object, then where it shall go, point by point")},
-      {Tool::Measure, tr("M&easure"), Qt::Key_L, tr("Drag from one place to another")},
+      {PlanTool::Measure, tr("M&easure"), Qt::Key_L, tr("Drag from one place to another")},
   };
   for (const Row& row : rows) {
-    const Tool tool = row.tool;
+    const PlanTool tool = row.tool;
     const QString help = row.help;
     QAction* const action = add_action(menu, row.text, row.key, [this, tool, help] {
       canvas_->set_tool(tool);
       message_->setText(help);
     });
     action->setCheckable(true);
-    action->setChecked(tool == Tool::Select);
+    action->setChecked(tool == PlanTool::Select);
     action->setToolTip(help + QString(" (%1)").arg(QKeySequence(row.key).toString()));
     tools_->addAction(action);
     bar.addAction(action);

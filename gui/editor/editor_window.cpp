@@ -3,16 +3,21 @@
 #include <QAction>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QFileInfo>
 #include <QScrollArea>
 #include <QSettings>
 #include <QVBoxLayout>
 #include <utility>
 
+#include "eyebridge/base/units.hpp"
+
 namespace eyebridge::gui {
 namespace {
 
-constexpr double kNewSide = 4.0;  // metres
+constexpr double kNewSide = 4.0;    // metres
+constexpr double kUsualGrid = 0.1;  // metres
+constexpr int kPanelWidth = 270;    // pixels
 constexpr int kAutosaveDelay_ms = 2000;
 
 }  // namespace
@@ -33,6 +38,8 @@ EditorWindow::EditorWindow(const QString& path)
   auto* const scroll = new QScrollArea(this);
   scroll->setWidget(properties_);
   scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(kPanelWidth);
   auto* const dock = new QDockWidget(tr("Properties"), this);
   dock->setObjectName("properties");
   dock->setWidget(scroll);
@@ -83,8 +90,7 @@ void EditorWindow::take(PlanFiles files) {
   if (files.path.empty()) files.plan = empty_plan(kNewSide, kNewSide);
   for (const char* topic : {"disk", "save", "warnings", "run", "recovery"}) notices_->end(topic);
   files_ = std::move(files);
-  autosave_.reset();  // the old file's lock first: it may be the same one
-  autosave_ = std::make_unique<Autosave>(files_.path);
+  autosave_.reset();
   const auto on_change = std::exchange(document_.on_change, {});
   document_.history().clear();
   document_.select({});
@@ -92,9 +98,14 @@ void EditorWindow::take(PlanFiles files) {
   document_.edit({}, [&](Plan& changed) { changed = plan; });
   document_.history().clear();  // it is where we begin
   document_.on_change = on_change;
+  // Not before: a clean history means that there is nothing to recover.
+  autosave_ = std::make_unique<Autosave>(files_.path);
   if (autosave_->has_left()) offer_left();
   show_files();
   tell_warnings();
+  // In a maze walls lie on the grid, and starts in the middle of its cells.
+  const auto& cell = files_.plan.cell;
+  grid_->setValue(m_to_mm(cell ? *cell / 2 : kUsualGrid));
   canvas_->fit();
   refresh();
 }

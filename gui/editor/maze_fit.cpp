@@ -211,12 +211,15 @@ double common_measure(const Plan& plan) {
 
 MazeFit fit_maze(const Plan& plan, bool all_things) {
   std::vector<double> cells;
-  if (plan.cell) cells.push_back(*plan.cell);
-  const double measure = common_measure(plan);
-  for (int parts = 1; parts <= kFinest && measure / parts >= kLeastCell; ++parts) {
-    // Whole tenths of a millimetre: a file says them, and a person can read them.
-    const double cell = std::round(measure / parts * 1e4) / 1e4;
-    if (std::abs(cell * parts - measure) < kOnGrid) cells.push_back(cell);
+  if (plan.cell) {
+    cells.push_back(*plan.cell);
+  } else {
+    const double measure = common_measure(plan);
+    for (int parts = 1; parts <= kFinest && measure / parts >= kLeastCell; ++parts) {
+      // Whole tenths of a millimetre: a file says them, and a person can read them.
+      const double cell = std::round(measure / parts * 1e4) / 1e4;
+      if (std::abs(cell * parts - measure) < kOnGrid) cells.push_back(cell);
+    }
   }
   // What lies on no grid is told of the finest that anybody would draw.
   if (cells.empty()) cells.push_back(kLeastCell);

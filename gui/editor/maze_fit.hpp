@@ -13,7 +13,7 @@ struct MazeFit {
   QString why;                            ///< The first thing that does not fit, with its place.
 };
 
-/// Looks for a grid: that of the maze that the plan was read from, else the coarsest one on which
+/// Looks for a grid: the plan's own, if it has one, else the coarsest one on which
 /// all walls lie and in whose cells all starts and things stand. Things that no drawing has count
 /// only where `all_things` says so; then markers and robots must not be there either.
 MazeFit fit_maze(const Plan& plan, bool all_things);

@@ -176,7 +176,6 @@ class Saver {
     saving_.files.ground_header.clear();
     if (!all_things) return;
     plan().starts = fit.maze->starts;  // with the letters that they got
-    plan().cell = fit.maze->maze->cell;
     for (Thing& thing : plan().things) thing.is_drawn = true;
   }
 
@@ -215,18 +214,28 @@ class Saver {
                         folder_of(source_.ground) == folder_of(target_);
     const std::string ending = ending_of(source_.ground);
     if (ending == ".maz" || (source_.path.empty() && plan().cell)) {
-      auto path = beside ? source_.ground : target_;
-      path.replace_extension(".maz");
+      const auto path = ground_path(beside, ".maz");
       if (fit_maze(plan(), false).maze) {
         write_maze(path, false);
         return name_ground(path);
       }
       leave_maze();
     }
-    auto path = beside ? source_.ground : target_;
-    path.replace_extension(".wld");
+    const auto path = ground_path(beside, ".wld");
     write_ground(path);
     name_ground(path);
+  }
+
+  /// The old ground's own file, or one of the simulation's name that is not there yet.
+  [[nodiscard]] std::filesystem::path ground_path(bool beside, const std::string& ending) const {
+    if (beside && ending_of(source_.ground) == ending) return source_.ground;
+    auto path = target_;
+    path.replace_extension(ending);
+    std::error_code error;
+    for (int i = 2; std::filesystem::exists(path, error); ++i) {
+      path = target_.parent_path() / (target_.stem().string() + "-" + std::to_string(i) + ending);
+    }
+    return path;
   }
 
   /// What only a maze can say: letters of starts, and things that are drawn.

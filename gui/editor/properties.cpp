@@ -57,6 +57,15 @@ std::vector<Property> Rows::floor() {
   std::vector<Property> rows;
   rows.push_back(length(tr("Width"), 1, kFarthest_mm, width));
   rows.push_back(length(tr("Height"), 1, kFarthest_mm, height));
+  Property cell = number(
+      tr("Maze cell"), "mm", 0, 100000, 1,
+      [](const Plan& plan, const Item&) { return m_to_mm(plan.cell.value_or(0.0)); },
+      [](Plan& plan, const Item&, const QVariant& value) {
+        plan.cell.reset();
+        if (value.toDouble() > 0) plan.cell = mm_to_m(value.toDouble());
+      });
+  cell.none = tr("by itself");
+  rows.push_back(cell);
   rows.push_back(other(
       tr("Texture"), Property::Type::Text,
       [](const Plan& plan, const Item&) {

@@ -12,6 +12,11 @@
 #include <algorithm>
 
 namespace eyebridge::gui {
+namespace {
+
+constexpr int kNarrowest = 90;  // pixels, of a field
+
+}  // namespace
 
 PropertyPanel::PropertyPanel(Document& document, QWidget* parent)
     : QWidget(parent), document_(document), title_(new QLabel(this)), form_(new QFormLayout) {
@@ -19,7 +24,6 @@ PropertyPanel::PropertyPanel(Document& document, QWidget* parent)
   column->addWidget(title_);
   column->addLayout(form_);
   column->addStretch();
-  setMinimumWidth(220);
   refresh();
 }
 
@@ -47,6 +51,9 @@ void PropertyPanel::rebuild(std::optional<Kind> kind) {
   for (const Property& property : rows_) {
     QWidget* const field = make_field(property);
     field->setAccessibleName(property.name);
+    // As wide as the panel: their own idea is that of the longest number.
+    field->setMinimumWidth(kNarrowest);
+    field->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     fields_[property.name] = field;
     form_->addRow(property.name, field);
   }

@@ -258,7 +258,7 @@ TEST_F(Editor, RobotsHavePrograms) {
   QTest::keyClicks(program, "follow.x");  // whose letters are tools elsewhere
   QTest::keyClick(program, Qt::Key_Return);
   EXPECT_EQ(plan().robots[0].program, "follow.x");
-  EXPECT_EQ(window_->canvas().tool(), Tool::Robot);
+  EXPECT_EQ(window_->canvas().tool(), PlanTool::Robot);
   window_->properties().set_value("Arguments", "1 \"two words\"");
   EXPECT_EQ(plan().robots[0].arguments, (std::vector<std::string>{"1", "two words"}));
   window_->properties().set_value("Enters after", 2.5);
