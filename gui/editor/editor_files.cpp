@@ -1,4 +1,5 @@
 // The editor's files: saving, changes by others, what an editor left that ended without a word.
+#include <QComboBox>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QImage>
@@ -102,12 +103,59 @@ void EditorWindow::tell_warnings() {
 }
 
 void EditorWindow::show_catalogue() {
-  catalogue_ = Catalogue(document_.settled().rest, files_.path.parent_path());
+  described_ = document_.settled().rest;
+  catalogue_ = Catalogue(described_, files_.path.parent_path());
   canvas_->set_catalogue(catalogue_);
   properties_->set_catalogue(catalogue_);
   make_choices();
+}
+
+void EditorWindow::show_texture() {
+  textured_ = document_.settled().texture;
   const auto file = texture_file(document_.settled(), files_);
-  canvas_->set_texture(file.empty() ? QImage() : QImage(QString::fromStdString(file.string())));
+  const QImage picture = file.empty() ? QImage() : QImage(QString::fromStdString(file.string()));
+  canvas_->set_texture(picture);
+  if (textured_ && picture.isNull()) {
+    notices_->tell("texture", tr("The floor's texture %1 is not found, or is no picture")
+                                  .arg(QString::fromStdString(*textured_)));
+  } else {
+    notices_->end("texture");
+  }
+}
+
+bool EditorWindow::add_description(const QString& path) {
+  const bool is_robot = path.endsWith(".robi", Qt::CaseInsensitive);
+  files::SimFile sim;
+  (is_robot ? sim.robot_files : sim.object_files)
+      .push_back({QFileInfo(path).absoluteFilePath().toStdString(), {}});
+  const Catalogue found(sim, files_.path.parent_path());
+  if (!found.problems().empty()) {
+    notices_->tell("describe", QString::fromStdString(found.problems().front()));
+    return false;
+  }
+  notices_->end("describe");
+  // Beside the file that will name it, its name alone does.
+  const QFileInfo info(path);
+  const bool beside =
+      !files_.path.empty() && info.absolutePath() == QFileInfo(this->path()).absolutePath();
+  const QString name = beside ? info.fileName() : info.absoluteFilePath();
+  document_.edit(tr("Add %1").arg(info.fileName()), [&](Plan& plan) {
+    auto& list = is_robot ? plan.rest.robot_files : plan.rest.object_files;
+    list.push_back({name.toStdString(), {}});
+  });
+  robots_->setCurrentText(QString::fromStdString(found.names().back()));
+  return true;
+}
+
+void EditorWindow::ask_for_description() {
+  auto* const dialog =
+      new QFileDialog(this, tr("Add robot or object"), QFileInfo(path()).absolutePath(),
+                      tr("Robots and objects (*.robi *.esObj)"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this](const QString& file) { add_description(file); });
+  dialog->open();
 }
 
 void EditorWindow::when_free(std::function<void()> act) {

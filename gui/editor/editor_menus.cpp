@@ -8,6 +8,8 @@
 #include <QMenuBar>
 #include <QStatusBar>
 #include <QToolBar>
+#include <algorithm>
+#include <vector>
 
 #include "editor/editor_window.hpp"
 #include "editor/edits.hpp"
@@ -34,6 +36,8 @@ void EditorWindow::make_file_menu() {
   menu.addSeparator();
   add_action(menu, tr("&Import floor plan..."), Qt::CTRL | Qt::Key_I,
              [this] { ask_for_picture(); });
+  add_action(menu, tr("Add &robot or object..."), Qt::CTRL | Qt::Key_R,
+             [this] { ask_for_description(); });
   menu.addSeparator();
   add_action(menu, tr("&Close"), QKeySequence::Close, [this] { close(); });
 }
@@ -64,6 +68,8 @@ void EditorWindow::make_edit_menu() {
   menu.addSeparator();
   add_action(menu, tr("Select &all"), QKeySequence::SelectAll,
              [this] { document_.select(all_items(document_.plan())); });
+  add_action(menu, tr("Select &next"), Qt::Key_N, [this] { select_next(1); });
+  add_action(menu, tr("Select pre&vious"), Qt::SHIFT | Qt::Key_N, [this] { select_next(-1); });
   add_action(menu, tr("&Let go"), Qt::Key_Escape, [this] { canvas_->cancel(); });
   menu.addSeparator();
   constexpr double kTurn = 15.0;  // degrees
@@ -117,12 +123,18 @@ void EditorWindow::make_tool_menu() {
     tools_->addAction(action);
     bar.addAction(action);
   }
+  const auto use = [this](PlanTool tool) {
+    tools_->actions().at(tool == PlanTool::Thing ? 2 : 3)->trigger();
+  };
   things_ = new QComboBox(this);
   things_->setAccessibleName(tr("Object to place"));
   things_->setToolTip(tr("Object to place"));
   connect(things_, &QComboBox::currentTextChanged, this,
           [this](const QString& name) { canvas_->set_thing(name.toStdString()); });
+  // Who chooses what to place wants to place it.
+  connect(things_, &QComboBox::textActivated, this, [use] { use(PlanTool::Thing); });
   robots_ = new QComboBox(this);
+  connect(robots_, &QComboBox::textActivated, this, [use] { use(PlanTool::Robot); });
   robots_->setAccessibleName(tr("Robot to place"));
   robots_->setToolTip(tr("Robot, or object that a file describes, to place"));
   connect(robots_, &QComboBox::currentTextChanged, this,
@@ -185,6 +197,19 @@ void EditorWindow::make_status() {
         tr("x %1  y %2 mm").arg(m_to_mm(place.x), 0, 'f', 0).arg(m_to_mm(place.y), 0, 'f', 0));
   };
   canvas_->on_message = [this](const QString& text) { message_->setText(text); };
+}
+
+void EditorWindow::select_next(int by) {
+  const Selection all = all_items(document_.settled());
+  if (all.empty()) return;
+  const std::vector<Item> items(all.begin(), all.end());
+  const auto count = static_cast<std::ptrdiff_t>(items.size());
+  std::ptrdiff_t index = by > 0 ? 0 : count - 1;
+  if (!document_.selection().empty()) {
+    const auto found = std::ranges::find(items, *document_.selection().begin());
+    index = (found - items.begin() + by + count) % count;
+  }
+  document_.select({items[static_cast<std::size_t>(index)]});
 }
 
 void EditorWindow::copy() {

@@ -74,6 +74,9 @@ EditorWindow::~EditorWindow() {
 QString EditorWindow::path() const { return QString::fromStdString(files_.path.string()); }
 
 void EditorWindow::refresh() {
+  const Plan& plan = document_.settled();
+  if (!files::same_meaning(plan.rest, described_)) show_catalogue();
+  if (plan.texture != textured_) show_texture();
   canvas_->refresh();
   properties_->refresh();
   setWindowModified(!document_.history().isClean());
@@ -115,6 +118,7 @@ void EditorWindow::show_files() {
   setWindowTitle(tr("%1[*] – world editor").arg(name));
   watch_.follow({files_.path, files_.ground});
   show_catalogue();
+  show_texture();
 }
 
 bool EditorWindow::open(const QString& path) {

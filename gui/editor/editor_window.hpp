@@ -5,6 +5,8 @@
 #include <QTimer>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "editor/autosave.hpp"
 #include "editor/canvas.hpp"
@@ -52,6 +54,8 @@ class EditorWindow final : public QMainWindow {
   bool save_as(const QString& path);
   /// Adds the walls of a picture, or puts them in the place of those there are.
   bool import_floor_plan(const QString& picture, const FloorPlanOptions& options, bool replaces);
+  /// Robots of a .robi file, or objects of an .esObj file, can be placed then.
+  bool add_description(const QString& path);
   /// Takes the files as they are on the disk now, as a step that can be undone.
   void reload();
   /// To the question that closing, opening or a new world with unsaved edits asks; nothing when
@@ -76,6 +80,9 @@ class EditorWindow final : public QMainWindow {
   void take(PlanFiles files);
   void show_files();
   void show_catalogue();
+  void show_texture();
+  void select_next(int by);
+  void ask_for_description();
   void tell_warnings();
 
   /// Does `act` now, or when a person has said what becomes of unsaved edits.
@@ -106,6 +113,8 @@ class EditorWindow final : public QMainWindow {
   std::function<void()> waiting_;  ///< For an answer.
   Plan clip_;                      ///< What was copied.
   Catalogue catalogue_;
+  files::SimFile described_;             ///< Whose files the catalogue has.
+  std::optional<std::string> textured_;  ///< What the canvas shows on the floor.
   std::unique_ptr<Autosave> autosave_;
   QTimer autosave_timer_;
   DiskWatch watch_;

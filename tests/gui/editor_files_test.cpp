@@ -296,6 +296,31 @@ TEST_F(EditorFiles, AFloorPlanIsImportedAndCanBeUndone) {
   EXPECT_THAT(notice("import"), HasSubstr("none.png: no picture"));
 }
 
+TEST_F(EditorFiles, RobotsOfAFileCanBePlaced) {
+  open("");
+  EXPECT_FALSE(window_->add_description(file("none.robi")));
+  EXPECT_THAT(notice("describe"), HasSubstr("none.robi"));
+  ASSERT_TRUE(window_->add_description(file("my.robi")));
+  press_key(Qt::Key_R);
+  click(at(1, 1));
+  EXPECT_EQ(plan().robots.at(0).model, "Mine");
+  ASSERT_TRUE(window_->save_as(file("mine.sim"))) << notice("save");
+  EXPECT_EQ(notice("run"), "");
+  press_key(Qt::Key_Z, Qt::ControlModifier);
+  press_key(Qt::Key_Z, Qt::ControlModifier);
+  press_key(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(plan().rest.robot_files.empty()) << "undone";
+}
+
+TEST_F(EditorFiles, ATextureThatIsMissingIsTold) {
+  open(file("room.wld"));
+  window_->properties().set_value("Texture", "none.png");
+  EXPECT_THAT(notice("texture"), HasSubstr("none.png is not found"));
+  QImage(8, 8, QImage::Format_RGB32).save(file("grass.png"));
+  window_->properties().set_value("Texture", "grass.png");
+  EXPECT_EQ(notice("texture"), "");
+}
+
 TEST_F(EditorFiles, CommentsThatCannotBeKeptAreTold) {
   folder_.write("c.wld", "# top\nfloor 2000 2000 # here\n\n; between\n0 0 2000 0\n");
   open(file("c.wld"));

@@ -7,9 +7,11 @@
 #include <QMenuBar>
 #include <QTest>
 #include <QWheelEvent>
+#include <random>
 
 #include <gmock/gmock.h>
 
+#include "album.hpp"
 #include "editor_rig.hpp"
 #include "eyebridge/base/units.hpp"
 
@@ -284,6 +286,42 @@ TEST_F(Editor, ThingsHaveMatterAndWaysSpeeds) {
   EXPECT_FALSE(golf.path->loop);
 }
 
+TEST_F(Editor, TheKeyboardSelectsOneAfterTheOther) {
+  press_key(Qt::Key_M);
+  click(at(1, 1));
+  press_key(Qt::Key_N);
+  EXPECT_EQ(window_->document().selection(), (Selection{{Kind::Wall, 0}})) << "after the last one";
+  press_key(Qt::Key_N);
+  EXPECT_EQ(window_->document().selection(), (Selection{{Kind::Wall, 1}}));
+  press_key(Qt::Key_N, Qt::ShiftModifier);
+  press_key(Qt::Key_N, Qt::ShiftModifier);
+  EXPECT_EQ(window_->document().selection(), (Selection{{Kind::Marker, 0}}));
+}
+
+TEST_F(Editor, WhoChoosesAThingPlacesIt) {
+  auto* const things = window_->findChild<QComboBox*>();
+  things->setFocus();
+  QTest::keyClick(things, Qt::Key_Down);  // from golf
+  EXPECT_EQ(window_->canvas().tool(), PlanTool::Thing);
+  click(at(1, 1));
+  EXPECT_EQ(plan().things.at(0).spec.name, "soccer");
+}
+
+TEST_F(Editor, LooksAsAPersonHasSeenIt) {
+  press_key(Qt::Key_R);
+  drag(at(1, 1), at(1, 2));
+  press_key(Qt::Key_O);
+  window_->findChild<QComboBox*>()->setCurrentText("box");
+  drag(at(3, 1), at(3.5, 1.5));
+  press_key(Qt::Key_P);
+  click(at(3, 3));
+  click(at(2, 3));
+  press_key(Qt::Key_V);
+  window_->canvas().setFixedSize(600, 600);
+  window_->canvas().fit();
+  EXPECT_TRUE(testing::looks_as(window_->canvas().grab().toImage(), "editor"));
+}
+
 TEST_F(Editor, LengthsAreMeasured) {
   press_key(Qt::Key_L);
   drag(at(0, 0), at(3, 4));
@@ -311,6 +349,51 @@ TEST_F(Editor, TheWheelZoomsToThePointerAndTheMiddleButtonPans) {
 TEST_F(Editor, TheStatusBarTellsWhereThePointerIs) {
   drag(at(1, 2), at(1.5, 2));
   EXPECT_EQ(window_->findChild<QLabel*>("pointer")->text().left(3), "x 1");
+}
+
+TEST_F(Editor, SurvivesAMonkeyAndUndoesAllItDid) {
+  const Plan first = plan();
+  std::mt19937 random(7);
+  const auto any = [&](int below) {
+    return static_cast<int>(random() % static_cast<unsigned>(below));
+  };
+  const Qt::Key keys[] = {
+      Qt::Key_V,    Qt::Key_W,      Qt::Key_O, Qt::Key_R,      Qt::Key_S,
+      Qt::Key_M,    Qt::Key_P,      Qt::Key_L, Qt::Key_Delete, Qt::Key_BracketLeft,
+      Qt::Key_Left, Qt::Key_Escape, Qt::Key_F, Qt::Key_G};
+  const Qt::Key commands[] = {Qt::Key_Z, Qt::Key_Y, Qt::Key_A, Qt::Key_C, Qt::Key_V, Qt::Key_K};
+  const Qt::KeyboardModifiers modifiers[] = {Qt::NoModifier, Qt::NoModifier, Qt::ShiftModifier,
+                                             Qt::ControlModifier};
+  const auto somewhere = [&] {
+    return QPoint(any(window_->canvas().width()), any(window_->canvas().height()));
+  };
+  constexpr int kMoves = 1500;
+  for (int i = 0; i < kMoves; ++i) {
+    const Qt::KeyboardModifiers held = modifiers[any(4)];
+    const std::size_t size = all_items(plan()).size();
+    switch (any(6)) {
+      case 0:
+        click(somewhere(), held);
+        break;
+      case 1:
+        double_click(somewhere(), held);
+        break;
+      case 2:
+        press_key(keys[any(14)]);
+        break;
+      case 3:
+        if (size < 200 || any(2) == 0) press_key(commands[any(6)], Qt::ControlModifier);
+        break;
+      default:
+        drag(somewhere(), somewhere(), held);
+    }
+    for (const world::Wall& wall : plan().walls) ASSERT_FALSE(same_point(wall.a, wall.b)) << i;
+    for (const Item& item : window_->document().selection()) ASSERT_TRUE(has(plan(), item)) << i;
+  }
+  EXPECT_GT(window_->document().history().count(), 100);
+  EXPECT_NO_THROW(files::write_sim(sim_of(plan())));
+  while (window_->document().history().canUndo()) window_->document().history().undo();
+  EXPECT_TRUE(same_plan(plan(), first));
 }
 
 TEST_F(Editor, EveryActionOfTheMenusCanBeReachedByKeyboard) {
