@@ -127,6 +127,7 @@ void EditorWindow::make_tool_menu() {
     tools_->actions().at(tool == PlanTool::Thing ? 2 : 3)->trigger();
   };
   things_ = new QComboBox(this);
+  things_->setObjectName("things");
   things_->setAccessibleName(tr("Object to place"));
   things_->setToolTip(tr("Object to place"));
   connect(things_, &QComboBox::currentTextChanged, this,
@@ -135,6 +136,7 @@ void EditorWindow::make_tool_menu() {
   connect(things_, &QComboBox::textActivated, this, [use] { use(PlanTool::Thing); });
   robots_ = new QComboBox(this);
   connect(robots_, &QComboBox::textActivated, this, [use] { use(PlanTool::Robot); });
+  robots_->setObjectName("robots");
   robots_->setAccessibleName(tr("Robot to place"));
   robots_->setToolTip(tr("Robot, or object that a file describes, to place"));
   connect(robots_, &QComboBox::currentTextChanged, this,

@@ -6,6 +6,7 @@
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
@@ -22,7 +23,9 @@ ImportDialog::ImportDialog(QWidget* parent) : QDialog(parent) {
   auto* const row = new QHBoxLayout;
   row->addWidget(file, 1);
   row->addWidget(browse);
-  form->addRow(tr("&Picture"), row);
+  auto* const label = new QLabel(tr("&Picture"), this);
+  label->setBuddy(file);
+  form->addRow(label, row);
   auto* const scale = new QDoubleSpinBox(this);
   scale->setRange(0.01, 100000);
   scale->setDecimals(2);

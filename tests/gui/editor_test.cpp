@@ -1,9 +1,7 @@
 // The world editor, as a person uses it: drawing.
 #include <QAction>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QLabel>
-#include <QLineEdit>
 #include <QMenuBar>
 #include <QTest>
 #include <QWheelEvent>
@@ -112,7 +110,7 @@ TEST_F(Editor, WhatMeetsIsNoWallAnyMore) {
 }
 
 TEST_F(Editor, ThingsArePlacedTurnedAndDragged) {
-  window_->findChild<QComboBox*>()->setCurrentText("box");
+  window_->findChild<QComboBox*>("things")->setCurrentText("box");
   press_key(Qt::Key_O);
   drag(at(1, 1), at(1, 2));
   ASSERT_EQ(plan().things.size(), 1U);
@@ -152,7 +150,7 @@ TEST_F(Editor, ARobotIsTurnedByItsRim) {
 }
 
 TEST_F(Editor, AWayIsDrawnPointByPointAndChanged) {
-  window_->findChild<QComboBox*>()->setCurrentText("can");
+  window_->findChild<QComboBox*>("things")->setCurrentText("can");
   press_key(Qt::Key_O);
   click(at(1, 1));
   press_key(Qt::Key_P);
@@ -226,66 +224,6 @@ TEST_F(Editor, UndoHasNoLimit) {
   EXPECT_FALSE(window_->isWindowModified()) << "back where it began";
 }
 
-TEST_F(Editor, ValuesAreTypedAsStepsThatCanBeUndone) {
-  click(at(4, 2));
-  auto* const thickness = qobject_cast<QDoubleSpinBox*>(window_->properties().field("Thickness"));
-  ASSERT_NE(thickness, nullptr);
-  thickness->selectAll();
-  QTest::keyClicks(thickness, "50");
-  EXPECT_EQ(plan().walls[1].thickness, 0.0) << "still being typed";
-  QTest::keyClick(thickness, Qt::Key_Return);
-  EXPECT_EQ(plan().walls[1].thickness, 0.05);
-  press_key(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(plan().walls[1].thickness, 0.0);
-  window_->properties().set_value("Colour", QColor(1, 2, 3));
-  EXPECT_EQ(plan().walls[1].colour, (Rgb{1, 2, 3}));
-}
-
-TEST_F(Editor, TheFloorHasPropertiesToo) {
-  press_key(Qt::Key_Escape);
-  auto* const width = qobject_cast<QDoubleSpinBox*>(window_->properties().field("Width"));
-  ASSERT_NE(width, nullptr);
-  width->selectAll();
-  QTest::keyClicks(width, "5000");
-  QTest::keyClick(width, Qt::Key_Return);
-  EXPECT_EQ(plan().width, 5.0);
-  EXPECT_EQ(plan().walls[1].a, (Vec2{4, 0})) << "its walls stay";
-}
-
-TEST_F(Editor, RobotsHavePrograms) {
-  press_key(Qt::Key_R);
-  click(at(2, 2));
-  auto* const program = qobject_cast<QLineEdit*>(window_->properties().field("Program"));
-  ASSERT_NE(program, nullptr);
-  QTest::keyClicks(program, "follow.x");  // whose letters are tools elsewhere
-  QTest::keyClick(program, Qt::Key_Return);
-  EXPECT_EQ(plan().robots[0].program, "follow.x");
-  EXPECT_EQ(window_->canvas().tool(), PlanTool::Robot);
-  window_->properties().set_value("Arguments", "1 \"two words\"");
-  EXPECT_EQ(plan().robots[0].arguments, (std::vector<std::string>{"1", "two words"}));
-  window_->properties().set_value("Enters after", 2.5);
-  EXPECT_EQ(plan().robots[0].enters, 2.5);
-}
-
-TEST_F(Editor, ThingsHaveMatterAndWaysSpeeds) {
-  press_key(Qt::Key_O);
-  click(at(1, 1));
-  press_key(Qt::Key_P);
-  click(at(2, 1));
-  window_->properties().set_value("Friction", 0.5);
-  window_->properties().set_value("Mass (kg)", 2.0);
-  window_->properties().set_value("Fixed", true);
-  window_->properties().set_value("Way: speed", 250.0);
-  window_->properties().set_value("Way: round and round", false);
-  const world::ObjectSpec& golf = plan().things.at(0).spec;
-  EXPECT_EQ(golf.matter.friction, 0.5);
-  EXPECT_EQ(golf.matter.restitution, std::nullopt);
-  EXPECT_EQ(golf.matter.mass, 2.0);
-  EXPECT_TRUE(golf.matter.fixed);
-  EXPECT_EQ(golf.path->speed, 0.25);
-  EXPECT_FALSE(golf.path->loop);
-}
-
 TEST_F(Editor, TheKeyboardSelectsOneAfterTheOther) {
   press_key(Qt::Key_M);
   click(at(1, 1));
@@ -299,7 +237,7 @@ TEST_F(Editor, TheKeyboardSelectsOneAfterTheOther) {
 }
 
 TEST_F(Editor, WhoChoosesAThingPlacesIt) {
-  auto* const things = window_->findChild<QComboBox*>();
+  auto* const things = window_->findChild<QComboBox*>("things");
   things->setFocus();
   QTest::keyClick(things, Qt::Key_Down);  // from golf
   EXPECT_EQ(window_->canvas().tool(), PlanTool::Thing);
@@ -311,7 +249,7 @@ TEST_F(Editor, LooksAsAPersonHasSeenIt) {
   press_key(Qt::Key_R);
   drag(at(1, 1), at(1, 2));
   press_key(Qt::Key_O);
-  window_->findChild<QComboBox*>()->setCurrentText("box");
+  window_->findChild<QComboBox*>("things")->setCurrentText("box");
   drag(at(3, 1), at(3.5, 1.5));
   press_key(Qt::Key_P);
   click(at(3, 3));
