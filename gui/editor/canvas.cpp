@@ -201,6 +201,14 @@ void Canvas::keyPressEvent(QKeyEvent* event) {
 }
 
 Item Canvas::add(Plan& plan, Vec2 at) const {
+  Item added;
+  keep_numbers(
+      plan, [this](const std::string& model) { return catalogue_.find(model).is_object; },
+      [&] { added = add_tools_item(plan, at); });
+  return added;
+}
+
+Item Canvas::add_tools_item(Plan& plan, Vec2 at) const {
   switch (tool_) {
     case PlanTool::Thing:
       return add_thing(plan, thing_, at);

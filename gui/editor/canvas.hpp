@@ -96,6 +96,7 @@ class Canvas final : public QWidget {
   void release_select(Vec2 place, Qt::KeyboardModifiers keys);
   void finish_wall(Vec2 end);
   Item add(Plan& plan, Vec2 at) const;
+  Item add_tools_item(Plan& plan, Vec2 at) const;
   [[nodiscard]] QString step_name() const;
 
   void paint_overlay(QPainter& painter);

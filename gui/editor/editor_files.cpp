@@ -161,6 +161,7 @@ void EditorWindow::ask_for_description() {
 void EditorWindow::when_free(std::function<void()> act) {
   if (document_.history().isClean()) return act();
   waiting_ = std::move(act);
+  if (auto* const asked = findChild<QMessageBox*>("unsaved")) return asked->raise();
   auto* const box = new QMessageBox(
       QMessageBox::Question, tr("Unsaved edits"),
       tr("%1 has edits that are not saved.").arg(path().isEmpty() ? tr("The new world") : path()),
@@ -177,6 +178,11 @@ void EditorWindow::when_free(std::function<void()> act) {
 
 void EditorWindow::answer(Answer answer) {
   const auto act = std::exchange(waiting_, {});
+  if (auto* const box = findChild<QMessageBox*>("unsaved")) {
+    box->setObjectName({});  // it is answered
+    box->disconnect(this);
+    box->close();
+  }
   if (!act || answer == Answer::Cancel) return;
   if (answer == Answer::Save && !save()) return;
   if (answer == Answer::Discard) {

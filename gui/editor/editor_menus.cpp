@@ -9,6 +9,7 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "editor/editor_window.hpp"
@@ -221,7 +222,11 @@ void EditorWindow::copy() {
 
 void EditorWindow::paste(Vec2 by) {
   Selection added;
-  document_.edit(tr("Paste"), [&](Plan& plan) { added = gui::paste(plan, clip_, by); });
+  document_.edit(tr("Paste"), [&](Plan& plan) {
+    keep_numbers(
+        plan, [this](const std::string& model) { return catalogue_.find(model).is_object; },
+        [&] { added = gui::paste(plan, clip_, by); });
+  });
   document_.select(added);
   // The next one beside this one.
   clip_ = copy_of(document_.settled(), document_.selection());

@@ -85,6 +85,18 @@ std::vector<int> run_numbers(const std::vector<files::SimRobot>& robots,
   return out;
 }
 
+void keep_numbers(Plan& plan, const IsObject& is_object, const std::function<void()>& change) {
+  const std::vector<int> before = run_numbers(plan.robots, is_object);
+  change();
+  const std::vector<int> after = run_numbers(plan.robots, is_object);
+  for (files::ErrorRule& rule : plan.rest.errors) {
+    if (!rule.robot) continue;
+    const auto robot = std::ranges::find(before, *rule.robot);
+    const auto index = static_cast<std::size_t>(robot - before.begin());
+    if (robot != before.end() && after[index] != 0) rule.robot = after[index];
+  }
+}
+
 void move_items(Plan& plan, const Selection& items, Vec2 by) {
   const Plan before = plan;
   std::vector<Vec2> ends;

@@ -27,6 +27,9 @@ void drop_points(Plan& plan);
 using IsObject = std::function<bool(const std::string& model)>;
 /// The number that a run gives each robot, 0 for objects: those that enter come last, by time.
 std::vector<int> run_numbers(const std::vector<files::SimRobot>& robots, const IsObject& is_object);
+/// Does `change`, which adds robots behind those there are or changes some where they are: errors
+/// of a robot then follow its number.
+void keep_numbers(Plan& plan, const IsObject& is_object, const std::function<void()>& change);
 /// Removes what is selected. Errors of a robot go with it, those of others follow their numbers.
 void remove_items(Plan& plan, const Selection& items, const IsObject& is_object);
 

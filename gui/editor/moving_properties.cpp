@@ -190,9 +190,14 @@ std::vector<Property> Rows::robot(const Catalogue& catalogue) {
       [](const Plan& plan, const Item& item) {
         return plan.robots[item.index].enters.value_or(0.0);
       },
-      [](Plan& plan, const Item& item, const QVariant& value) {
-        plan.robots[item.index].enters.reset();
-        if (value.toDouble() > 0) plan.robots[item.index].enters = value.toDouble();
+      [catalogue](Plan& plan, const Item& item, const QVariant& value) {
+        const auto is_described = [&](const std::string& name) {
+          return catalogue.find(name).is_object;
+        };
+        keep_numbers(plan, is_described, [&] {
+          plan.robots[item.index].enters.reset();
+          if (value.toDouble() > 0) plan.robots[item.index].enters = value.toDouble();
+        });
       });
   enters.none = tr("from the start");
   rows.push_back(enters);

@@ -79,6 +79,18 @@ TEST(EditorPlan, ErrorsFollowTheNumbersOfTheirRobots) {
   EXPECT_EQ(numbers, (std::vector<int>{1, 3, 0}));
 }
 
+TEST(EditorPlan, ErrorsStayWithTheirRobotsWhenOthersCome) {
+  Plan plan = plan_with_robots(2);
+  plan.robots[1].enters = 5;
+  std::vector<Warning> warnings;
+  plan.rest = files::read_sim("error robot:1 harsh\nerror robot:2 harsh\n", "s", warnings);
+  keep_numbers(plan, is_can_file, [&] { add_robot(plan, "S4", {3, 3}); });
+  EXPECT_EQ(plan.rest.errors[1].robot, 3) << "who enters later comes after the new one";
+  keep_numbers(plan, is_can_file, [&] { plan.robots[0].enters = 9; });
+  EXPECT_EQ(plan.rest.errors[0].robot, 3);
+  EXPECT_EQ(plan.rest.errors[1].robot, 2);
+}
+
 TEST(EditorPlan, ARobotAtALetterLeavesItWhenItIsMoved) {
   Plan plan = empty_plan(4, 4);
   plan.starts.push_back({'S', {1, 1, kPi / 2}});
