@@ -17,6 +17,7 @@ namespace {
 // How far each new panel lies from the one before, pixels.
 constexpr int kCascade = 32;
 constexpr int kCascadeLength = 10;
+constexpr int kPanelWidth = 440;  // about that of a panel, and a margin
 
 }  // namespace
 
@@ -89,9 +90,11 @@ void GuiWindows::open_panel(const robios::PanelStart& start) {
 
 void GuiWindows::open_environment(hal::Environment& environment) {
   post([this, &environment] {
-    environments_.push_back(
+    const auto& window = environments_.emplace_back(
         std::make_unique<EnvironmentWindow>(environment, QString::fromStdString(start_.program)));
-    show(*environments_.back());
+    // Beside the panels, unless it was put somewhere before.
+    if (window->pos().isNull()) window->move(kPanelWidth, kCascade);
+    show(*window);
   });
 }
 

@@ -90,7 +90,7 @@ TEST_F(SimEnvironmentTest, DrivesARobotAsItsProgramWould) {
 
 TEST_F(SimEnvironmentTest, TakesErrorsFromAModelWithTheSameDevices) {
   robot::RobotModel erring = *look().robots[0].model;
-  erring.range_sensors[0].error.bias = -0.05;
+  for (auto& sensor : erring.range_sensors) sensor.error.bias = -0.05;
   const double before = must(backend_->range_sensor(1)->read());
   ASSERT_TRUE(environment_->set_errors(0, erring));
   EXPECT_NEAR(must(backend_->range_sensor(1)->read()), before - 0.05, 1e-9);
