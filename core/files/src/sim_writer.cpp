@@ -143,6 +143,9 @@ class SimWriter {
       out_ += std::string("settings") + (sim_.show_sensors ? " VIS" : "") +
               (sim_.show_trail ? " TRACE" : "") + '\n';
     }
+    // A name may begin with a byte order mark, which is one at the begin of a file only.
+    constexpr std::string_view kMark = "\xEF\xBB\xBF";
+    if (out_.starts_with(kMark)) out_.insert(0, 1, '\n');
     return std::move(out_);
   }
 
@@ -167,7 +170,7 @@ class SimWriter {
     if (robot.start) return false;
     std::vector<Warning> warnings;
     try {
-      const SimFile read = read_sim(word(robot.model) + " 0 0 0 p", "name", warnings);
+      const SimFile read = read_sim('\n' + word(robot.model) + " 0 0 0 p", "name", warnings);
       return read.robots.size() != 1 || read.robots.front().model != robot.model;
     } catch (const ConfigError&) {
       // A file may describe a "box", which takes no program.

@@ -49,6 +49,7 @@ TEST(SimWriter, WritesTheOldFormWhereNoOtherSaysIt) {
 TEST(SimWriter, WritesWhatIsHardlyAnything) {
   expect_round_trip("settings\n");
   expect_round_trip("world w.wld\n");
+  expect_round_trip("\n\xEF\xBB\xBFname 1 2 3\n");
   expect_round_trip("\"\" 0 0 0\n5 1 2 3\n'a b' 1 2 3 ' '\n");
 }
 
