@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "error_parameters.hpp"
+#include "eyebridge/base/units.hpp"
 #include "eyebridge/files/readers.hpp"
 #include "object_kinds.hpp"
 #include "text.hpp"
@@ -39,6 +40,32 @@ std::string pose_words(const Pose& pose) {
 }
 std::string channels(Rgb c) {
   return std::to_string(c.r) + ' ' + std::to_string(c.g) + ' ' + std::to_string(c.b);
+}
+
+/// `angle` in degrees alone: after a start letter a word with "rad" would be a program. Angles of
+/// more than a turn are rounded as they are read, so one of those may be the one that was written.
+std::string plain_degrees(double angle) {
+  constexpr double kTurn = 360.0;
+  constexpr int kMostTurns = 100;  // as the reader takes
+  constexpr int kUlps = 4;
+  const auto reads_back = [&](double degrees) {
+    return std::abs(degrees) <= kMostTurns * kTurn && wrap_angle(deg_to_rad(degrees)) == angle;
+  };
+  const double bare = rad_to_deg(angle);
+  for (int i = 0; i <= 2 * kMostTurns; ++i) {
+    const int turns = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
+    const double degrees = bare + turns * kTurn;
+    if (reads_back(std::nearbyint(degrees))) return number(std::nearbyint(degrees));
+    double above = degrees;
+    double below = degrees;
+    for (int k = 0; k <= kUlps; ++k) {
+      if (reads_back(above)) return number(above);
+      if (reads_back(below)) return number(below);
+      above = std::nextafter(above, HUGE_VAL);
+      below = std::nextafter(below, -HUGE_VAL);
+    }
+  }
+  return number(bare);
 }
 
 std::string path_line(const world::Path& path) {
@@ -155,7 +182,7 @@ class SimWriter {
     std::vector<std::string> words{word(robot.model)};
     if (robot.start) {
       words.emplace_back(1, *robot.start);
-      if (robot.pose) words.push_back(write_degrees(robot.pose->theta));
+      if (robot.pose) words.push_back(plain_degrees(robot.pose->theta));
     } else {
       words.push_back(pose_words(*robot.pose));
     }

@@ -55,6 +55,7 @@ TEST(SimWriter, WritesWhatIsHardlyAnything) {
 
 TEST(SimWriter, KeepsNumbersToTheBit) {
   expect_round_trip("S4 0.1 33.333333333333336 12.3456789\nS4 1e-9 -7 2.5rad\n");
+  expect_round_trip("S4 r 1100 prog\nS4 s -35999.3\nS4 u 33.333333333333336 x\nS4 d -0\n");
   for (int i = 1; i < 200; ++i) {
     expect_round_trip("S4 1 2 3\nerror psd " + std::to_string(i * 0.37) + " " +
                       std::to_string(i * 0.13) + "\n");
