@@ -19,6 +19,24 @@ QPen thin(const QColor& colour) {
   return pen;
 }
 
+/// In pixels, its x axis along the body's heading.
+void enter(QPainter& painter, const Viewport& view, const Pose& pose) {
+  painter.translate(view.to_pixel(pose.position()));
+  painter.rotate(-rad_to_deg(pose.theta));
+}
+
+}  // namespace
+
+QColor colour_of(Rgb colour) { return {colour.r, colour.g, colour.b}; }
+
+void paint_marker(QPainter& painter, const Viewport& view, const world::Marker& marker) {
+  constexpr double kRadius = 0.05;  // metres, about what EyeSim draws
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colour_of(marker.colour));
+  painter.drawEllipse(view.to_pixel(marker.position), kRadius * view.pixels_per_metre(),
+                      kRadius * view.pixels_per_metre());
+}
+
 void paint_wall(QPainter& painter, const Viewport& view, const world::Wall& wall) {
   const double width = wall.thickness * view.pixels_per_metre();
   constexpr double kLeastWidth = 2.0;  // pixels: a bare line can be seen
@@ -27,12 +45,6 @@ void paint_wall(QPainter& painter, const Viewport& view, const world::Wall& wall
   pen.setCapStyle(Qt::SquareCap);
   painter.setPen(pen);
   painter.drawLine(view.to_pixel(wall.a), view.to_pixel(wall.b));
-}
-
-/// In pixels, its x axis along the body's heading.
-void enter(QPainter& painter, const Viewport& view, const Pose& pose) {
-  painter.translate(view.to_pixel(pose.position()));
-  painter.rotate(-rad_to_deg(pose.theta));
 }
 
 void paint_thing(QPainter& painter, const Viewport& view, const world::BodyView& body) {
@@ -77,10 +89,6 @@ void paint_robot(QPainter& painter, const Viewport& view, const world::BodyView&
                    Qt::AlignCenter, number);
 }
 
-}  // namespace
-
-QColor colour_of(Rgb colour) { return {colour.r, colour.g, colour.b}; }
-
 void paint_ground(QPainter& painter, const Viewport& view, const world::WorldModel& model,
                   const QImage& texture) {
   painter.fillRect(painter.viewport(), kOutside);
@@ -88,13 +96,7 @@ void paint_ground(QPainter& painter, const Viewport& view, const world::WorldMod
   painter.fillRect(floor, kFloor);
   if (!texture.isNull()) painter.drawImage(floor, texture);
   painter.setRenderHint(QPainter::Antialiasing);
-  for (const world::Marker& marker : model.markers) {
-    constexpr double kRadius = 0.05;  // metres, about what EyeSim draws
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(colour_of(marker.colour));
-    painter.drawEllipse(view.to_pixel(marker.position), kRadius * view.pixels_per_metre(),
-                        kRadius * view.pixels_per_metre());
-  }
+  for (const world::Marker& marker : model.markers) paint_marker(painter, view, marker);
   for (const world::Wall& wall : model.walls) paint_wall(painter, view, wall);
 }
 

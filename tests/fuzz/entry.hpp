@@ -78,7 +78,14 @@ inline void robi(std::string_view text) {
 inline void sim(std::string_view text) {
   std::vector<Warning> warnings;
   try {
-    static_cast<void>(files::read_sim(text, "fuzz.sim", warnings));
+    const auto sim = files::read_sim(text, "fuzz.sim", warnings);
+    std::string written;
+    try {
+      written = files::write_sim(sim);
+    } catch (const ConfigError&) {
+      found();
+    }
+    if (!files::same_meaning(files::read_sim(written, "again.sim", warnings), sim)) found();
   } catch (const ConfigError&) {  // the input is no simulation
   }
 }

@@ -3,7 +3,7 @@
 #include <system_error>
 
 #include "eyebridge/files/readers.hpp"
-#include "search.hpp"
+#include "eyebridge/files/search.hpp"
 
 namespace eyebridge::files {
 

@@ -3,9 +3,9 @@
 #include "builtin.hpp"
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/files/readers.hpp"
+#include "eyebridge/files/search.hpp"
 #include "ground.hpp"
 #include "placement.hpp"
-#include "search.hpp"
 #include "sim_loader.hpp"
 #include "text.hpp"
 

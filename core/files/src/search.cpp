@@ -1,4 +1,4 @@
-#include "search.hpp"
+#include "eyebridge/files/search.hpp"
 
 #include <algorithm>
 #include <string_view>

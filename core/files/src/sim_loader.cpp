@@ -7,10 +7,10 @@
 
 #include "builtin.hpp"
 #include "eyebridge/files/readers.hpp"
+#include "eyebridge/files/search.hpp"
 #include "ground.hpp"
 #include "object_lines.hpp"
 #include "placement.hpp"
-#include "search.hpp"
 #include "text.hpp"
 
 namespace eyebridge::files {

@@ -111,5 +111,13 @@ std::string write_world(const world::WorldModel& model);
 /// Writes `model` so that read_maze() gives an equal model back. Throws ConfigError when the model
 /// is no maze or has objects a maze cannot draw.
 std::string write_maze(const world::WorldModel& model);
+/// Whether two lines of robots say the same, wherever in their files.
+bool same_meaning(const SimRobot& a, const SimRobot& b);
+/// Whether two simulations say the same, wherever in their files they say it.
+bool same_meaning(const SimFile& a, const SimFile& b);
+/// Writes `sim` so that read_sim() gives one of the same meaning back. Places in files, comments
+/// and the order of unlike lines are not kept. Throws ConfigError for what no line can say: objects
+/// of other sizes than their kind has, words with both kinds of quotes.
+std::string write_sim(const SimFile& sim);
 
 }  // namespace eyebridge::files

@@ -1,0 +1,144 @@
+#include "editor/autosave.hpp"
+
+#include <QCoreApplication>
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QSettings>
+#include <QStandardPaths>
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace eyebridge::gui {
+namespace {
+
+class AutosaveText {
+  Q_DECLARE_TR_FUNCTIONS(Autosave)
+};
+
+constexpr int kMostUnnamed = 100;
+
+QString autosave_folder() {
+  return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/editor";
+}
+
+QString key_of(const std::filesystem::path& path) {
+  const QFileInfo info(QString::fromStdString(path.string()));
+  const QString canonical = info.exists() ? info.canonicalFilePath() : info.absoluteFilePath();
+  const QByteArray hash =
+      QCryptographicHash::hash(canonical.toUtf8(), QCryptographicHash::Sha256).toHex();
+  return info.completeBaseName() + '-' + QString::fromLatin1(hash.left(16));
+}
+
+std::string text_at(const QSettings& settings, const char* key) {
+  return settings.value(key).toString().toStdString();
+}
+
+}  // namespace
+
+bool Autosave::take(const QString& name) {
+  const QString file = autosave_folder() + '/' + name + ".autosave";
+  auto lock = std::make_unique<QLockFile>(file + ".editor");
+  // Not .lock: that is what QSettings locks the file with.
+  lock->setStaleLockTime(0);  // only the end of its process makes a lock stale, never its age
+  if (!lock->tryLock(0)) return false;
+  file_ = file;
+  lock_ = std::move(lock);
+  return true;
+}
+
+Autosave::Autosave(const std::filesystem::path& path) {
+  QDir().mkpath(autosave_folder());
+  if (!path.empty()) {
+    take(key_of(path));
+    return;
+  }
+  // One that was left by its editor first.
+  for (const bool only_left : {true, false}) {
+    for (int i = 1; i <= kMostUnnamed; ++i) {
+      const QString name = QString("unnamed-%1").arg(i);
+      if (only_left && !QFile::exists(autosave_folder() + '/' + name + ".autosave")) continue;
+      if (take(name)) return;
+    }
+  }
+}
+
+bool Autosave::has_left() const { return is_ours() && QFile::exists(file_); }
+
+Plan Autosave::left() const {
+  const QSettings settings(file_, QSettings::IniFormat);
+  const std::string name = file_.toStdString();
+  std::vector<Warning> warnings;
+  const auto ground = files::read_world(text_at(settings, "ground"), name, warnings);
+  Plan plan;
+  plan.rest = files::read_sim(text_at(settings, "simulation"), name, warnings);
+  plan.width = ground.width;
+  plan.height = ground.height;
+  plan.texture = ground.floor_texture;
+  plan.walls = ground.walls;
+  plan.starts = ground.starts;
+  const QString letters = settings.value("letters").toString();
+  const QString drawn = settings.value("drawn").toString();
+  for (std::size_t i = 0; i < plan.starts.size(); ++i) {
+    const char letter = letters.mid(static_cast<qsizetype>(i), 1).toStdString().c_str()[0];
+    plan.starts[i].letter = letter == '-' ? '\0' : letter;
+  }
+  if (settings.contains("cell")) plan.cell = settings.value("cell").toDouble();
+  for (const world::ObjectSpec& object : plan.rest.objects) plan.things.push_back({object, false});
+  for (std::size_t i = 0; i < plan.things.size(); ++i) {
+    const auto at = static_cast<qsizetype>(i);
+    plan.things[i].is_drawn = at < drawn.size() && drawn[at] == '1';
+    if (!plan.things[i].is_drawn || !plan.cell) continue;
+    // A small maze makes what it draws smaller, which no .sim file can say.
+    plan.things[i].spec.radius = std::min(plan.things[i].spec.radius, 0.4 * *plan.cell);
+    if (plan.things[i].spec.kind == world::ObjectKind::Ball) {
+      plan.things[i].spec.height = 2 * plan.things[i].spec.radius;
+    }
+  }
+  plan.markers = std::exchange(plan.rest.markers, {});
+  plan.robots = std::exchange(plan.rest.robots, {});
+  plan.rest.objects.clear();
+  plan.rest.path_places.clear();
+  return plan;
+}
+
+void Autosave::write(const Plan& plan) {
+  if (!is_ours()) return;
+  Plan whole = plan;
+  QString letters;
+  QString drawn;
+  for (const world::StartPose& start : plan.starts) {
+    letters += start.letter == 0 ? QChar('-') : QChar(start.letter);
+  }
+  for (Thing& thing : whole.things) {
+    drawn += thing.is_drawn ? '1' : '0';
+    if (!thing.is_drawn) continue;
+    thing.is_drawn = false;
+    files::SimFile usual;
+    std::vector<Warning> warnings;
+    usual = files::read_sim(thing.spec.name + " 0 0 0", "autosave", warnings);
+    thing.spec.radius = usual.objects.at(0).radius;
+    thing.spec.height = usual.objects.at(0).height;
+  }
+  QSettings settings(file_, QSettings::IniFormat);
+  settings.clear();
+  settings.setValue("ground", QString::fromStdString(files::write_world(ground_of(whole, false))));
+  settings.setValue("simulation", QString::fromStdString(files::write_sim(sim_of(whole))));
+  settings.setValue("letters", letters);
+  settings.setValue("drawn", drawn);
+  if (plan.cell) settings.setValue("cell", *plan.cell);
+  settings.sync();
+  if (settings.status() != QSettings::NoError) {
+    throw ConfigError(
+        {file_.toStdString(), 0, 0},
+        AutosaveText::tr("cannot be written: expected room to keep unsaved edits").toStdString());
+  }
+}
+
+void Autosave::drop() {
+  if (is_ours()) QFile::remove(file_);
+}
+
+}  // namespace eyebridge::gui

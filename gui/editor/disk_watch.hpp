@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QByteArray>
+#include <QFileSystemWatcher>
+#include <QTimer>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace eyebridge::gui {
+
+/// Files that others may change, too.
+class DiskWatch {
+ public:
+  /// `on_change` is told when they are no longer as they were known, a moment after the last write.
+  explicit DiskWatch(std::function<void()> on_change);
+
+  /// From now on these; as they are now is how they are known. Empty names are left out.
+  void follow(const std::vector<std::filesystem::path>& paths);
+  /// Whether one is not as known.
+  [[nodiscard]] bool has_changed() const;
+  /// As they are now is how they are known.
+  void accept();
+
+ private:
+  void look();
+  void watch();
+
+  std::function<void()> on_change_;
+  QFileSystemWatcher watcher_;
+  QTimer moment_;
+  std::map<std::filesystem::path, std::optional<QByteArray>> known_;  ///< None: not there.
+};
+
+}  // namespace eyebridge::gui

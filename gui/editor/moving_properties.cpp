@@ -1,0 +1,212 @@
+// What can be said of things and robots.
+#include <QProcess>
+#include <optional>
+#include <string>
+
+#include "editor/edits.hpp"
+#include "editor/property_rows.hpp"
+
+namespace eyebridge::gui {
+namespace {
+
+/// A thing's matter and way, as its own words or as lines after a described object say them.
+struct Behaviour {
+  std::optional<double> mass, friction, restitution;
+  bool fixed = false;
+};
+Behaviour behaviour_of(const Plan& plan, const Item& item) {
+  if (item.kind == Kind::Thing) {
+    const world::Matter& matter = plan.things[item.index].spec.matter;
+    return {matter.mass, matter.friction, matter.restitution, matter.fixed};
+  }
+  const files::ObjectTraits& traits = plan.robots[item.index].traits;
+  return {traits.mass, traits.friction, traits.restitution, traits.fixed};
+}
+void behave(Plan& plan, const Item& item, const Behaviour& behaviour) {
+  if (item.kind == Kind::Thing) {
+    Thing& thing = plan.things[item.index];
+    thing.is_drawn = false;
+    thing.spec.matter = {behaviour.mass.value_or(thing.spec.matter.mass), behaviour.friction,
+                         behaviour.restitution, behaviour.fixed};
+    return;
+  }
+  files::ObjectTraits& traits = plan.robots[item.index].traits;
+  traits.any = true;
+  traits.mass = behaviour.mass;
+  traits.friction = behaviour.friction;
+  traits.restitution = behaviour.restitution;
+  traits.fixed = behaviour.fixed;
+}
+
+Property open_number(const QString& name, const QString& none, double high,
+                     std::optional<double> Behaviour::*member) {
+  Property row = number(
+      name, {}, kOpen, high, 3,
+      [member](const Plan& plan, const Item& item) {
+        return (behaviour_of(plan, item).*member).value_or(kOpen);
+      },
+      [member](Plan& plan, const Item& item, const QVariant& value) {
+        Behaviour behaviour = behaviour_of(plan, item);
+        behaviour.*member =
+            value.toDouble() < 0 ? std::nullopt : std::optional<double>(value.toDouble());
+        behave(plan, item, behaviour);
+      });
+  row.none = none;
+  return row;
+}
+
+}  // namespace
+
+void Rows::add_matter(std::vector<Property>& rows) {
+  rows.push_back(open_number(tr("Mass (kg)"), tr("as described"), 10000, &Behaviour::mass));
+  rows.push_back(open_number(tr("Friction"), tr("as usual"), 100, &Behaviour::friction));
+  rows.push_back(open_number(tr("Restitution"), tr("as usual"), 1, &Behaviour::restitution));
+  rows.push_back(other(
+      tr("Fixed"), Property::Type::Flag,
+      [](const Plan& plan, const Item& item) { return behaviour_of(plan, item).fixed; },
+      [](Plan& plan, const Item& item, const QVariant& value) {
+        Behaviour behaviour = behaviour_of(plan, item);
+        behaviour.fixed = value.toBool();
+        behave(plan, item, behaviour);
+      }));
+}
+
+void Rows::add_way(std::vector<Property>& rows) {
+  rows.push_back(number(
+      tr("Way: speed"), "mm/s", 0.1, 100000, 1,
+      [](const Plan& plan, const Item& item) {
+        const world::Path* const way = way_of(plan, item);
+        return way == nullptr ? QVariant() : QVariant(m_to_mm(way->speed));
+      },
+      [](Plan& plan, const Item& item, const QVariant& value) {
+        if (way_of(plan, item) != nullptr) make_way(plan, item)->speed = mm_to_m(value.toDouble());
+      }));
+  rows.push_back(other(
+      tr("Way: round and round"), Property::Type::Flag,
+      [](const Plan& plan, const Item& item) {
+        const world::Path* const way = way_of(plan, item);
+        return way == nullptr ? QVariant() : QVariant(way->loop);
+      },
+      [](Plan& plan, const Item& item, const QVariant& value) {
+        if (way_of(plan, item) != nullptr) make_way(plan, item)->loop = value.toBool();
+      }));
+}
+
+std::vector<Property> Rows::thing() {
+  std::vector<Property> rows;
+  add_pose(rows, true);
+  // Only boxes have sizes of their own: files cannot say others.
+  const auto of_box = [](const QString& name, auto member) {
+    return number(
+        name, "mm", 1, 10000, 1,
+        [member](const Plan& plan, const Item& item) {
+          const world::ObjectSpec& spec = plan.things[item.index].spec;
+          return spec.kind == world::ObjectKind::Box
+                     ? QVariant(m_to_mm(member(const_cast<world::ObjectSpec&>(spec))))
+                     : QVariant();
+        },
+        [member](Plan& plan, const Item& item, const QVariant& value) {
+          world::ObjectSpec& spec = plan.things[item.index].spec;
+          if (spec.kind != world::ObjectKind::Box) return;
+          member(spec) = mm_to_m(value.toDouble());
+          spec.radius = spec.outer_radius();
+        });
+  };
+  rows.push_back(of_box(tr("Length"), [](world::ObjectSpec& o) -> double& { return o.size.x; }));
+  rows.push_back(of_box(tr("Width"), [](world::ObjectSpec& o) -> double& { return o.size.y; }));
+  rows.push_back(of_box(tr("Height"), [](world::ObjectSpec& o) -> double& { return o.height; }));
+  Property paint = colour(tr("Colour"), [](Plan& plan, const Item& item) -> Rgb& {
+    return plan.things[item.index].spec.colour;
+  });
+  const Get any_colour = paint.get;
+  paint.get = [any_colour](const Plan& plan, const Item& item) {
+    const bool is_box = plan.things[item.index].spec.kind == world::ObjectKind::Box;
+    return is_box ? any_colour(plan, item) : QVariant();
+  };
+  rows.push_back(paint);
+  add_matter(rows);
+  // A thing that needs no description always has a mass.
+  for (Property& row : rows) {
+    if (row.name != tr("Mass (kg)")) continue;
+    row.low = 0.001;
+    row.none.clear();
+  }
+  add_way(rows);
+  return rows;
+}
+
+std::vector<Property> Rows::robot(const Catalogue& catalogue) {
+  std::vector<Property> rows;
+  Property model = other(
+      tr("Model"), Property::Type::Choice,
+      [](const Plan& plan, const Item& item) {
+        return QString::fromStdString(plan.robots[item.index].model);
+      },
+      [](Plan& plan, const Item& item, const QVariant& value) {
+        if (!value.toString().isEmpty())
+          plan.robots[item.index].model = value.toString().toStdString();
+      });
+  for (const std::string& name : catalogue.names()) model.choices << QString::fromStdString(name);
+  rows.push_back(model);
+  add_pose(rows, true);
+  const auto is_object = [catalogue](const Plan& plan, const Item& item) {
+    return catalogue.find(plan.robots[item.index].model).is_object;
+  };
+  const auto only = [&](bool for_objects, std::size_t from) {
+    for (std::size_t i = from; i < rows.size(); ++i) {
+      rows[i].get = [=, get = rows[i].get](const Plan& plan, const Item& item) {
+        return is_object(plan, item) == for_objects ? get(plan, item) : QVariant();
+      };
+    }
+  };
+  const std::size_t first = rows.size();
+  rows.push_back(other(
+      tr("Program"), Property::Type::Text,
+      [](const Plan& plan, const Item& item) {
+        return QString::fromStdString(plan.robots[item.index].program);
+      },
+      [](Plan& plan, const Item& item, const QVariant& value) {
+        plan.robots[item.index].program = value.toString().toStdString();
+      }));
+  rows.push_back(other(
+      tr("Arguments"), Property::Type::Text,
+      [](const Plan& plan, const Item& item) {
+        QStringList words;
+        for (const std::string& argument : plan.robots[item.index].arguments) {
+          const QString word = QString::fromStdString(argument);
+          words << (word.isEmpty() || word.contains(' ') ? '"' + word + '"' : word);
+        }
+        return words.join(' ');
+      },
+      [](Plan& plan, const Item& item, const QVariant& value) {
+        std::vector<std::string>& words = plan.robots[item.index].arguments;
+        words.clear();
+        for (const QString& word : QProcess::splitCommand(value.toString())) {
+          words.push_back(word.toStdString());
+        }
+      }));
+  Property enters = number(
+      tr("Enters after"), "s", 0, 1e6, 3,
+      [](const Plan& plan, const Item& item) {
+        return plan.robots[item.index].enters.value_or(0.0);
+      },
+      [catalogue](Plan& plan, const Item& item, const QVariant& value) {
+        const auto is_described = [&](const std::string& name) {
+          return catalogue.find(name).is_object;
+        };
+        keep_numbers(plan, is_described, [&] {
+          plan.robots[item.index].enters.reset();
+          if (value.toDouble() > 0) plan.robots[item.index].enters = value.toDouble();
+        });
+      });
+  enters.none = tr("from the start");
+  rows.push_back(enters);
+  only(false, first);
+  const std::size_t second = rows.size();
+  add_matter(rows);
+  add_way(rows);
+  only(true, second);
+  return rows;
+}
+
+}  // namespace eyebridge::gui
