@@ -1,0 +1,83 @@
+#include "code/text_file.hpp"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
+#include <QSaveFile>
+#include <QStringDecoder>
+#include <QStringEncoder>
+
+namespace eyebridge::gui {
+namespace {
+
+constexpr qint64 kLargest = 16 * 1024 * 1024;
+const QByteArray kByteMark("\xef\xbb\xbf");
+
+QString sentence(const char* text) { return QCoreApplication::translate("TextFile", text); }
+
+}  // namespace
+
+QString read_text(const QString& path, TextFile& file) {
+  QFile disk(path);
+  if (QFileInfo(path).isDir()) {
+    return sentence(QT_TRANSLATE_NOOP("TextFile", "%1 is a folder; expected a text file"))
+        .arg(path);
+  }
+  if (!disk.open(QIODevice::ReadOnly)) {
+    return sentence(QT_TRANSLATE_NOOP("TextFile", "%1 cannot be read: %2"))
+        .arg(path, disk.errorString());
+  }
+  // One more than is allowed: files of the system do not say how long they are.
+  const QByteArray bytes = disk.read(kLargest + 1);
+  if (bytes.size() > kLargest) {
+    return sentence(QT_TRANSLATE_NOOP("TextFile", "%1 is too long; expected at most 16 MB"))
+        .arg(path);
+  }
+  if (bytes.contains('\0')) {
+    return sentence(QT_TRANSLATE_NOOP("TextFile", "%1 is no text: there are zero bytes in it"))
+        .arg(path);
+  }
+  file.bytes = bytes;
+  file.has_byte_mark = bytes.startsWith(kByteMark);
+  const QByteArray words = file.has_byte_mark ? bytes.mid(kByteMark.size()) : bytes;
+  QStringDecoder decoder(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
+  file.text = decoder.decode(words);
+  file.is_latin1 = decoder.hasError();
+  if (file.is_latin1) {
+    file.has_byte_mark = false;
+    file.text = QString::fromLatin1(bytes);
+  }
+  return "";
+}
+
+QString write_text(const QString& path, TextFile& file) {
+  QByteArray bytes = file.text.toUtf8();
+  bool is_latin1 = false;
+  if (file.is_latin1) {
+    QStringEncoder encoder(QStringEncoder::Latin1, QStringEncoder::Flag::Stateless);
+    const QByteArray latin1 = encoder.encode(file.text);
+    is_latin1 = !encoder.hasError();
+    if (is_latin1) bytes = latin1;
+  }
+  if (!is_latin1 && file.has_byte_mark) bytes.prepend(kByteMark);
+  const auto trouble = [&](const QString& why) {
+    return sentence(
+               QT_TRANSLATE_NOOP(
+                   "TextFile", "%1 cannot be saved: %2. The text is kept here; save it elsewhere"))
+        .arg(path, why);
+  };
+  if (QFileInfo(path).exists() && !QFileInfo(path).isWritable()) {
+    return trouble(sentence(QT_TRANSLATE_NOOP("TextFile", "it is write-protected")));
+  }
+  QSaveFile disk(path);
+  // In a folder where no new files may be made the file itself may still be written.
+  disk.setDirectWriteFallback(true);
+  if (!disk.open(QIODevice::WriteOnly) || disk.write(bytes) != bytes.size() || !disk.commit()) {
+    return trouble(disk.errorString());
+  }
+  file.bytes = bytes;
+  file.is_latin1 = is_latin1;
+  return "";
+}
+
+}  // namespace eyebridge::gui
