@@ -107,7 +107,18 @@ Page* CodeWindow::open_example(const QString& path) {
 }
 
 Page* CodeWindow::new_program(const Template& begin) {
-  Page& page = add_page(begin.name, QString::fromUtf8(begin.text));
+  const QFileInfo usual(begin.name);
+  QString name = begin.name;
+  const auto is_taken = [&] {
+    for (int i = 0; i < tabs_->count(); ++i) {
+      if (page_at(i).name() == name) return true;
+    }
+    return false;
+  };
+  for (int i = 2; is_taken(); ++i) {
+    name = QString("%1-%2.%3").arg(usual.baseName()).arg(i).arg(usual.suffix());
+  }
+  Page& page = add_page(name, QString::fromUtf8(begin.text));
   page.editor().setFocus();
   return &page;
 }

@@ -5,7 +5,6 @@
 #include <QInputDialog>
 #include <QMenuBar>
 #include <QSettings>
-#include <QStyle>
 #include <map>
 
 #include "code/code_window.hpp"
@@ -160,11 +159,6 @@ void CodeWindow::make_run_menu() {
   run_ = add_action(menu, tr("&Run"), {Qt::Key_F5}, [this] { run(); });
   stop_ = add_action(menu, tr("&Stop"), {Qt::SHIFT | Qt::Key_F5}, [this] { runner_->stop(); });
   build_ = add_action(menu, tr("&Build"), {Qt::CTRL | Qt::Key_B}, [this] { run(true); });
-  run_->setIcon(style()->standardIcon(QStyle::SP_MediaPlay));
-  stop_->setIcon(style()->standardIcon(QStyle::SP_MediaStop));
-  run_bar_->addAction(run_);
-  run_bar_->addAction(stop_);
-  run_bar_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   menu.addSeparator();
   add_action(menu, tr("&Next message"), {Qt::Key_F8}, [this] { output_->choose_next(true); });
   add_action(menu, tr("&Previous message"), {Qt::SHIFT | Qt::Key_F8},

@@ -1,4 +1,5 @@
 # The code panel, where QScintilla is installed. EYEBRIDGE_HAVE_CODE_PANEL says to others that it is there.
+set(EYEBRIDGE_HAVE_CODE_PANEL OFF CACHE INTERNAL "Whether there is a code panel: for its tests")
 get_target_property(qt_folders Qt6::Core INTERFACE_INCLUDE_DIRECTORIES)
 find_path(QSCINTILLA_INCLUDE Qsci/qsciscintilla.h HINTS ${qt_folders})
 find_library(QSCINTILLA_LIBRARY qscintilla2_qt6)
@@ -25,5 +26,6 @@ target_sources(eyebridge_windows PRIVATE
   code/runner.cpp code/templates.cpp code/terminal.cpp code/text_file.cpp)
 target_include_directories(eyebridge_windows SYSTEM PUBLIC "${QSCINTILLA_INCLUDE}")
 target_link_libraries(eyebridge_windows PUBLIC eyebridge::gui_messages eyebridge::files "${QSCINTILLA_LIBRARY}")
+set(EYEBRIDGE_HAVE_CODE_PANEL ON CACHE INTERNAL "Whether there is a code panel: for its tests")
 target_compile_definitions(eyebridge_windows PUBLIC EYEBRIDGE_HAVE_CODE_PANEL)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION share/eyebridge)

@@ -89,9 +89,8 @@ void CodeWindow::show_state() {
 }
 
 Page* CodeWindow::page_for(const QString& file, bool opens) {
-  const QString home =
-      source_.home.isEmpty() ? QFileInfo(source_.file).absolutePath() : source_.home;
-  const QFileInfo named(QDir(home), file);
+  QFileInfo named(QFileInfo(source_.file).absoluteDir(), file);
+  if (!named.exists() && !source_.home.isEmpty()) named = QFileInfo(QDir(source_.home), file);
   // Compilers and Python may name it by another way than we do.
   const QString path = named.exists() ? named.canonicalFilePath() : named.absoluteFilePath();
   if (path == QFileInfo(source_.file).canonicalFilePath()) return ran_;

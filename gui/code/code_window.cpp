@@ -28,7 +28,7 @@ CodeWindow::CodeWindow(const QStringList& paths, CodeSettings settings)
   make_edit_menu();
   make_view_menu();
   make_run_menu();
-  run_bar_->add_choices();
+  run_bar_->add_parts(*run_, *stop_);
   connect_runner();
   resize(kFirstSize);
   restoreGeometry(kept.value(kGeometryKey).toByteArray());

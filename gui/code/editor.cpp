@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QFontDatabase>
+#include <QKeyEvent>
 #include <algorithm>
 
 #include <Qsci/qscicommandset.h>
@@ -36,7 +37,6 @@ Editor::Editor(QWidget* parent) : QsciScintilla(parent) {
   setBraceMatching(SloppyBraceMatch);
   setAutoCompletionSource(AcsAll);
   setAutoCompletionThreshold(kLettersToComplete);
-  setAutoCompletionCaseSensitivity(false);
   setAutoCompletionUseSingle(AcusExplicit);
   setCallTipsStyle(CallTipsNoAutoCompletionContext);
   setCallTipsVisible(1);
@@ -66,6 +66,8 @@ void Editor::set_language(Language language) {
   QsciLexer* const lexer = make_lexer(language, this);
   if (lexer != nullptr) new RobiosApis(lexer, [this] { return api(); });
   setLexer(lexer);
+  // QScintilla would take the language's word for it: psdget is found, too.
+  SendScintilla(SCI_AUTOCSETIGNORECASE, true);
   delete before;
   const int width = language == Language::Python ? 4 : 2;
   setIndentationWidth(width);
@@ -116,12 +118,33 @@ void Editor::paint() {
     setMarkerBackgroundColor(colour, mark);
     setMarkerForegroundColor(colour, mark);
   }
+  for (int mark = SC_MARKNUM_FOLDEREND; mark <= static_cast<int>(SC_MARKNUM_FOLDEROPEN); ++mark) {
+    setMarkerForegroundColor(margin, mark);
+    setMarkerBackgroundColor(colours.color(QPalette::WindowText), mark);
+  }
   count_lines();
 }
 
 void Editor::changeEvent(QEvent* event) {
   QsciScintilla::changeEvent(event);
   if (event->type() == QEvent::PaletteChange) paint();
+}
+
+bool Editor::list_has_nothing_to_add() const {
+  // Both with the zero behind them.
+  QByteArray chosen(static_cast<int>(SendScintilla(SCI_AUTOCGETCURRENTTEXT)) + 1, '\0');
+  SendScintilla(SCI_AUTOCGETCURRENTTEXT, 0UL, static_cast<void*>(chosen.data()));
+  const long at = SendScintilla(SCI_GETCURRENTPOS);
+  const long begin = SendScintilla(SCI_WORDSTARTPOSITION, static_cast<unsigned long>(at), 1L);
+  const QByteArray written = bytes(static_cast<int>(begin), static_cast<int>(at));
+  return qstrcmp(chosen.constData(), written.constData()) == 0;
+}
+
+void Editor::keyPressEvent(QKeyEvent* event) {
+  // Who has written a word to its end wants a new line.
+  const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (enters && isListActive() && list_has_nothing_to_add()) cancelList();
+  QsciScintilla::keyPressEvent(event);
 }
 
 void Editor::go_to(int line, int column) {

@@ -45,11 +45,13 @@ class Editor final : public QsciScintilla {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   void set_up_margins();
   void paint();
   void count_lines();
+  [[nodiscard]] bool list_has_nothing_to_add() const;
 
   Language language_ = Language::Text;
   std::optional<bool> classic_;

@@ -109,29 +109,47 @@ void OutputView::look_at(QTextBlock block) {
   std::optional<Message> message =
       find_message({line.data(), static_cast<std::size_t>(line.size())});
   if (!message) return;
+  block.setUserData(new Found(*message));
+  underline(block, *message);
+  if (on_message) on_message(*message);
+}
+
+void OutputView::underline(const QTextBlock& block, const Message& message) {
+  const QByteArray line = block.text().toUtf8();
   const auto letters = [&](std::size_t bytes) {
     return static_cast<int>(QString::fromUtf8(line.left(static_cast<qsizetype>(bytes))).size());
   };
   QTextCursor cursor(block);
-  cursor.setPosition(block.position() + letters(message->begin));
-  cursor.setPosition(block.position() + letters(message->end), QTextCursor::KeepAnchor);
+  cursor.setPosition(block.position() + letters(message.begin));
+  cursor.setPosition(block.position() + letters(message.end), QTextCursor::KeepAnchor);
   QTextCharFormat format;
   format.setFontUnderline(true);
   format.setForeground(palette().brush(QPalette::Link));
   cursor.mergeCharFormat(format);
-  block.setUserData(new Found(*message));
-  if (on_message) on_message(*message);
+}
+
+void OutputView::stress(const QTextBlock& block) {
+  QTextEdit::ExtraSelection line;
+  line.cursor = QTextCursor(block);
+  line.format.setBackground(palette().brush(QPalette::AlternateBase));
+  line.format.setProperty(QTextFormat::FullWidthSelection, true);
+  setExtraSelections({line});
+}
+
+void OutputView::changeEvent(QEvent* event) {
+  QPlainTextEdit::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange) return;
+  for (QTextBlock block = document()->firstBlock(); block.isValid(); block = block.next()) {
+    if (const Message* const message = message_of(block)) underline(block, *message);
+  }
+  if (chosen_ >= 0) stress(document()->findBlockByNumber(chosen_));
 }
 
 bool OutputView::choose(const QTextBlock& block) {
   const Message* const message = message_of(block);
   if (message == nullptr) return false;
   chosen_ = block.blockNumber();
-  QTextEdit::ExtraSelection line;
-  line.cursor = QTextCursor(block);
-  line.format.setBackground(palette().brush(QPalette::AlternateBase));
-  line.format.setProperty(QTextFormat::FullWidthSelection, true);
-  setExtraSelections({line});
+  stress(block);
   setTextCursor(QTextCursor(block));
   if (on_chosen) on_chosen(*message);
   return true;

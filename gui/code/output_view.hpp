@@ -39,6 +39,7 @@ class OutputView final : public QPlainTextEdit {
   std::function<void(const Message&)> on_chosen;
 
  protected:
+  void changeEvent(QEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
@@ -47,6 +48,8 @@ class OutputView final : public QPlainTextEdit {
   void insert(const QString& text);
   void look_at(QTextBlock block);
   bool choose(const QTextBlock& block);
+  void underline(const QTextBlock& block, const Message& message);
+  void stress(const QTextBlock& block);
 
   QByteArray pending_;
   qsizetype left_out_ = 0;

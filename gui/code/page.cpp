@@ -68,7 +68,7 @@ void Page::restore(const Draft& draft) {
   editor_->set_language(language_of(name_));
   editor_->show_text(file_.text);
   editor_->replace_text(draft.text);
-  editor_->setModified(true);
+  is_unsaved_ = true;
   std::vector<NoticeBar::Choice> choices;
   if (!path_.isEmpty()) choices.push_back({tr("Go back to the saved file"), [this] { reload(); }});
   notice_->show_notice(
@@ -102,6 +102,7 @@ bool Page::write(const QString& path) {
   file_ = file;
   was_removed_ = false;
   notice_->dismiss();
+  is_unsaved_ = false;
   editor_->setModified(false);
   if (on_change) on_change();
   return true;
@@ -115,6 +116,7 @@ void Page::reload() {
   }
   file_ = disk;
   editor_->replace_text(file_.text);
+  is_unsaved_ = false;
   editor_->setModified(false);
   if (on_change) on_change();
 }
@@ -124,9 +126,10 @@ void Page::look_at_disk() {
   TextFile disk;
   if (!QFileInfo::exists(path_)) {
     was_removed_ = true;
-    editor_->setModified(true);
+    is_unsaved_ = true;
     notice_->show_notice(tr("%1 was removed from the disk. Saving writes it again.").arg(name_),
                          {});
+    if (on_change) on_change();
     return;
   }
   if (const QString trouble = read_text(path_, disk); !trouble.isEmpty()) {
@@ -135,8 +138,12 @@ void Page::look_at_disk() {
   }
   if (disk.bytes == file_.bytes) {
     // It is back, if it was gone.
-    if (was_removed_) notice_->dismiss();
-    was_removed_ = false;
+    if (was_removed_) {
+      was_removed_ = false;
+      is_unsaved_ = false;
+      notice_->dismiss();
+      if (on_change) on_change();
+    }
     return;
   }
   notice_->show_notice(

@@ -38,7 +38,7 @@ class Page final : public QWidget {
   [[nodiscard]] const QString& name() const { return name_; }
   /// The example that this is a copy of; "" when it is none, or has been saved.
   [[nodiscard]] const QString& example() const { return example_; }
-  [[nodiscard]] bool is_modified() const { return editor_->isModified(); }
+  [[nodiscard]] bool is_modified() const { return is_unsaved_ || editor_->isModified(); }
   [[nodiscard]] Draft draft() const { return {number_, name_, path_, editor_->text()}; }
   [[nodiscard]] int number() const { return number_; }
 
@@ -58,6 +58,7 @@ class Page final : public QWidget {
   QString example_;
   TextFile file_;
   bool was_removed_ = false;
+  bool is_unsaved_ = false;  ///< Though nothing was typed: its file is gone, or it was recovered.
   NoticeBar* notice_;
   Editor* editor_;
 };

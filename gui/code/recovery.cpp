@@ -5,8 +5,9 @@
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
 #include <QUuid>
+
+#include "code/text_file.hpp"
 
 namespace eyebridge::gui {
 namespace {
@@ -51,9 +52,7 @@ QString Recovery::file_of(int number) const {
 bool Recovery::keep(const Draft& draft) {
   if (!lock_) return false;
   const QJsonObject object{{"name", draft.name}, {"path", draft.path}, {"text", draft.text}};
-  QSaveFile file(file_of(draft.number));
-  const QByteArray bytes = QJsonDocument(object).toJson();
-  return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
+  return write_whole(file_of(draft.number), QJsonDocument(object).toJson()).isEmpty();
 }
 
 void Recovery::forget(int number) { QFile::remove(file_of(number)); }

@@ -1,9 +1,15 @@
 #include "code/run_bar.hpp"
 
+#include <QAction>
 #include <QDir>
+#include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QIcon>
+#include <QPainter>
+#include <QPolygonF>
 #include <QSettings>
+#include <utility>
 
 namespace eyebridge::gui {
 namespace {
@@ -22,7 +28,7 @@ RunBar::RunBar(const CodeSettings& settings, QWidget* parent)
       fast_(new QCheckBox(tr("Virtual time"), this)),
       windows_(new QCheckBox(tr("Windows"), this)) {
   setObjectName("run_bar");
-  setWindowTitle(tr("Run"));
+  setWindowTitle(tr("Run bar"));
   worlds_->setAccessibleName(tr("World"));
   worlds_->setToolTip(tr("The world that the program drives in"));
   worlds_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
@@ -54,11 +60,45 @@ RunBar::~RunBar() {
   kept.setValue(kWindowsKey, windows_->isChecked());
 }
 
-void RunBar::add_choices() {
+void RunBar::add_parts(QAction& run, QAction& stop) {
+  run_ = &run;
+  stop_ = &stop;
+  paint_actions();
+  setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  addAction(run_);
+  addAction(stop_);
   addSeparator();
   addWidget(worlds_);
   addWidget(fast_);
   addWidget(windows_);
+}
+
+void RunBar::paint_actions() {
+  // A triangle and a square, in the colour of the words beside them.
+  constexpr int kSize = 16;
+  const auto drawn = [&](const QPolygonF& shape) {
+    QIcon icon;
+    for (const auto& [mode, group] : {std::pair{QIcon::Normal, QPalette::Active},
+                                      std::pair{QIcon::Disabled, QPalette::Disabled}}) {
+      QPixmap picture(QSize(kSize, kSize) * devicePixelRatio());
+      picture.setDevicePixelRatio(devicePixelRatio());
+      picture.fill(Qt::transparent);
+      QPainter painter(&picture);
+      painter.setRenderHint(QPainter::Antialiasing);
+      painter.setPen(Qt::NoPen);
+      painter.setBrush(palette().color(group, QPalette::ButtonText));
+      painter.drawPolygon(shape);
+      icon.addPixmap(picture, mode);
+    }
+    return icon;
+  };
+  run_->setIcon(drawn(QPolygonF({{3, 2}, {14, 8}, {3, 14}})));
+  stop_->setIcon(drawn(QPolygonF(QRectF(3, 3, 10, 10))));
+}
+
+void RunBar::changeEvent(QEvent* event) {
+  QToolBar::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && run_ != nullptr) paint_actions();
 }
 
 RunChoice RunBar::choice() const {

@@ -17,8 +17,8 @@ class RunBar final : public QToolBar {
   RunBar(const CodeSettings& settings, QWidget* parent);
   ~RunBar() override;
 
-  /// Adds the choices to the right of the actions that the bar has.
-  void add_choices();
+  /// What the bar has: the two actions, which get pictures, and the choices.
+  void add_parts(QAction& run, QAction& stop);
   [[nodiscard]] RunChoice choice() const;
   /// Chooses a world file, which joins the list if it is not in it; "" is an empty room.
   void choose_world(const QString& path);
@@ -27,7 +27,14 @@ class RunBar final : public QToolBar {
   [[nodiscard]] QCheckBox& fast() { return *fast_; }
   [[nodiscard]] QCheckBox& windows() { return *windows_; }
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
+  void paint_actions();
+
+  QAction* run_ = nullptr;
+  QAction* stop_ = nullptr;
   QString folder_;
   QComboBox* worlds_;
   QCheckBox* fast_;

@@ -30,13 +30,17 @@ bool is_header(const QString& path) {
 Step build_step(const ProgramSource& source, const QString& home, const QString& binary,
                 const CodeSettings& settings) {
   QStringList words;
+  const QFileInfo file(source.file);
   if (source.is_classic) words << "--classic";
+  // By its name alone, so that messages are short.
   words << "-g"
         << "-fdiagnostics-color=never"
         << "-fmessage-length=0"
-        << "-iquote" << home << source.file << other_sources(source.file, home) << "-o" << binary;
+        << "-iquote" << home << file.fileName() << other_sources(source.file, home) << "-o"
+        << binary;
   const bool is_c = source.language == Language::C;
-  return {Step::Kind::Build, is_c ? settings.c_compiler : settings.cpp_compiler, words, home};
+  return {Step::Kind::Build, is_c ? settings.c_compiler : settings.cpp_compiler, words,
+          file.absolutePath()};
 }
 
 }  // namespace

@@ -15,12 +15,23 @@ const QByteArray kByteMark("\xef\xbb\xbf");
 
 QString sentence(const char* text) { return QCoreApplication::translate("TextFile", text); }
 
+/// A device, a pipe or a socket, or a link to one.
+bool is_special(const QString& path) {
+  const QFileInfo file(path);
+  return file.exists() && !file.isFile() && !file.isDir();
+}
+
 }  // namespace
 
 QString read_text(const QString& path, TextFile& file) {
   QFile disk(path);
   if (QFileInfo(path).isDir()) {
     return sentence(QT_TRANSLATE_NOOP("TextFile", "%1 is a folder; expected a text file"))
+        .arg(path);
+  }
+  // A pipe would keep the window waiting.
+  if (is_special(path)) {
+    return sentence(QT_TRANSLATE_NOOP("TextFile", "%1 is no ordinary file; expected a text file"))
         .arg(path);
   }
   if (!disk.open(QIODevice::ReadOnly)) {
@@ -50,6 +61,19 @@ QString read_text(const QString& path, TextFile& file) {
   return "";
 }
 
+QString write_whole(const QString& path, const QByteArray& bytes) {
+  QSaveFile disk(path);
+  // In a folder where no new files may be made the file itself may still be written.
+  disk.setDirectWriteFallback(true);
+  // flush(): commit() does not notice when the last of its buffer finds no room.
+  if (!disk.open(QIODevice::WriteOnly) || disk.write(bytes) != bytes.size() || !disk.flush()) {
+    const QString why = disk.errorString();
+    disk.cancelWriting();
+    return why;
+  }
+  return disk.commit() ? "" : disk.errorString();
+}
+
 QString write_text(const QString& path, TextFile& file) {
   QByteArray bytes = file.text.toUtf8();
   bool is_latin1 = false;
@@ -69,12 +93,11 @@ QString write_text(const QString& path, TextFile& file) {
   if (QFileInfo(path).exists() && !QFileInfo(path).isWritable()) {
     return trouble(sentence(QT_TRANSLATE_NOOP("TextFile", "it is write-protected")));
   }
-  QSaveFile disk(path);
-  // In a folder where no new files may be made the file itself may still be written.
-  disk.setDirectWriteFallback(true);
-  if (!disk.open(QIODevice::WriteOnly) || disk.write(bytes) != bytes.size() || !disk.commit()) {
-    return trouble(disk.errorString());
+  // Saving puts a new file in the place of the old one, which no device survives.
+  if (is_special(path)) {
+    return trouble(sentence(QT_TRANSLATE_NOOP("TextFile", "it is no ordinary file")));
   }
+  if (const QString why = write_whole(path, bytes); !why.isEmpty()) return trouble(why);
   file.bytes = bytes;
   file.is_latin1 = is_latin1;
   return "";
