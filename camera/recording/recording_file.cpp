@@ -1,11 +1,11 @@
 #include "eyebridge/camera/recording/recording_file.hpp"
 
-#include <csignal>
 #include <system_error>
 
 #include <pthread.h>
 
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/deaf_thread.hpp"
 
 namespace eyebridge::camera {
 namespace {
@@ -42,17 +42,6 @@ sqlite::Database make_database(const std::filesystem::path& path, const Recordin
     sqlite::step(add);
   }
   return database;
-}
-
-/// A thread that takes no signal: handlers of a program run on the program's threads.
-std::thread deaf_thread(const std::function<void()>& body) {
-  sigset_t all;
-  sigset_t before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
-  std::thread thread(body);
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  return thread;
 }
 
 }  // namespace

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include <pthread.h>
-#include <signal.h>
 
 #include "environment/environment_window.hpp"
+#include "eyebridge/base/deaf_thread.hpp"
 #include "panel/panel_window.hpp"
 
 namespace eyebridge::gui {
@@ -21,14 +21,7 @@ constexpr int kCascadeLength = 10;
 }  // namespace
 
 GuiWindows::GuiWindows(robios::WindowsStart start) : start_(std::move(start)) {
-  // It and Qt's own threads take no signal: handlers of the program run on the program's threads,
-  // and threads that take none do not keep a process alive whose program has left.
-  sigset_t all;
-  sigset_t before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
-  thread_ = std::thread([this] { run(); });
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  thread_ = deaf_thread([this] { run(); });  // and so are Qt's own
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return is_ready_; });
 }
@@ -84,6 +77,8 @@ void GuiWindows::in_thread(const std::function<void()>& action) {
 }
 
 void GuiWindows::open_panel(const robios::PanelStart& start) {
+  // Now, not when it is there: the program may wait for a key before that.
+  start.keys->set_window(true);
   post([this, start] {
     const auto& panel = panels_.emplace_back(std::make_unique<PanelWindow>(start));
     const int step = kCascade * (static_cast<int>(panels_.size() - 1) % kCascadeLength);

@@ -4,18 +4,24 @@
 #include <QMainWindow>
 #include <QTimer>
 #include <functional>
+#include <optional>
 
+#include "environment/error_panel.hpp"
 #include "environment/event_log.hpp"
+#include "environment/film.hpp"
 #include "environment/readings.hpp"
+#include "environment/scene_view.hpp"
 #include "environment/world_view.hpp"
 
 class QAction;
 class QComboBox;
+class QDockWidget;
 
 namespace eyebridge::gui {
 
 /// The driving environment: the world from above, its time, and what goes on in it.
 class EnvironmentWindow final : public QMainWindow {
+  Q_OBJECT
  public:
   /// `environment` is lent.
   EnvironmentWindow(hal::Environment& environment, const QString& program);
@@ -27,6 +33,11 @@ class EnvironmentWindow final : public QMainWindow {
   void tell_end(const QString& how);
   /// A picture of the view, as PNG or whatever the name says; false when it cannot be written.
   bool save_picture(const QString& path);
+  /// Films the view from now on, until stop_film() or the window's end; false where it cannot be
+  /// written, which the status bar tells.
+  bool start_film(const QString& path);
+  void stop_film();
+  [[nodiscard]] SceneView& scene() { return *scene_; }
 
  private:
   QAction* add_action(QMenu& menu, const QString& text, const QKeySequence& key,
@@ -35,17 +46,27 @@ class EnvironmentWindow final : public QMainWindow {
                       const std::function<void(bool)>& act);
   void make_file_menu();
   void make_time_menu();
+  void make_robot_menu();
   void make_view_menu();
+  void make_scene_menu(QMenu& menu);
   void make_docks();
   void make_status();
   void refresh();
   void show_time();
   void ask_for_picture();
+  void ask_for_film();
 
   hal::Environment& environment_;
+  const QString program_;
   WorldView* view_;
   Readings* readings_ = nullptr;
   EventLog* events_ = nullptr;
+  SceneView* scene_ = nullptr;
+  QDockWidget* scene_dock_ = nullptr;
+  ErrorPanel* errors_ = nullptr;
+  std::optional<Film> film_;
+  QAction* film_switch_ = nullptr;
+  QAction* drive_ = nullptr;
   QAction* pause_ = nullptr;
   QAction* step_ = nullptr;
   QAction* follow_ = nullptr;

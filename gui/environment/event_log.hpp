@@ -8,6 +8,7 @@ namespace eyebridge::gui {
 
 /// What happened, the newest last: the last hundred, as in EyeSim.
 class EventLog final : public QListWidget {
+  Q_OBJECT
  public:
   static constexpr int kLongest = 100;
 

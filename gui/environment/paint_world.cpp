@@ -121,17 +121,35 @@ void paint_rays(QPainter& painter, const Viewport& view, std::span<const SensorR
 
 void paint_camera_cone(QPainter& painter, const Viewport& view, const hal::RobotLook& robot,
                        double reach) {
-  if (!robot.model->camera) return;
-  const robot::CameraModel& camera = *robot.model->camera;
-  const Pose eye = transform(robot.pose, {camera.x, camera.y, robot.pan});
-  const double half = camera.horizontal_field_of_view / 2;
-  QPainterPath cone(view.to_pixel(eye.position()));
+  if (!robot.eye) return;
+  const Vec2 place{robot.eye->x, robot.eye->y};
+  const double half = robot.eye->horizontal_field_of_view / 2;
+  QPainterPath cone(view.to_pixel(place));
   for (const double side : {half, -half}) {
-    cone.lineTo(
-        view.to_pixel(eye.position() + reach * Heading::from_angle(eye.theta + side).forward()));
+    const double bearing = robot.eye->heading + side;
+    cone.lineTo(view.to_pixel(place + reach * Heading::from_angle(bearing).forward()));
   }
   cone.closeSubpath();
   painter.fillPath(cone, QColor(255, 200, 0, 60));
+}
+
+void paint_bumpers(QPainter& painter, const Viewport& view, const hal::RobotLook& robot,
+                   const std::vector<bool>& touched) {
+  constexpr double kRim = 5.0;  // pixels
+  const double radius = robot.model->radius() * view.pixels_per_metre() + kRim / 2;
+  const QPointF centre = view.to_pixel(robot.pose.position());
+  const QRectF circle(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius);
+  QPen pen(QColor(220, 0, 0), kRim);
+  pen.setCapStyle(Qt::FlatCap);
+  painter.setPen(pen);
+  const auto sixteenths = [](double angle) { return qRound(16 * rad_to_deg(angle)); };
+  for (std::size_t i = 0; i < touched.size(); ++i) {
+    if (!touched[i]) continue;
+    const robot::BumperModel& bumper = robot.model->bumpers[i];
+    double span = bumper.end - bumper.start;
+    if (span <= 0) span += 2 * kPi;
+    painter.drawArc(circle, sixteenths(robot.pose.theta + bumper.start), sixteenths(span));
+  }
 }
 
 void paint_trail(QPainter& painter, const Viewport& view, const std::deque<Trails::Point>& trail,

@@ -2,12 +2,14 @@
 
 #include <QColor>
 #include <span>
+#include <vector>
 
 #include "environment/mirror.hpp"
 #include "environment/trails.hpp"
 #include "environment/viewport.hpp"
 #include "eyebridge/hal/environment.hpp"
 
+class QImage;
 class QPainter;
 
 namespace eyebridge::gui {
@@ -16,7 +18,7 @@ QColor colour_of(Rgb colour);
 
 /// Floor, its texture unless null, markers and walls: what does not move.
 void paint_ground(QPainter& painter, const Viewport& view, const world::WorldModel& model,
-                  const class QImage& texture);
+                  const QImage& texture);
 /// Balls, cans, boxes and robots, these with their numbers and a marker in front. `chosen` has a
 /// ring; a robot that is stalled has one in red.
 void paint_bodies(QPainter& painter, const Viewport& view, const hal::WorldLook& look,
@@ -26,6 +28,9 @@ void paint_rays(QPainter& painter, const Viewport& view, std::span<const SensorR
 /// What the robot's camera sees on the floor, up to `reach` metres.
 void paint_camera_cone(QPainter& painter, const Viewport& view, const hal::RobotLook& robot,
                        double reach);
+/// Red on the rim for each bumper that something touches, in the order of the model.
+void paint_bumpers(QPainter& painter, const Viewport& view, const hal::RobotLook& robot,
+                   const std::vector<bool>& touched);
 void paint_trail(QPainter& painter, const Viewport& view, const std::deque<Trails::Point>& trail,
                  const QColor& colour);
 

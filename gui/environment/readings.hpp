@@ -8,6 +8,7 @@ namespace eyebridge::gui {
 
 /// What one robot is doing and what its sensors see, without error: a row each.
 class Readings final : public QTableWidget {
+  Q_OBJECT
  public:
   explicit Readings(QWidget* parent);
 

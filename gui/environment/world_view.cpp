@@ -1,5 +1,7 @@
 #include "environment/world_view.hpp"
 
+#include <QImageReader>
+#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
@@ -14,12 +16,6 @@ namespace {
 
 constexpr double kSlack = 4.0;  // pixels that one may point beside a small thing
 
-QImage texture_of(hal::Environment& environment, const world::WorldModel& model) {
-  if (!model.floor_texture) return {};
-  const auto path = std::filesystem::path(environment.directory()) / *model.floor_texture;
-  return QImage(QString::fromStdString(path.string()));
-}
-
 }  // namespace
 
 WorldView::WorldView(hal::Environment& environment, QWidget* parent)
@@ -28,12 +24,24 @@ WorldView::WorldView(hal::Environment& environment, QWidget* parent)
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(200, 150);
   refresh();
-  texture_ = texture_of(environment_, *look_.scene.model);
+  load_texture();
   fit();
+}
+
+void WorldView::load_texture() {
+  const auto& name = look_.scene.model->floor_texture;
+  if (!name) return;
+  const auto path = std::filesystem::path(environment_.directory()) / *name;
+  QImageReader reader(QString::fromStdString(path.string()));
+  texture_ = reader.read();
+  if (!texture_.isNull()) return;
+  texture_trouble_ = tr("The floor's picture %1 cannot be read: %2; expected a PNG, JPEG or BMP")
+                         .arg(reader.fileName(), reader.errorString());
 }
 
 void WorldView::refresh() {
   environment_.look(look_);
+  if (on_look) on_look(look_);
   mirror_.follow(look_);
   trails_.add(look_);
   if (chosen_ && *chosen_ >= look_.robots.size()) chosen_.reset();
@@ -74,7 +82,30 @@ void WorldView::follow(bool follows) {
 }
 
 void WorldView::choose(std::optional<std::size_t> robot) {
+  if (robot == chosen_) return;
+  if (driver_.any()) {  // whoever was driven stops
+    driver_.release_all();
+    drive();
+  }
   chosen_ = robot;
+  update();
+}
+
+void WorldView::centre_on_robot() {
+  if (!chosen_ || *chosen_ >= look_.robots.size()) return;
+  change_view([&](Viewport& view) { view.centre_on(look_.robots[*chosen_].pose.position()); });
+}
+
+void WorldView::set_tool(Tool tool) {
+  tool_ = tool;
+  measures_ = false;
+  tape_.reset();
+  grip_.reset();
+  if (tool == Tool::Tape) {
+    setCursor(Qt::CrossCursor);
+  } else {
+    unsetCursor();
+  }
   update();
 }
 
@@ -92,6 +123,12 @@ void WorldView::paintEvent(QPaintEvent* /*event*/) {
   painter.setRenderHint(QPainter::Antialiasing);
   paint_robots_layers(painter);
   paint_bodies(painter, view_, look_, chosen_);
+  if (layers_.bumpers) {
+    for (std::size_t i = 0; i < look_.robots.size(); ++i) {
+      paint_bumpers(painter, view_, look_.robots[i], mirror_.bumpers(i));
+    }
+  }
+  if (tape_) paint_tape(painter, view_, *tape_);
 }
 
 void WorldView::paint_robots_layers(QPainter& painter) {
@@ -119,6 +156,12 @@ void WorldView::resizeEvent(QResizeEvent* /*event*/) {
 
 void WorldView::mousePressEvent(QMouseEvent* event) {
   const Vec2 place = view_.to_world(event->position());
+  if (event->button() == Qt::LeftButton && tool_ == Tool::Tape) {
+    tape_ = Tape{place, place};
+    measures_ = true;
+    update();
+    return;
+  }
   if (event->button() == Qt::LeftButton) {
     grip_ = grip_at(look_, place, kSlack / view_.pixels_per_metre());
     if (grip_ && grip_->robot) choose(grip_->robot);
@@ -134,6 +177,10 @@ void WorldView::mouseMoveEvent(QMouseEvent* event) {
   const Vec2 place = view_.to_world(event->position());
   if (on_pointer) on_pointer(place);
   if (grip_) carry(place);
+  if (measures_) {
+    tape_->to = place;
+    update();
+  }
   if (!pan_from_) return;
   const QPointF way = event->position() - *pan_from_;
   pan_from_ = event->position();
@@ -144,22 +191,66 @@ void WorldView::mouseMoveEvent(QMouseEvent* event) {
 void WorldView::mouseReleaseEvent(QMouseEvent* /*event*/) {
   grip_.reset();
   pan_from_.reset();
-  unsetCursor();
+  measures_ = false;
+  setCursor(tool_ == Tool::Tape ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
 void WorldView::carry(Vec2 place) {
   const Pose pose = moved(*grip_, place);
   // Nothing is put into something else: it stays where it could stand last.
   if (!grip_->turns && !mirror_.is_free(grip_->body, pose.position())) {
-    if (on_trouble) on_trouble(tr("There is no room here"));
+    tell_trouble(tr("There is no room here"));
     return;
   }
   hal::WorldControl& control = environment_.control();
   const Result<void> done = grip_->robot
                                 ? control.set_robot_pose(static_cast<int>(*grip_->robot) + 1, pose)
                                 : control.set_object_pose(static_cast<int>(grip_->body) + 1, pose);
-  if (on_trouble) on_trouble(done ? QString() : QString::fromStdString(done.error().what));
+  tell_trouble(done ? QString() : QString::fromStdString(done.error().what));
   refresh();
+}
+
+void WorldView::tell_trouble(const QString& text) const {
+  if (on_trouble) on_trouble(text);
+}
+
+void WorldView::set_driving(bool drives) {
+  drives_ = drives;
+  if (drives) {
+    setFocus();
+    if (!chosen_ && !look_.robots.empty()) choose(0);
+  } else if (driver_.any()) {
+    driver_.release_all();
+    drive();
+  }
+}
+
+void WorldView::drive() {
+  if (!chosen_ || *chosen_ >= look_.robots.size()) return tell_trouble(tr("Choose a robot first"));
+  const Result<void> done =
+      environment_.drive(*chosen_, driver_.twist(*look_.robots[*chosen_].model));
+  tell_trouble(done ? QString() : QString::fromStdString(done.error().what));
+}
+
+void WorldView::keyPressEvent(QKeyEvent* event) {
+  if (!drives_ || !KeyboardDriver::knows(event->key())) return QWidget::keyPressEvent(event);
+  if (event->isAutoRepeat()) return;
+  driver_.press(event->key());
+  drive();
+}
+
+void WorldView::keyReleaseEvent(QKeyEvent* event) {
+  if (!drives_ || !KeyboardDriver::knows(event->key())) return QWidget::keyReleaseEvent(event);
+  if (event->isAutoRepeat()) return;
+  driver_.release(event->key());
+  drive();
+}
+
+void WorldView::focusOutEvent(QFocusEvent* event) {
+  QWidget::focusOutEvent(event);
+  if (!driver_.any()) return;  // nobody would tell us that the key was released
+  driver_.release_all();
+  drive();
 }
 
 void WorldView::wheelEvent(QWheelEvent* event) {

@@ -7,7 +7,9 @@
 #include <optional>
 
 #include "environment/grip.hpp"
+#include "environment/keyboard_driver.hpp"
 #include "environment/mirror.hpp"
+#include "environment/tape.hpp"
 #include "environment/trails.hpp"
 #include "environment/viewport.hpp"
 
@@ -20,14 +22,23 @@ struct Layers {
   bool proximities = true;
   bool lidar = false;
   bool camera = false;
+  bool bumpers = true;
 
   friend bool operator==(const Layers&, const Layers&) = default;
 };
 
+/// What the left button is.
+enum class Tool {
+  Hand,  ///< Takes robots and things, moves the picture.
+  Tape,  ///< Measures.
+};
+
 /// The world from above. The left button takes a robot by its middle to carry it, or by its rim to
 /// turn it, and things likewise; on the floor, and with the middle button, it moves the picture;
-/// the wheel zooms to the pointer.
+/// the wheel zooms to the pointer. With the tape it measures instead. With driving on, the arrow
+/// keys drive the chosen robot.
 class WorldView final : public QWidget {
+  Q_OBJECT
  public:
   /// `environment` is lent.
   WorldView(hal::Environment& environment, QWidget* parent);
@@ -41,6 +52,8 @@ class WorldView final : public QWidget {
   [[nodiscard]] const Layers& layers() const { return layers_; }
   void set_layers(const Layers& layers);
   void clear_trails();
+  /// Why something cannot be shown; empty when all can.
+  [[nodiscard]] const QString& missing() const { return texture_trouble_; }
   /// Shows all of it.
   void fit();
   /// About the middle of the view.
@@ -50,8 +63,16 @@ class WorldView final : public QWidget {
   /// The one that a person points at, by its index: its readings are wanted.
   [[nodiscard]] std::optional<std::size_t> chosen() const { return chosen_; }
   void choose(std::optional<std::size_t> robot);
+  /// The chosen robot is in the middle.
+  void centre_on_robot();
+  void set_tool(Tool tool);
+  [[nodiscard]] const std::optional<Tape>& tape() const { return tape_; }
+  /// Whether the arrow keys drive.
+  void set_driving(bool drives);
 
-  /// Told where the pointer is, in the world; and why a body could not be put somewhere.
+  /// Told of each look at the world, also of those that a person's doings bring.
+  std::function<void(const hal::WorldLook&)> on_look;
+  /// Told where the pointer is, in the world; and why something could not be done.
   std::function<void(Vec2)> on_pointer;
   std::function<void(const QString&)> on_trouble;
 
@@ -64,8 +85,14 @@ class WorldView final : public QWidget {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
 
  private:
+  void tell_trouble(const QString& text) const;
+  void load_texture();
+  void drive();
   void carry(Vec2 place);
   void change_view(const std::function<void(Viewport&)>& change);
   void paint_robots_layers(QPainter& painter);
@@ -81,9 +108,15 @@ class WorldView final : public QWidget {
   std::optional<std::size_t> chosen_ = 0;
   std::optional<Grip> grip_;
   std::optional<QPointF> pan_from_;
+  Tool tool_ = Tool::Hand;
+  std::optional<Tape> tape_;
+  bool measures_ = false;  ///< The tape's end is at the pointer.
+  bool drives_ = false;
+  KeyboardDriver driver_;
   QImage texture_;
   QPixmap ground_;  ///< Of ground_view_, at this widget's size; null: to be painted.
   Viewport ground_view_;
+  QString texture_trouble_;  ///< Why the floor's picture is missing.
 };
 
 }  // namespace eyebridge::gui

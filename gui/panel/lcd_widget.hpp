@@ -11,6 +11,7 @@ namespace eyebridge::gui {
 
 /// A robot's screen, pixel for pixel, at the largest whole scale that fits. A click is a touch.
 class LcdWidget final : public QWidget {
+  Q_OBJECT
  public:
   /// Both are lent.
   LcdWidget(robios::Screen& screen, robios::Keys& keys, QWidget* parent);

@@ -15,6 +15,7 @@ namespace eyebridge::gui {
 /// A robot's panel: its screen and the four keys below, which the mouse, the keys 1 to 4 and F1 to
 /// F4 press.
 class PanelWindow final : public QWidget {
+  Q_OBJECT
  public:
   explicit PanelWindow(const robios::PanelStart& start);
   ~PanelWindow() override;

@@ -1,6 +1,10 @@
 #include "sim/sim_environment.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "eyebridge/camera/robot_eye.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -12,9 +16,7 @@ RobotLook look_at(const robot::Simulation& sim, robot::RobotIndex robot) {
   look.odometry = sim.odometry(robot);
   look.twist = sim.twist(robot);
   look.stalled = sim.stalled(robot);
-  if (const auto& camera = sim.model(robot).camera) {
-    look.pan = camera->pan + (2 * sim.servo(robot, 0) - 1) * camera->max_pan;
-  }
+  if (sim.model(robot).camera) look.eye = camera::eye_of(sim, robot);
   return look;
 }
 
@@ -43,6 +45,36 @@ void SimEnvironment::look(WorldLook& look) {
       look.robots.back().model = models_[i];
     }
     tell_collisions(sim, look);
+  });
+}
+
+template <class Act>
+Result<void> SimEnvironment::with_robot(std::size_t index, Act act) {
+  return world_.locked([&](robot::Simulation& sim) -> Result<void> {
+    if (index < sim.robot_count()) return act(sim, static_cast<robot::RobotIndex>(index));
+    return fail(Errc::OutOfRange, "no robot " + std::to_string(index + 1) + ", the world has " +
+                                      std::to_string(sim.robot_count()));
+  });
+}
+
+Result<void> SimEnvironment::drive(std::size_t index, const Twist& twist) {
+  if (!std::isfinite(twist.linear) || !std::isfinite(twist.angular)) {
+    return fail(Errc::OutOfRange, "drive: expected finite speeds");
+  }
+  return with_robot(index, [&](robot::Simulation& sim, robot::RobotIndex robot) -> Result<void> {
+    sim.set_speed(robot, twist);
+    return {};
+  });
+}
+
+Result<void> SimEnvironment::set_errors(std::size_t index, const robot::RobotModel& like) {
+  return with_robot(index, [&](robot::Simulation& sim, robot::RobotIndex robot) -> Result<void> {
+    try {
+      sim.set_errors(robot, like);
+      return {};
+    } catch (const std::invalid_argument& error) {
+      return fail(Errc::OutOfRange, error.what());
+    }
   });
 }
 

@@ -5,13 +5,13 @@
 #include <cerrno>
 #include <ctime>
 #include <system_error>
-#include <thread>
 
 #include <semaphore.h>
 #include <signal.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include "eyebridge/base/deaf_thread.hpp"
 #include "host.hpp"
 #include "library_threads.hpp"
 
@@ -117,16 +117,10 @@ void wait_for_signal(void (*stop)(int), void (*look)()) {
 void watch_signals(void (*stop)(int signal), void (*look)()) {
   owner = getpid();
   sem_init(&wake_up, 0, 0);
-  // The thread itself takes no signal: handlers of the program run on the program's threads.
-  sigset_t all;
-  sigset_t before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
   sigaction(SIGINT, nullptr, &host_handler);
   host_has_handler = host_takes_interrupts() && host_handler.sa_handler != SIG_DFL &&
                      host_handler.sa_handler != SIG_IGN;
-  std::thread(wait_for_signal, stop, look).detach();
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  deaf_thread([stop, look] { wait_for_signal(stop, look); }).detach();
 
   for (const int signal : kSignals) {
     struct sigaction present {};

@@ -1,6 +1,8 @@
 // Tests at a display: Xvfb's, unless this process has one.
 
 #include <QApplication>
+#include <QFont>
+#include <QStyle>
 #include <cstdlib>
 #include <cstring>
 #include <string>
@@ -49,6 +51,10 @@ int main(int argc, char** argv) {
   {
     const QApplication application(argc, argv);
     QApplication::setQuitOnLastWindowClosed(false);
+    // Pictures are compared: not as somebody's desktop has it.
+    QApplication::setStyle("Fusion");
+    QApplication::setPalette(QApplication::style()->standardPalette());
+    QApplication::setFont(QFont("DejaVu Sans", 9));
     result = RUN_ALL_TESTS();
   }
   static_cast<void>(std::system(("rm -rf " + folder).c_str()));

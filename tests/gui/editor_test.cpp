@@ -11,7 +11,6 @@
 namespace eyebridge::gui {
 namespace {
 
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 class CodeEditor : public testing::CodeRoom {

@@ -1,60 +1,17 @@
 // The driving environment, as a person uses it.
-#include <QAction>
 #include <QComboBox>
 #include <QTest>
 #include <QWheelEvent>
-#include <functional>
 #include <thread>
 
 #include <gtest/gtest.h>
 
-#include "environment/environment_window.hpp"
-#include "room.hpp"
+#include "environment_fixture.hpp"
 
 namespace eyebridge::gui {
 namespace {
 
-class Environment : public ::testing::Test {
- protected:
-  void SetUp() override {
-    window_.emplace(room_.environment(), "square");
-    window_->resize(1000, 900);
-    window_->show();
-    window_->activateWindow();  // shortcuts are those of the active window
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&*window_));
-    window_->view().fit();
-    window_->view().refresh();
-  }
-  QPoint at(double x, double y) { return window_->view().viewport().to_pixel({x, y}).toPoint(); }
-  void drag(QPoint from, QPoint to, Qt::MouseButton button = Qt::LeftButton) {
-    WorldView& view = window_->view();
-    QTest::mousePress(&view, button, {}, from);
-    for (int i = 1; i <= 10; ++i) {
-      const QPoint place = from + (to - from) * i / 10.0;
-      QMouseEvent move(QEvent::MouseMove, place, view.mapToGlobal(place), Qt::NoButton, button, {});
-      QApplication::sendEvent(&view, &move);
-    }
-    QTest::mouseRelease(&view, button, {}, to);
-  }
-  QAction& action(const QString& text) {
-    for (QAction* action : window_->findChildren<QAction*>()) {
-      if (action->text().remove('&') == text) return *action;
-    }
-    throw std::runtime_error("no action " + text.toStdString());
-  }
-  /// Whether anything is drawn on the floor there, give or take a pixel or two up and down.
-  bool is_drawn_at(double x, double y) {
-    const QImage picture = window_->view().grab().toImage();
-    const QColor floor = picture.pixelColor(at(0.6, 0.9));
-    for (int dy = -2; dy <= 2; ++dy) {
-      if (picture.pixelColor(at(x, y) + QPoint(0, dy)) != floor) return true;
-    }
-    return false;
-  }
-
-  testing::Room room_;
-  std::optional<EnvironmentWindow> window_;
-};
+using Environment = testing::EnvironmentFixture;
 
 TEST_F(Environment, ARobotIsCarriedByItsMiddle) {
   drag(at(0.5, 0.5), at(0.7, 0.8));
@@ -128,7 +85,7 @@ TEST_F(Environment, TimeIsPausedSteppedAndGoesOn) {
 }
 
 TEST_F(Environment, TheSpeedIsChosen) {
-  auto* const factor = window_->findChild<QComboBox*>();
+  auto* const factor = window_->findChild<QComboBox*>("factor");
   EXPECT_EQ(factor->currentText(), "fastest");
   factor->setCurrentIndex(factor->findText("2x"));
   EXPECT_EQ(room_.environment().time().factor(), 2.0);
@@ -167,6 +124,14 @@ TEST_F(Environment, CollisionsAreToldOnce) {
   ASSERT_EQ(events->count(), 1);
   EXPECT_TRUE(events->item(0)->text().contains("robot 1 hit robot 2 at "))
       << events->item(0)->text().toStdString();
+}
+
+TEST_F(Environment, ACollisionWhileSomethingIsCarriedIsToldToo) {
+  auto* const events = window_->findChild<EventLog*>();
+  ASSERT_TRUE(room_.robot().drive()->set_speed({0.4, 0.0}));
+  room_.pass(4.0);
+  drag(at(1.0, 0.2), at(1.0, 0.3));  // looks at the world, too
+  EXPECT_EQ(events->count(), 1);
 }
 
 TEST_F(Environment, ReadingsAreThoseOfTheChosenRobot) {

@@ -15,7 +15,10 @@ namespace eyebridge::gui::testing {
 /// robot 2 at (1500, 500), and a can at (1000, 200).
 class Room {
  public:
-  Room();
+  /// `lines` are more of the world's file.
+  explicit Room(const std::string& lines = "");
+  /// Where its files lie.
+  [[nodiscard]] std::string folder() const { return folder_.path(); }
   [[nodiscard]] hal::Environment& environment() { return *backend_->environment(); }
   [[nodiscard]] hal::Backend& robot() { return *backend_; }
   [[nodiscard]] Pose pose(int robot);

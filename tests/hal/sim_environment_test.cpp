@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "eyebridge/hal/environment.hpp"
@@ -72,6 +74,38 @@ TEST_F(SimEnvironmentTest, ALookChangesNothing) {
     return std::pair(must(backend->world()->robot_pose(1)), ranges);
   };
   EXPECT_EQ(pose_after(false), pose_after(true));
+}
+
+TEST_F(SimEnvironmentTest, DrivesARobotAsItsProgramWould) {
+  ASSERT_TRUE(environment_->drive(1, {0.1, 0.0}));
+  backend_->clock().wait_until(from_seconds(1.0));
+  EXPECT_NEAR(look().robots[1].twist.linear, 0.1, 1e-6);
+  EXPECT_EQ(look().robots[0].twist.linear, 0.0);
+  const auto nobody = environment_->drive(2, {0.1, 0.0});
+  ASSERT_FALSE(nobody);
+  EXPECT_EQ(nobody.error().code, Errc::OutOfRange);
+  EXPECT_EQ(nobody.error().what, "no robot 3, the world has 2");
+  EXPECT_FALSE(environment_->drive(0, {std::nan(""), 0.0}));
+}
+
+TEST_F(SimEnvironmentTest, TakesErrorsFromAModelWithTheSameDevices) {
+  robot::RobotModel erring = *look().robots[0].model;
+  for (auto& sensor : erring.range_sensors) sensor.error.bias = -0.05;
+  const double before = must(backend_->range_sensor(1)->read());
+  ASSERT_TRUE(environment_->set_errors(0, erring));
+  EXPECT_NEAR(must(backend_->range_sensor(1)->read()), before - 0.05, 1e-9);
+  erring.range_sensors.pop_back();
+  const auto refused = environment_->set_errors(0, erring);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, Errc::OutOfRange);
+}
+
+TEST_F(SimEnvironmentTest, KnowsWhereACameraLooks) {
+  ASSERT_TRUE(look().robots[0].eye);
+  const double before = look().robots[0].eye->heading;
+  ASSERT_TRUE(backend_->servo(1)->set(1.0));
+  EXPECT_NEAR(wrap_angle(look().robots[0].eye->heading - before), rig_model().camera->max_pan,
+              1e-6);
 }
 
 TEST(SharedEnvironment, IsOneForAllRobots) {

@@ -2,7 +2,6 @@
 
 #include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <string>
 
 #include <fmt/format.h>
@@ -10,6 +9,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "eyebridge/base/deaf_thread.hpp"
 #include "terminal/cell_writer.hpp"
 #include "terminal/terminal_mode.hpp"
 
@@ -35,13 +35,7 @@ TerminalPanel::~TerminalPanel() { stop(); }
 
 void TerminalPanel::start() {
   draw();
-  // The program's handlers of signals run on the program's threads.
-  sigset_t all;
-  sigset_t before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
-  thread_ = std::thread([this] { run(); });
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  thread_ = deaf_thread([this] { run(); });
 }
 
 void TerminalPanel::run() {

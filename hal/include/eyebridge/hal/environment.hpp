@@ -1,11 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "eyebridge/base/pose.hpp"
+#include "eyebridge/camera/view.hpp"
 #include "eyebridge/hal/time_control.hpp"
 #include "eyebridge/hal/world_control.hpp"
 #include "eyebridge/robot/robot_model.hpp"
@@ -18,11 +21,11 @@ namespace eyebridge::hal {
 struct RobotLook {
   std::shared_ptr<const robot::RobotModel> model;  ///< Its errors are those that it came with.
   world::BodyId body = 0;
-  Pose pose;             ///< Truth, in the world.
-  Pose odometry;         ///< As the robot believes, from where it started.
-  Twist twist;           ///< As driven in the last step.
-  unsigned stalled = 0;  ///< robot::StallMask.
-  double pan = 0.0;      ///< Of the camera in the robot, radians, left positive.
+  Pose pose;                         ///< Truth, in the world.
+  Pose odometry;                     ///< As the robot believes, from where it started.
+  Twist twist;                       ///< As driven in the last step.
+  unsigned stalled = 0;              ///< robot::StallMask.
+  std::optional<camera::Eye> eye{};  ///< Of its camera; nothing where it has none.
 };
 
 /// A world at one moment, and what happened since the look before.
@@ -45,6 +48,14 @@ class Environment {
   [[nodiscard]] virtual TimeControl& time() = 0;
   /// Robot 0 is the first one.
   [[nodiscard]] virtual WorldControl& control() = 0;
+  /// Drives robot `index`, from 0, as its program would: until the next command of either. Metres
+  /// and radians a second, limited to what the robot can. OutOfRange for a robot that is not there
+  /// and a twist that is not finite.
+  virtual Result<void> drive(std::size_t index, const Twist& twist) = 0;
+  /// From now on the devices of robot `index` err as those of `like`, a model with the same
+  /// devices: RobotLook::model, scaled, say. OutOfRange for a robot that is not there and a model
+  /// with others.
+  virtual Result<void> set_errors(std::size_t index, const robot::RobotModel& like) = 0;
   /// Whether the scenario wants a person to let time begin.
   [[nodiscard]] virtual bool starts_paused() const = 0;
   /// Where textures and the like are looked for.

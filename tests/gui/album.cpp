@@ -1,0 +1,60 @@
+#include "album.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+namespace eyebridge::gui::testing {
+namespace {
+
+constexpr int kLeastDifference = 48;  // of 255, in one of the colours
+constexpr int kOneOf = 200;           // pixels may differ by more
+
+bool differ(QRgb a, QRgb b) {
+  return std::max({std::abs(qRed(a) - qRed(b)), std::abs(qGreen(a) - qGreen(b)),
+                   std::abs(qBlue(a) - qBlue(b))}) > kLeastDifference;
+}
+
+int different_pixels(const QImage& a, const QImage& b) {
+  int count = 0;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) count += differ(a.pixel(x, y), b.pixel(x, y)) ? 1 : 0;
+  }
+  return count;
+}
+
+bool save(const QImage& picture, const std::filesystem::path& path) {
+  std::filesystem::create_directories(path.parent_path());
+  return picture.save(QString::fromStdString(path.string()));
+}
+
+}  // namespace
+
+::testing::AssertionResult looks_as(const QImage& seen, const std::string& name) {
+  const std::filesystem::path root = EYEBRIDGE_SOURCE_DIR;
+  const auto reference = root / "tests/gui/pictures" / (name + ".png");
+  if (std::getenv("EYEBRIDGE_TEST_ACCEPT") != nullptr) {
+    if (save(seen, reference)) return ::testing::AssertionSuccess();
+    return ::testing::AssertionFailure() << reference << " cannot be written";
+  }
+  const QImage expected(QString::fromStdString(reference.string()));
+  const auto differs = [&](const std::string& how) {
+    const auto place = root / "build/gui" / (name + ".png");
+    save(seen, place);
+    return ::testing::AssertionFailure()
+           << "not as " << reference << ": " << how << "; seen: " << place;
+  };
+  if (expected.isNull()) return differs("there is no such picture");
+  if (expected.size() != seen.size()) {
+    return differs("its size is " + std::to_string(seen.width()) + " x " +
+                   std::to_string(seen.height()));
+  }
+  const int different = different_pixels(seen, expected);
+  if (different * kOneOf > seen.width() * seen.height()) {
+    return differs(std::to_string(different) + " pixels differ");
+  }
+  return ::testing::AssertionSuccess();
+}
+
+}  // namespace eyebridge::gui::testing
