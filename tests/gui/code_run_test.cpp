@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "code_room.hpp"
+#include "person.hpp"
 
 namespace eyebridge::gui {
 namespace {
@@ -132,6 +133,21 @@ TEST_F(CodeRun, WhatIsPrintedIsSeenAtOnceAndStopEndsTheProgram) {
   wait_for_end();
   EXPECT_EQ(window().state(), "Stopped");
   EXPECT_TRUE(action("Run").isEnabled());
+}
+
+TEST_F(CodeRun, TheRobotsWindowsComeWhereTheyAreWantedAndGoWithTheProgram) {
+  open_without_windows({write("wait.c",
+                              "#include \"eyebot.h\"\nint main() {\n  LCDPrintf(\"here\");\n"
+                              "  for (;;) OSWait(100);\n}\n")});
+  window().run_bar().windows().setChecked(true);
+  window().run_bar().fast().setChecked(false);
+  press(Qt::Key_F5);
+  testing::Person person;
+  person.window("wait – robot");
+  press(Qt::Key_F5, Qt::ShiftModifier);
+  wait_for_end();
+  EXPECT_EQ(window().state(), "Stopped");
+  person.wait_until_gone("wait – robot");
 }
 
 TEST_F(CodeRun, WhatIsNoProgramSaysSo) {
