@@ -255,6 +255,7 @@ void CodeWindow::remove_page(Page& page) {
   page.on_change = {};
   if (!page.path().isEmpty()) watcher_.removePath(page.path());
   recovery_.forget(page.number());
+  QDir(copy_folder(page)).removeRecursively();
   tabs_->removeTab(tabs_->indexOf(&page));
   page.deleteLater();
   show_titles();

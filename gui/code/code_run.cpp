@@ -7,6 +7,11 @@
 
 namespace eyebridge::gui {
 
+QString CodeWindow::copy_folder(const Page& page) const {
+  const QString key = QString("%1/%2").arg(QCoreApplication::applicationPid()).arg(page.number());
+  return build_folder(settings_, key);
+}
+
 bool CodeWindow::prepare(Page& page, ProgramSource& source) {
   for (int i = 0; i < tabs_->count(); ++i) {
     Page& other = page_at(i);
@@ -20,10 +25,10 @@ bool CodeWindow::prepare(Page& page, ProgramSource& source) {
   source.file = page.path();
   if (!source.file.isEmpty()) return true;
   // A copy: who tries an example, or a template, has not to think of a place for it.
-  const QString key = QString("%1/%2").arg(QCoreApplication::applicationPid()).arg(page.number());
-  const QDir folder(build_folder(settings_, key));
+  const QDir folder(copy_folder(page));
   folder.mkpath("source");
   source.file = folder.filePath("source/" + page.name());
+  source.build = folder.path();
   if (!page.example().isEmpty()) source.home = QFileInfo(page.example()).absolutePath();
   TextFile file;
   file.text = page.editor().text();

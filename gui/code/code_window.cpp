@@ -1,6 +1,7 @@
 #include "code/code_window.hpp"
 
 #include <QCloseEvent>
+#include <QDir>
 #include <QDockWidget>
 #include <QSettings>
 #include <QStatusBar>
@@ -50,6 +51,12 @@ CodeWindow::~CodeWindow() {
   runner_->on_end = {};
   runner_->on_output = {};
   tabs_->disconnect(this);
+  for (int i = 0; i < tabs_->count(); ++i) {
+    QDir(copy_folder(page_at(i))).removeRecursively();
+    // What our parts still tell while they go finds nobody.
+    page_at(i).on_change = {};
+    page_at(i).editor().disconnect(this);
+  }
 }
 
 void CodeWindow::make_parts() {

@@ -90,6 +90,8 @@ class CodeWindow final : public QMainWindow {
 
   // code_run.cpp
   [[nodiscard]] bool prepare(Page& page, ProgramSource& source);
+  /// Where a text without a file is built.
+  [[nodiscard]] QString copy_folder(const Page& page) const;
   void connect_runner();
   void message_came(const Message& message);
   void show_place(const Message& message);

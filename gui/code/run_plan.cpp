@@ -87,8 +87,8 @@ QList<Step> plan_run(const ProgramSource& source, const RunChoice& choice,
   if (source.language == Language::Python) {
     return {{Step::Kind::Run, settings.eyebridge, words << source.file, home}};
   }
-  const QString binary =
-      QDir(build_folder(settings, source.file)).filePath(file.completeBaseName());
+  const QDir build(source.build.isEmpty() ? build_folder(settings, source.file) : source.build);
+  const QString binary = build.filePath(file.completeBaseName());
   return {build_step(source, home, binary, settings),
           {Step::Kind::Run, settings.eyebridge, words << binary, home}};
 }

@@ -22,6 +22,7 @@ struct ProgramSource {
   QString home;  ///< Where what it includes and reads is; "" is the file's folder.
   Language language = Language::C;
   bool is_classic = false;
+  QString build;  ///< The folder that it is built in; "" is build_folder() of the file.
 };
 
 /// A process to start.

@@ -1,9 +1,10 @@
 // Writing a program, running it, finding what is wrong with it: as a person does it.
-#include <QPushButton>
+#include <QDir>
 #include <QToolButton>
 
 #include <gmock/gmock.h>
 
+#include "album.hpp"
 #include "code_room.hpp"
 #include "person.hpp"
 
@@ -148,6 +149,28 @@ TEST_F(CodeRun, TheRobotsWindowsComeWhereTheyAreWantedAndGoWithTheProgram) {
   wait_for_end();
   EXPECT_EQ(window().state(), "Stopped");
   person.wait_until_gone("wait – robot");
+}
+
+TEST_F(CodeRun, CopiesOfTextsWithoutFilesGoWithThem) {
+  open_without_windows();
+  press(Qt::Key_F5);
+  wait_for_end();
+  const QDir builds(settings_.builds);
+  EXPECT_EQ(builds.entryList(QDir::Dirs | QDir::NoDotAndDotDot).size(), 1);
+  press(Qt::Key_W, Qt::ControlModifier);
+  EXPECT_TRUE(builds.isEmpty());
+}
+
+TEST_F(CodeRun, LooksAsAPersonHasSeenIt) {
+  open_without_windows();
+  editor().SendScintilla(QsciScintilla::SCI_SETCARETPERIOD, 0UL);
+  editor().go_to(4, 1);
+  press(Qt::Key_End);
+  press(Qt::Key_Backspace);
+  press(Qt::Key_F5);
+  wait_for_end();
+  QApplication::processEvents();
+  EXPECT_TRUE(testing::looks_as(window().grab().toImage(), "code_panel"));
 }
 
 TEST_F(CodeRun, WhatIsNoProgramSaysSo) {

@@ -33,7 +33,7 @@ class RunPlan : public ::testing::Test {
 
 TEST_F(RunPlan, PythonIsRunAsItIs) {
   const auto plan =
-      plan_run({"/home/me/a b.py", "", Language::Python, false}, {"", false, true}, settings_);
+      plan_run({"/home/me/a b.py", "", Language::Python, false, ""}, {"", false, true}, settings_);
   ASSERT_THAT(plan, SizeIs(1));
   EXPECT_EQ(plan[0].program, "/bin/eyebridge");
   EXPECT_THAT(plan[0].arguments, ElementsAre("run", "--gui", "/home/me/a b.py"));
@@ -41,7 +41,7 @@ TEST_F(RunPlan, PythonIsRunAsItIs) {
 }
 
 TEST_F(RunPlan, ChoicesAreOptions) {
-  const auto plan = plan_run({"/home/me/a.py", "", Language::Python, false},
+  const auto plan = plan_run({"/home/me/a.py", "", Language::Python, false, ""},
                              {"/w/maze.maz", true, false}, settings_);
   EXPECT_THAT(plan[0].arguments,
               ElementsAre("run", "--world", "/w/maze.maz", "--fast", "--no-gui", "/home/me/a.py"));
@@ -49,7 +49,7 @@ TEST_F(RunPlan, ChoicesAreOptions) {
 
 TEST_F(RunPlan, CIsBuiltFirst) {
   const QString file = write("a.c", "int main() {}\n");
-  const auto plan = plan_run({file, "", Language::C, true}, {}, settings_);
+  const auto plan = plan_run({file, "", Language::C, true, ""}, {}, settings_);
   ASSERT_THAT(plan, SizeIs(2));
   EXPECT_EQ(plan[0].kind, Step::Kind::Build);
   EXPECT_EQ(plan[0].program, "/bin/eyebridge-cc");
@@ -57,14 +57,14 @@ TEST_F(RunPlan, CIsBuiltFirst) {
   EXPECT_THAT(plan[0].arguments, Contains("a.c"));
   EXPECT_EQ(plan[1].arguments.back(), plan[0].arguments.back()) << "what was built is run";
   EXPECT_TRUE(plan[1].arguments.back().startsWith("/builds/"));
-  const auto cpp = plan_run({file, "", Language::Cpp, false}, {}, settings_);
+  const auto cpp = plan_run({file, "", Language::Cpp, false, ""}, {}, settings_);
   EXPECT_EQ(cpp[0].program, "/bin/eyebridge-c++");
   EXPECT_THAT(cpp[0].arguments, Not(Contains("--classic")));
 }
 
 TEST_F(RunPlan, HeadersAndTextsAreNoPrograms) {
-  EXPECT_THAT(plan_run({"/a/b.h", "", Language::C, false}, {}, settings_), IsEmpty());
-  EXPECT_THAT(plan_run({"/a/b.txt", "", Language::Text, false}, {}, settings_), IsEmpty());
+  EXPECT_THAT(plan_run({"/a/b.h", "", Language::C, false, ""}, {}, settings_), IsEmpty());
+  EXPECT_THAT(plan_run({"/a/b.txt", "", Language::Text, false, ""}, {}, settings_), IsEmpty());
 }
 
 TEST_F(RunPlan, ProgramsOfTheSameNameDoNotShareABuild) {
