@@ -51,11 +51,14 @@ class FiducialFinder final : public PoseFinder {
     return found(frame.time, used);
   }
 
+  [[nodiscard]] const std::vector<SeenFiducial>& seen() const override { return seen_; }
+
  private:
   std::vector<Sighting> sightings_in(const Frame& frame) {
     std::vector<Sighting> sightings;
     strangers_ = 0;
-    for (const SeenFiducial& seen : vision_.find_fiducials(frame)) {
+    seen_ = vision_.find_fiducials(frame);
+    for (const SeenFiducial& seen : seen_) {
       const auto place = places_.find(seen.id);
       if (place == places_.end()) {
         ++strangers_;
@@ -150,7 +153,8 @@ class FiducialFinder final : public PoseFinder {
   std::optional<PoseFilter> filter_;  ///< None: lost.
   std::optional<EyePose> last_pose_;  ///< At last_fix_.
   Time last_fix_{0};
-  int strangers_ = 0;  ///< Seen in this frame, not in the map.
+  std::vector<SeenFiducial> seen_;  ///< In the last frame.
+  int strangers_ = 0;               ///< Seen in this frame, not in the map.
   int misfits_ = 0;
   int jumps_ = 0;
   bool reported_ = false;

@@ -48,7 +48,7 @@ void SharedSource::run() {
 bool SharedSource::take(Time deadline) {
   const Result<FramePtr> frame = inner_->next(deadline);
   if (frame) {
-    watcher_.frame(**frame);
+    watcher_.frame(*frame);
   } else {
     watcher_.no_frame(frame.error());
   }

@@ -12,16 +12,6 @@
 
 namespace eyebridge::camera {
 
-/// The corners of a fiducial's black square: top left, top right, bottom right, bottom left, as one
-/// sees them who faces the wall.
-using Corners = std::array<Vec2, 4>;
-
-/// A fiducial found in a picture.
-struct SeenFiducial {
-  int id = 0;
-  Corners corners;  ///< Pixels; (0, 0) is the centre of the top left pixel.
-};
-
 /// Where a camera is as a square sees it: origin in the square's centre, x to the right and y up as
 /// one faces it, z towards the viewer; metres.
 struct SquarePose {

@@ -25,7 +25,8 @@ bool display_can_be_reached(std::string& why) {
     why = "there is no display (DISPLAY is not set)";
     return false;
   }
-  const std::unique_ptr<xcb_connection_t, void (*)(xcb_connection_t*)> connection(
+  // Kept: a server whose last client leaves begins anew, and refuses Qt meanwhile (Xvfb does).
+  static const std::unique_ptr<xcb_connection_t, void (*)(xcb_connection_t*)> connection(
       xcb_connect(display.c_str(), nullptr), xcb_disconnect);
   if (xcb_connection_has_error(connection.get()) == 0) return true;
   why = "the display " + display + " cannot be reached";

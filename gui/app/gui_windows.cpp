@@ -9,6 +9,8 @@
 
 #include "environment/environment_window.hpp"
 #include "eyebridge/base/deaf_thread.hpp"
+#include "hand/hand_window.hpp"
+#include "keys.hpp"
 #include "panel/panel_window.hpp"
 
 namespace eyebridge::gui {
@@ -17,6 +19,7 @@ namespace {
 // How far each new panel lies from the one before, pixels.
 constexpr int kCascade = 32;
 constexpr int kCascadeLength = 10;
+constexpr int kPanelWidth = 440;  // about that of a panel, and a margin
 
 }  // namespace
 
@@ -63,13 +66,15 @@ void GuiWindows::run_application() {
     is_ready_ = false;
   }
   panels_.clear();
+  hand_views_.clear();
   environments_.clear();
 }
 
-void GuiWindows::post(std::function<void()> action) {
+bool GuiWindows::post(std::function<void()> action) {
   const std::lock_guard lock(mutex_);
-  if (!is_ready_) return;
+  if (!is_ready_) return false;
   QMetaObject::invokeMethod(qApp, std::move(action), Qt::QueuedConnection);
+  return true;
 }
 
 void GuiWindows::in_thread(const std::function<void()>& action) {
@@ -77,21 +82,31 @@ void GuiWindows::in_thread(const std::function<void()>& action) {
 }
 
 void GuiWindows::open_panel(const robios::PanelStart& start) {
-  // Now, not when it is there: the program may wait for a key before that.
+  // At once: a program may wait for a key before its panel is there.
   start.keys->set_window(true);
-  post([this, start] {
+  const bool comes = post([this, start] {
     const auto& panel = panels_.emplace_back(std::make_unique<PanelWindow>(start));
     const int step = kCascade * (static_cast<int>(panels_.size() - 1) % kCascadeLength);
     panel->move(kCascade + step, kCascade + step);
     show(*panel);
   });
+  if (!comes) start.keys->set_window(false);
+}
+
+void GuiWindows::open_hand_view(const robios::HandStart& start) {
+  post([this, start] {
+    hand_views_.push_back(std::make_unique<HandWindow>(start));
+    show(*hand_views_.back());
+  });
 }
 
 void GuiWindows::open_environment(hal::Environment& environment) {
   post([this, &environment] {
-    environments_.push_back(
+    const auto& window = environments_.emplace_back(
         std::make_unique<EnvironmentWindow>(environment, QString::fromStdString(start_.program)));
-    show(*environments_.back());
+    // Beside the panels, unless it was put somewhere before.
+    if (window->pos().isNull()) window->move(kPanelWidth, kCascade);
+    show(*window);
   });
 }
 
@@ -118,6 +133,10 @@ void GuiWindows::finish(const std::string& how) {
     for (const auto& panel : panels_) {
       panel->tell_end(text);
       any = any || panel->isVisible();
+    }
+    for (const auto& view : hand_views_) {
+      view->tell_end(text);
+      any = any || view->isVisible();
     }
     for (const auto& window : environments_) {
       window->tell_end(text);

@@ -16,6 +16,7 @@ class QWidget;
 namespace eyebridge::gui {
 
 class EnvironmentWindow;
+class HandWindow;
 class PanelWindow;
 
 /// The windows of a process and their thread. Robot programs have the process's main thread (it is
@@ -27,6 +28,7 @@ class GuiWindows final : public robios::Windows {
   ~GuiWindows() override;
 
   void open_panel(const robios::PanelStart& start) override;
+  void open_hand_view(const robios::HandStart& start) override;
   void open_environment(hal::Environment& environment) override;
   void finish(const std::string& how) override;
 
@@ -38,7 +40,8 @@ class GuiWindows final : public robios::Windows {
   void run_application();
   void show(QWidget& window);
   void last_window_closed();
-  void post(std::function<void()> action);
+  /// False when the windows have ended: it will not be done.
+  bool post(std::function<void()> action);
 
   const robios::WindowsStart start_;
   std::mutex mutex_;
@@ -48,6 +51,7 @@ class GuiWindows final : public robios::Windows {
   // The rest: the windows' thread.
   bool program_has_ended_ = false;
   std::vector<std::unique_ptr<PanelWindow>> panels_;
+  std::vector<std::unique_ptr<HandWindow>> hand_views_;
   std::vector<std::unique_ptr<EnvironmentWindow>> environments_;
   std::thread thread_;  ///< Last: it uses the others.
 };

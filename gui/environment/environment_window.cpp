@@ -110,6 +110,7 @@ void EnvironmentWindow::show_time() {
 void EnvironmentWindow::tell_end(const QString& how) {
   events_->add(how);
   trouble_->setText(how);
+  setWindowTitle(tr("%1 – ended").arg(windowTitle()));
 }
 
 }  // namespace eyebridge::gui

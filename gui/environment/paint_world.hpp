@@ -25,9 +25,13 @@ void paint_bodies(QPainter& painter, const Viewport& view, const hal::WorldLook&
                   std::optional<std::size_t> chosen);
 void paint_rays(QPainter& painter, const Viewport& view, std::span<const SensorRay> rays,
                 const QColor& colour);
-/// What the robot's camera sees on the floor, up to `reach` metres.
+/// What a LIDAR sees, as a dot where each ray ends: a hundred of them cost less than one's rays.
+void paint_scan(QPainter& painter, const Viewport& view, std::span<const SensorRay> rays,
+                const QColor& colour);
+/// What the robot's camera sees on the floor, up to `reach` metres: filled where it is the chosen
+/// one's.
 void paint_camera_cone(QPainter& painter, const Viewport& view, const hal::RobotLook& robot,
-                       double reach);
+                       double reach, bool is_chosen);
 /// Red on the rim for each bumper that something touches, in the order of the model.
 void paint_bumpers(QPainter& painter, const Viewport& view, const hal::RobotLook& robot,
                    const std::vector<bool>& touched);

@@ -135,8 +135,16 @@ void WorldView::paint_robots_layers(QPainter& painter) {
   constexpr double kConeLength = 1.0;  // metres
   for (std::size_t i = 0; i < look_.robots.size(); ++i) {
     const hal::RobotLook& robot = look_.robots[i];
-    if (layers_.camera) paint_camera_cone(painter, view_, robot, kConeLength);
-    if (layers_.lidar) paint_rays(painter, view_, mirror_.lidar_rays(i), QColor(120, 0, 160, 90));
+    if (layers_.camera) paint_camera_cone(painter, view_, robot, kConeLength, chosen_ == i);
+    if (layers_.lidar) {
+      const QColor colour(170, 110, 205);
+      const std::vector<SensorRay> scan = mirror_.lidar_rays(i);
+      if (chosen_ == i) {
+        paint_rays(painter, view_, scan, colour);
+      } else {
+        paint_scan(painter, view_, scan, colour);
+      }
+    }
     if (layers_.distances) paint_rays(painter, view_, mirror_.distance_rays(i), QColor(0, 140, 0));
     if (layers_.proximities) {
       paint_rays(painter, view_, mirror_.proximity_rays(i), QColor(200, 90, 0));

@@ -2,19 +2,12 @@
 
 #include <QMouseEvent>
 #include <QPainter>
-#include <algorithm>
+#include <cmath>
+
+#include "panel/frame_image.hpp"
+#include "panel/pixel_fit.hpp"
 
 namespace eyebridge::gui {
-namespace {
-
-QImage image_of(const camera::Frame& frame) {
-  const QImage lent(frame.bytes.data(), frame.width, frame.height, frame.stride,
-                    QImage::Format_RGB888);
-  return lent.copy();
-}
-
-}  // namespace
-
 LcdWidget::LcdWidget(robios::Screen& screen, robios::Keys& keys, QWidget* parent)
     : QWidget(parent),
       screen_(screen),
@@ -24,6 +17,7 @@ LcdWidget::LcdWidget(robios::Screen& screen, robios::Keys& keys, QWidget* parent
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setCursor(Qt::PointingHandCursor);
   setToolTip(tr("The robot's screen: a click is a touch"));
+  setAccessibleName(tr("The robot's screen"));
 }
 
 bool LcdWidget::refresh() {
@@ -36,28 +30,23 @@ bool LcdWidget::refresh() {
   return true;
 }
 
-int LcdWidget::scale() const {
-  return std::max(1, std::min(width() / picture_.width(), height() / picture_.height()));
-}
-
-QPoint LcdWidget::corner() const {
-  const QSize shown = scale() * picture_.size();
-  return {std::max(0, (width() - shown.width()) / 2), std::max(0, (height() - shown.height()) / 2)};
-}
+int LcdWidget::scale() const { return fit_pixels(*this, picture_.size(), false).times; }
 
 QSize LcdWidget::sizeHint() const { return picture_.size(); }
 
 void LcdWidget::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.fillRect(rect(), palette().color(QPalette::Dark));
-  painter.drawImage(QRect(corner(), scale() * picture_.size()), picture_);
+  painter.drawImage(fit_pixels(*this, picture_.size(), false).place, picture_);
 }
 
 void LcdWidget::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
-  const QPoint from_corner = event->position().toPoint() - corner();
-  if (!QRect(QPoint(0, 0), scale() * picture_.size()).contains(from_corner)) return;
-  keys_.touch(from_corner.x() / scale(), from_corner.y() / scale());
+  const PixelFit fit = fit_pixels(*this, picture_.size(), false);
+  const QPointF place = (event->position() - fit.place.topLeft()) / fit.unit;
+  const QPoint pixel(static_cast<int>(std::floor(place.x())),
+                     static_cast<int>(std::floor(place.y())));
+  if (picture_.rect().contains(pixel)) keys_.touch(pixel.x(), pixel.y());
 }
 
 }  // namespace eyebridge::gui

@@ -12,13 +12,14 @@ namespace eyebridge::gui {
 /// A robot's screen, pixel for pixel, at the largest whole scale that fits. A click is a touch.
 class LcdWidget final : public QWidget {
   Q_OBJECT
+
  public:
   /// Both are lent.
   LcdWidget(robios::Screen& screen, robios::Keys& keys, QWidget* parent);
 
   /// Takes the picture anew if it has changed; true then.
   bool refresh();
-  /// Pixels of the window for one of the screen.
+  /// Pixels of the display for one of the screen.
   [[nodiscard]] int scale() const;
   [[nodiscard]] const QImage& picture() const { return picture_; }
 
@@ -30,9 +31,6 @@ class LcdWidget final : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
 
  private:
-  /// Where the picture's upper left corner is.
-  [[nodiscard]] QPoint corner() const;
-
   robios::Screen& screen_;
   robios::Keys& keys_;
   std::uint64_t revision_;

@@ -10,6 +10,24 @@ namespace {
 // Long enough that a few millimetres of noise are no speed, short enough to follow a hand.
 constexpr Time kSpeedWindow = std::chrono::milliseconds(250);
 
+/// Of the robot's pose, by that of the camera, from which the robot is `offset` away: an uncertain
+/// heading swings that offset.
+std::array<double, 9> covariance_of(const camera::FoundPose& camera, const Pose& offset) {
+  const Vec2 way = Heading::from_angle(camera.pose.theta).rotate(offset.position());
+  const double jacobian[3][3] = {{1.0, 0.0, -way.y}, {0.0, 1.0, way.x}, {0.0, 0.0, 1.0}};
+  std::array<double, 9> covariance{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t l = 0; l < 3; ++l) {
+          covariance[3 * i + j] += jacobian[i][k] * camera.covariance[3 * k + l] * jacobian[j][l];
+        }
+      }
+    }
+  }
+  return covariance;
+}
+
 }  // namespace
 
 CarriedRobot::CarriedRobot(Parts parts)
@@ -19,8 +37,8 @@ CarriedRobot::CarriedRobot(Parts parts)
       moved_(std::move(parts.moved)),
       display_(parts.display) {}
 
-void CarriedRobot::frame(const camera::Frame& frame) {
-  take(finder_->take(frame));
+void CarriedRobot::frame(const camera::FramePtr& frame) {
+  take(frame, finder_->take(*frame));
   show();
 }
 
@@ -32,18 +50,25 @@ void CarriedRobot::no_frame(const Error& why) {
   show();
 }
 
-void CarriedRobot::take(const std::optional<camera::FoundPose>& found) {
+void CarriedRobot::take(const camera::FramePtr& frame,
+                        const std::optional<camera::FoundPose>& found) {
   std::optional<Pose> pose;
   {
     const std::lock_guard lock(mutex_);
     no_frame_.reset();
     last_frame_ = clock_.now();
+    frame_ = frame;
+    markers_.clear();
+    for (const camera::SeenFiducial& seen : finder_->seen()) {
+      markers_.push_back({seen.id, seen.corners});
+    }
     if (!found) return seen_.clear();
     pose = transform(found->pose, robot_in_camera_);
     if (last_) movement_.moved(*last_, *pose);
     if (!odometry_in_world_) odometry_in_world_ = pose;
     last_ = pose;
     last_seen_ = found->time;
+    covariance_ = covariance_of(*found, robot_in_camera_);
     seen_.push_back({found->time, *pose});
     while (seen_.size() > 2 && found->time - seen_[1].time >= kSpeedWindow) seen_.pop_front();
   }
@@ -54,13 +79,30 @@ void CarriedRobot::show() {
   Instruction instruction;
   {
     const std::lock_guard lock(mutex_);
-    instruction = movement_.instruction();
-    if (!pose_now()) {
-      instruction.kind = Instruction::Kind::Lost;
-      instruction.reason = why_lost().what;
-    }
+    instruction = instruction_now();
   }
   display_.show(clock_.now(), instruction);
+}
+
+HandLook CarriedRobot::look() const {
+  const std::lock_guard lock(mutex_);
+  HandLook look;
+  look.instruction = instruction_now();
+  look.has_markers = true;
+  if (const Result<Pose> pose = pose_now()) look.pose = *pose;
+  look.covariance = covariance_;
+  look.frame = frame_;
+  look.markers = markers_;
+  return look;
+}
+
+Instruction CarriedRobot::instruction_now() const {
+  Instruction instruction = movement_.instruction();
+  if (!pose_now()) {
+    instruction.kind = Instruction::Kind::Lost;
+    instruction.reason = why_lost().what;
+  }
+  return instruction;
 }
 
 Result<Pose> CarriedRobot::pose_now() const {

@@ -1,15 +1,18 @@
 #pragma once
 
+#include <array>
 #include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <vector>
 
 #include "eyebridge/base/result.hpp"
 #include "eyebridge/camera/pose_finder.hpp"
 #include "eyebridge/camera/shared_source.hpp"
 #include "eyebridge/hal/drive.hpp"
+#include "eyebridge/hal/hand_guide.hpp"
 #include "hand/movement.hpp"
 
 namespace eyebridge::hal {
@@ -18,7 +21,7 @@ namespace eyebridge::hal {
 /// of it. Metres, radians; any thread, but one at a time calls the FrameWatcher's side.
 ///
 /// A pose holds until the next frame, at most kFresh; the finder bridges short losses itself.
-class CarriedRobot final : public camera::FrameWatcher {
+class CarriedRobot final : public camera::FrameWatcher, public HandGuide {
  public:
   static constexpr Time kFresh = std::chrono::milliseconds(500);
 
@@ -32,8 +35,10 @@ class CarriedRobot final : public camera::FrameWatcher {
   };
   explicit CarriedRobot(Parts parts);
 
-  void frame(const camera::Frame& frame) override;
+  void frame(const camera::FramePtr& frame) override;
   void no_frame(const Error& why) override;
+
+  [[nodiscard]] HandLook look() const override;
 
   /// Where the robot is in the world. Fails with Timeout while its camera gives frames that show
   /// no place, and as the camera while that gives none.
@@ -57,10 +62,11 @@ class CarriedRobot final : public camera::FrameWatcher {
     Pose pose;
   };
 
-  void take(const std::optional<camera::FoundPose>& found);
+  void take(const camera::FramePtr& frame, const std::optional<camera::FoundPose>& found);
   void show();
   // The rest: mutex_ is held.
   [[nodiscard]] Result<Pose> pose_now() const;
+  [[nodiscard]] Instruction instruction_now() const;
   [[nodiscard]] Error why_lost() const;
 
   const std::unique_ptr<camera::PoseFinder> finder_;
@@ -74,6 +80,9 @@ class CarriedRobot final : public camera::FrameWatcher {
   std::deque<Seen> seen_;     ///< The last poses, the newest last; empty while lost.
   std::optional<Pose> last_;  ///< Where it was seen last, also while lost.
   Time last_seen_{0};
+  std::array<double, 9> covariance_{};  ///< Of the last pose.
+  camera::FramePtr frame_;
+  std::vector<SeenMarker> markers_;  ///< In it.
   std::optional<Time> last_frame_;
   std::optional<Error> no_frame_;          ///< While the camera gives none.
   std::optional<Pose> odometry_in_world_;  ///< Where odometry said …

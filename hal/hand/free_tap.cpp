@@ -1,9 +1,12 @@
 #include "hand/free_tap.hpp"
 
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <utility>
 
+#include "eyebridge/hal/hand_guide.hpp"
+#include "eyebridge/hal/passing_backend.hpp"
 #include "hand/movement.hpp"
 #include "tap/tap.hpp"
 #include "tap/values.hpp"
@@ -11,9 +14,36 @@
 namespace eyebridge::hal {
 namespace {
 
+/// Passes instructions on, and keeps the last one for a window.
+class KeptInstruction final : public InstructionSink, public HandGuide {
+ public:
+  explicit KeptInstruction(std::unique_ptr<InstructionSink> display)
+      : display_(std::move(display)) {}
+
+  void show(Time now, const Instruction& instruction) override {
+    {
+      const std::lock_guard lock(mutex_);
+      last_ = instruction;
+    }
+    display_->show(now, instruction);
+  }
+  void finish() override { display_->finish(); }
+  [[nodiscard]] HandLook look() const override {
+    const std::lock_guard lock(mutex_);
+    HandLook look;
+    look.instruction = last_;
+    return look;
+  }
+
+ private:
+  const std::unique_ptr<InstructionSink> display_;
+  mutable std::mutex mutex_;
+  Instruction last_;
+};
+
 class FreeTap final : public Tap {
  public:
-  FreeTap(Backend& robot, std::unique_ptr<InstructionSink> display)
+  FreeTap(Backend& robot, std::shared_ptr<InstructionSink> display)
       : clock_(robot.clock()), drive_(*robot.drive()), display_(std::move(display)) {}
 
   Result<Values> exchange(const Call& call,
@@ -56,19 +86,30 @@ class FreeTap final : public Tap {
 
   Clock& clock_;
   Drive& drive_;
-  const std::unique_ptr<InstructionSink> display_;
+  const std::shared_ptr<InstructionSink> display_;
   std::mutex mutex_;
   Movement movement_;
   std::optional<Pose> last_;
+};
+
+class FreeBackend final : public PassingBackend {
+ public:
+  FreeBackend(std::unique_ptr<Backend> inner, std::shared_ptr<HandGuide> guide)
+      : PassingBackend(std::move(inner)), guide_(std::move(guide)) {}
+  HandGuide* hand_guide() override { return guide_.get(); }
+
+ private:
+  const std::shared_ptr<HandGuide> guide_;
 };
 
 }  // namespace
 
 std::unique_ptr<Backend> with_shown_drive(std::unique_ptr<Backend> inner,
                                           std::unique_ptr<InstructionSink> display) {
-  return make_tapped(std::move(inner), [&](Backend& robot) {
-    return std::make_unique<FreeTap>(robot, std::move(display));
-  });
+  auto kept = std::make_shared<KeptInstruction>(std::move(display));
+  auto tapped = make_tapped(std::move(inner),
+                            [&](Backend& robot) { return std::make_unique<FreeTap>(robot, kept); });
+  return std::make_unique<FreeBackend>(std::move(tapped), kept);
 }
 
 }  // namespace eyebridge::hal

@@ -42,6 +42,7 @@ class HandBackend final : public PassingBackend {
   Motor* motor(int) override { return nullptr; }
   Encoder* encoder(int) override { return nullptr; }
   camera::Source* camera_source() override { return &camera_; }
+  HandGuide* hand_guide() override { return &robot_; }
   void stop() noexcept override {
     try {
       robot_.set_speed({});

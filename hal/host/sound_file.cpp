@@ -6,6 +6,8 @@
 #include <system_error>
 #include <vector>
 
+#include "eyebridge/hal/sound_file.hpp"
+
 namespace eyebridge::hal {
 namespace {
 
@@ -29,6 +31,10 @@ Result<SoundFacts> read_sound_file(const std::string& path) {
   auto facts = read_sound(bytes);
   if (!facts) return fail(facts.error().code, "sound: " + path + ": " + facts.error().what);
   return facts;
+}
+
+Result<double> sound_length(const std::string& path) {
+  return read_sound_file(path).map([](const SoundFacts& facts) { return facts.length; });
 }
 
 Result<void> check_tone(double frequency, double duration) {

@@ -53,6 +53,13 @@ Result<int> next_code(Session& session, bool take) {
   });
 }
 
+/// Ends the program when no code can come any more.
+Result<int> wait_for_code(Session& session) {
+  Result<int> code = session.keys().wait_remote(robios::classic::wait_until);
+  if (!code && code.error().code == Errc::Unsupported) session.abort_run(code.error());
+  return code;
+}
+
 int begin(const robios::Call& name, int failure, bool legal, const char* what) {
   return doing(name, failure, [&](Session& session) -> Result<void> {
     if (!legal) return fail(Errc::OutOfRange, what);
@@ -102,6 +109,8 @@ int IRTVGet(void) {
     while (session.may_call("IRTVGet")) {
       Result<int> code = next_code(session, true);
       if (!code || *code != 0) return code;
+      // A robot without a receiver: only the script or a person can send one, maybe much later.
+      if (session.backend().remote() == nullptr) return wait_for_code(session);
       if (session.clock().is_virtual() && session.clock().now() - since > kLongestWait) {
         session.abort_run({Errc::Unsupported,
                            "waits for a code of the remote control that can "

@@ -82,19 +82,39 @@ int Keys::read() {
   take_terminal(std::chrono::milliseconds{0});
   const std::lock_guard lock(mutex_);
   take_script();
-  if (presses_.empty()) {
-    return 0;
+  return next_key(kAllKeys).value_or(0);
+}
+
+std::optional<int> Keys::next_key(int mask) {
+  while (!presses_.empty()) {
+    const int key = presses_.front();
+    presses_.pop_front();
+    if ((key & mask) == 0) continue;
+    given_.key = key;
+    given_.key_at = clock_.now();
+    return key;
   }
-  const int key = presses_.front();
-  presses_.pop_front();
-  return key;
+  return std::nullopt;
+}
+
+std::optional<TouchPoint> Keys::next_touch() {
+  const std::optional<TouchPoint> touch = std::exchange(last_touch_, std::nullopt);
+  if (!touch) return std::nullopt;
+  given_.touch = touch;
+  given_.touch_at = clock_.now();
+  return touch;
+}
+
+GivenKeys Keys::given() const {
+  const std::lock_guard lock(mutex_);
+  return given_;
 }
 
 std::optional<TouchPoint> Keys::read_touch() {
   take_terminal(std::chrono::milliseconds{0});
   const std::lock_guard lock(mutex_);
   take_script();
-  return std::exchange(last_touch_, std::nullopt);
+  return next_touch();
 }
 
 template <class Take>
@@ -147,21 +167,11 @@ Result<int> Keys::wait(int mask, const WaitUntil& wait_until) {
   if ((mask & kAllKeys) == 0) {
     return fail(Errc::OutOfRange, "key mask " + std::to_string(mask) + ", expected KEY1..KEY4");
   }
-  return wait_for(Wanted::Key, wait_until, [&]() -> std::optional<int> {
-    while (!presses_.empty()) {
-      const int key = presses_.front();
-      presses_.pop_front();
-      if ((key & mask) != 0) {
-        return key;
-      }
-    }
-    return std::nullopt;
-  });
+  return wait_for(Wanted::Key, wait_until, [&] { return next_key(mask); });
 }
 
 Result<TouchPoint> Keys::wait_touch(const WaitUntil& wait_until) {
-  return wait_for(Wanted::Touch, wait_until,
-                  [&] { return std::exchange(last_touch_, std::nullopt); });
+  return wait_for(Wanted::Touch, wait_until, [&] { return next_touch(); });
 }
 
 void Keys::press_remote(int code) {
@@ -182,6 +192,8 @@ std::optional<int> Keys::next_remote() {
   if (remote_.empty()) return std::nullopt;
   const int code = remote_.front();
   remote_.pop_front();
+  given_.remote = code;
+  given_.remote_at = clock_.now();
   return code;
 }
 

@@ -15,6 +15,16 @@
 
 namespace eyebridge::robios {
 
+/// What a program was given last of each kind, and when on its clock.
+struct GivenKeys {
+  int key = 0;  ///< Mask of one key; 0: none so far.
+  Time key_at{0};
+  int remote = 0;  ///< Code of the remote control; 0: none so far.
+  Time remote_at{0};
+  std::optional<TouchPoint> touch;
+  Time touch_at{0};
+};
+
 /// The four keys, the touch screen and the remote control of one robot: from a script, a terminal,
 /// a window.
 ///
@@ -60,6 +70,9 @@ class Keys {
   /// Forgets the codes that nobody has asked for.
   void flush_remote();
 
+  /// For people to look at.
+  [[nodiscard]] GivenKeys given() const;
+
  private:
   enum class Wanted { Key, Touch, Remote };
 
@@ -72,9 +85,11 @@ class Keys {
   void begin_remote();
   void take_remote(int typed);
   std::optional<int> next_remote();
+  std::optional<int> next_key(int mask);
+  std::optional<TouchPoint> next_touch();
 
   Clock& clock_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::mutex terminal_mutex_;  // never taken while mutex_ is held
   std::condition_variable pressed_;
   std::vector<ScriptedKey> script_;
@@ -86,6 +101,7 @@ class Keys {
   std::deque<int> remote_;
   bool uses_remote_ = false;  // else letters and digits that are typed are not kept
   std::optional<TouchPoint> last_touch_;
+  GivenKeys given_;
 };
 
 }  // namespace eyebridge::robios

@@ -42,11 +42,11 @@ Result<camera::FramePtr> CameraPort::next() {
   const std::lock_guard lock(mutex_);
   if (!open_) return fail(Errc::Unsupported, "the camera is not initialised: call CAMInit first");
   Result<camera::FramePtr> frame = source_->next(context_.clock->now() + kPatience);
-  if (frame && listener_) listener_(**frame);
+  if (frame && listener_) listener_(*frame);
   return frame;
 }
 
-void CameraPort::on_frame(std::function<void(const camera::Frame&)> listener) {
+void CameraPort::on_frame(std::function<void(const camera::FramePtr&)> listener) {
   const std::lock_guard lock(mutex_);
   listener_ = std::move(listener);
 }

@@ -31,8 +31,9 @@ class CameraPort {
   /// The next frame, Rgb24, of the size of init(). Fails with Unsupported before init().
   Result<camera::FramePtr> next();
 
-  /// Told of every frame that a program was given; set before the first.
-  void on_frame(std::function<void(const camera::Frame&)> listener);
+  /// Told of every frame that a program was given; set before the first. There is one: the session,
+  /// which tells all who want to know.
+  void on_frame(std::function<void(const camera::FramePtr&)> listener);
 
  private:
   std::string url_;
@@ -42,7 +43,7 @@ class CameraPort {
   std::unique_ptr<camera::Source> opened_;
   camera::Source* source_ = nullptr;  ///< The one that is used, if any.
   bool open_ = false;
-  std::function<void(const camera::Frame&)> listener_;
+  std::function<void(const camera::FramePtr&)> listener_;
 };
 
 }  // namespace eyebridge::robios

@@ -67,22 +67,29 @@ Session::Impl::Impl(SessionStart* start, hal::Config configuration)
                  [&](const std::string&) { output.emplace(out, config.integer("save_frames")); });
     backend->trace_to(&*output);
   }
-  camera.on_frame([this, sink = backend->frame_sink()](const camera::Frame& frame) {
-    if (output) output->frame(frame);
-    if (sink != nullptr) sink->take(frame);
+  camera.on_frame([this, sink = backend->frame_sink()](const camera::FramePtr& frame) {
+    if (output) output->frame(*frame);
+    if (sink != nullptr) sink->take(*frame);
+    if (windows != nullptr) latest_frame.set(frame);
   });
 }
 
 void Session::Impl::open_windows() {
   if (windows == nullptr) return;
+  hal::NotedBackend noted = hal::with_notes(std::move(backend));
+  backend = std::move(noted.backend);
+  notes = std::move(noted.notes);
   if (hal::Environment* const environment = backend->environment()) {
     auto watched = std::make_unique<FirstUse>(std::move(backend));
     watched->on_first_use([this, environment] { show_world(*windows, *environment); });
     backend = std::move(watched);
   }
   const std::string robot = name.empty() ? "robot" : name;
-  windows->open_panel(
-      {program_file().filename().string() + " – " + robot, screen.get(), keys.get()});
+  const std::string title = program_file().filename().string() + " – " + robot;
+  windows->open_panel({title, screen.get(), keys.get(), &latest_frame, notes.get()});
+  if (const hal::HandGuide* const guide = backend->hand_guide()) {
+    windows->open_hand_view({title, guide, &latest_frame});
+  }
 }
 
 bool Session::Impl::claim_end() {

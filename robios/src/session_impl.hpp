@@ -13,6 +13,8 @@
 
 #include "analog_recorder.hpp"
 #include "camera_port.hpp"
+#include "eyebridge/camera/latest_frame.hpp"
+#include "eyebridge/hal/device_notes.hpp"
 #include "failures.hpp"
 #include "keys.hpp"
 #include "radio_messages.hpp"
@@ -64,6 +66,8 @@ struct Session::Impl {
   std::unique_ptr<Screen> screen;
   std::unique_ptr<TerminalPanel> panel;  ///< Null for none.
   std::unique_ptr<Keys> keys;
+  camera::LatestFrame latest_frame;         ///< Where there are windows.
+  std::shared_ptr<hal::DeviceNotes> notes;  ///< Likewise; else null.
   CameraPort camera;
   AnalogRecorder recorder;
   RadioMessages messages;

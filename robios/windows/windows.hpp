@@ -4,9 +4,14 @@
 #include <string>
 
 namespace eyebridge {
-namespace hal {
-class Environment;
+namespace camera {
+class LatestFrame;
 }
+namespace hal {
+class DeviceNotes;
+class Environment;
+class HandGuide;
+}  // namespace hal
 
 namespace robios {
 
@@ -18,6 +23,16 @@ struct PanelStart {
   std::string title;
   Screen* screen = nullptr;
   Keys* keys = nullptr;
+  const camera::LatestFrame* frames = nullptr;  ///< That the program was given.
+  const hal::DeviceNotes* notes = nullptr;      ///< What it read and wrote.
+};
+
+/// What guides the person who carries a robot's camera. All lent.
+struct HandStart {
+  std::string title;
+  const hal::HandGuide* guide = nullptr;
+  /// That the program was given: shown where the guide has no camera of its own.
+  const camera::LatestFrame* frames = nullptr;
 };
 
 /// What windows need of the process that they are in.
@@ -34,6 +49,7 @@ class Windows {
   virtual ~Windows() = default;
 
   virtual void open_panel(const PanelStart& start) = 0;
+  virtual void open_hand_view(const HandStart& start) = 0;
   /// Shows a world, lent like all; called once for each.
   virtual void open_environment(hal::Environment& environment) = 0;
   /// The program has ended, `how` in words: the windows say so and stay. Returns when a person has
@@ -42,7 +58,7 @@ class Windows {
 };
 
 /// Both sides are of one version, or they do not talk.
-inline constexpr int kWindowsVersion = 1;
+inline constexpr int kWindowsVersion = 2;
 
 /// What the plug-in exports as `eyebridge_open_windows`: null, and `why`, where windows cannot be.
 /// They live as long as the process.

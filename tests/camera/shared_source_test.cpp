@@ -13,10 +13,10 @@ using ::testing::ElementsAre;
 
 class Watcher final : public FrameWatcher {
  public:
-  void frame(const Frame& frame) override {
-    sequences.push_back(frame.sequence);
-    times.push_back(frame.time);
-    width = frame.width;
+  void frame(const FramePtr& frame) override {
+    sequences.push_back(frame->sequence);
+    times.push_back(frame->time);
+    width = frame->width;
   }
   void no_frame(const Error& why) override { last_error = why.what; }
 

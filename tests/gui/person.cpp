@@ -88,21 +88,32 @@ void Person::fake(std::uint8_t type, std::uint8_t detail, QPoint place) {
   xcb_flush(connection_.get());
 }
 
-void Person::type(xcb_window_t window, char character) {
-  xcb_set_input_focus(connection_.get(), XCB_INPUT_FOCUS_PARENT, window, XCB_CURRENT_TIME);
+std::uint8_t Person::key_of(std::uint32_t symbol) {
   const xcb_setup_t* const setup = xcb_get_setup(connection_.get());
   const auto count = static_cast<std::uint8_t>(setup->max_keycode - setup->min_keycode + 1);
   const auto cookie = xcb_get_keyboard_mapping(connection_.get(), setup->min_keycode, count);
   const auto map = owned(xcb_get_keyboard_mapping_reply(connection_.get(), cookie, nullptr));
   const xcb_keysym_t* const symbols = xcb_get_keyboard_mapping_keysyms(map.get());
   for (int i = 0; i < count; ++i) {
-    if (symbols[i * map->keysyms_per_keycode] != static_cast<xcb_keysym_t>(character)) continue;
-    const auto key = static_cast<std::uint8_t>(setup->min_keycode + i);
-    fake(XCB_KEY_PRESS, key);
-    fake(XCB_KEY_RELEASE, key);
-    return;
+    if (symbols[i * map->keysyms_per_keycode] != symbol) continue;
+    return static_cast<std::uint8_t>(setup->min_keycode + i);
   }
   throw std::runtime_error("no such key");
+}
+
+void Person::type(xcb_window_t window, char character) {
+  xcb_set_input_focus(connection_.get(), XCB_INPUT_FOCUS_PARENT, window, XCB_CURRENT_TIME);
+  const std::uint8_t key = key_of(static_cast<std::uint32_t>(character));
+  fake(XCB_KEY_PRESS, key);
+  fake(XCB_KEY_RELEASE, key);
+}
+
+void Person::type_alt(xcb_window_t window, char character) {
+  constexpr std::uint32_t kLeftAlt = 0xffe9;  // of keysymdef.h
+  const std::uint8_t alt = key_of(kLeftAlt);
+  fake(XCB_KEY_PRESS, alt);
+  type(window, character);
+  fake(XCB_KEY_RELEASE, alt);
 }
 
 void Person::click(xcb_window_t window, QPoint place) {

@@ -25,6 +25,8 @@ class Person {
   [[nodiscard]] std::vector<std::string> titles();
   /// Types a character into the window.
   void type(xcb_window_t window, char character);
+  /// The same with Alt.
+  void type_alt(xcb_window_t window, char character);
   /// Clicks there, pixels from the window's upper left corner.
   void click(xcb_window_t window, QPoint place);
   /// As by the cross in the frame, which a window manager would draw.
@@ -40,6 +42,8 @@ class Person {
   [[nodiscard]] std::optional<xcb_window_t> find(const std::string& title);
   [[nodiscard]] xcb_atom_t atom(const char* name);
   [[nodiscard]] std::string text_of(xcb_window_t window, const char* property);
+  /// The key that gives this symbol; throws where there is none.
+  [[nodiscard]] std::uint8_t key_of(std::uint32_t symbol);
   void fake(std::uint8_t type, std::uint8_t detail, QPoint place = {});
 
   std::unique_ptr<xcb_connection_t, void (*)(xcb_connection_t*)> connection_;

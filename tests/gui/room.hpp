@@ -3,6 +3,7 @@
 #include <QPointF>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "eyebridge/base/log.hpp"
 #include "eyebridge/hal/backend.hpp"
@@ -21,6 +22,8 @@ class Room {
   [[nodiscard]] std::string folder() const { return folder_.path(); }
   [[nodiscard]] hal::Environment& environment() { return *backend_->environment(); }
   [[nodiscard]] hal::Backend& robot() { return *backend_; }
+  /// Robot 1 and the room with it, for good: nothing else here works any more.
+  [[nodiscard]] std::unique_ptr<hal::Backend> take_robot() { return std::move(backend_); }
   [[nodiscard]] Pose pose(int robot);
   /// Time passes.
   void pass(double seconds);

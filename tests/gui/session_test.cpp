@@ -59,7 +59,7 @@ TEST_F(Session, PanelThenEnvironmentAndBothStayAtTheEnd) {
   program.wait_for("ready\n");
   EXPECT_THAT(person_.titles(), Not(Contains(HasSubstr("environment")))) << "it has not driven yet";
   ASSERT_TRUE(QTest::qWaitFor(
-      [&] { return person_.picture(panel).pixelColor(50, 50) == QColor(255, 0, 0); }));
+      [&] { return person_.picture(panel).pixelColor(50, 100) == QColor(255, 0, 0); }));
   person_.type(panel, '1');
   const xcb_window_t environment = person_.window("drives – environment");
   program.wait_for("at 100\n");
@@ -92,9 +92,21 @@ TEST_F(Session, SeveralRobotsHaveAPanelEach) {
   const xcb_window_t environment = person_.window("– environment");
   const xcb_window_t first = person_.window("robot 1");
   const xcb_window_t second = person_.window("robot 2");
-  program.wait_for("at 100\n");
+  EXPECT_EQ(person_.window("environment – ended"), environment);
   for (const xcb_window_t window : {environment, first, second}) person_.close(window);
   EXPECT_EQ(program.wait(), 7) << program.said();
+}
+
+TEST_F(Session, OpensWindowsAtADisplayThatBeginsAnewWithoutClients) {
+  // As a server does that nobody else is at: it says its number, and when its last client leaves,
+  // it begins anew.
+  RunningProgram server({{"Xvfb", "-displayfd", "1", "-screen", "0", "800x600x24"}, {}, {}});
+  const std::string& number = server.wait_for("\n");
+  auto alone = start({"--gui", "--factor", "20", "--keys", "KEY1@1s"});
+  alone.environment["DISPLAY"] = ":" + number.substr(0, number.find('\n'));
+  RunningProgram program(alone);
+  EXPECT_THAT(program.wait_for("at 100\n"), HasSubstr("at 100\n"));
+  EXPECT_EQ(program.finish(SIGTERM), 128 + SIGTERM) << program.said();
 }
 
 TEST_F(Session, NoWindowsWhereThereIsNoDisplay) {

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <vector>
 
 #include "eyebridge/base/random.hpp"
 #include "eyebridge/base/units.hpp"
@@ -26,6 +28,8 @@ struct Hand {
   double noise = 0.0;     ///< Of the pose found, m and rad.
   double linear = 0.2;    ///< How fast the person walks, m/s …
   double angular = 1.0;   ///< … and turns, rad/s.
+  std::vector<camera::SeenFiducial> seen;  ///< In each frame.
+  std::array<double, 9> covariance{};      ///< Of the pose found.
   Instruction told;
   Instruction doing;  ///< The last that was not "lost".
   Time last{0};
@@ -59,15 +63,19 @@ class PersonFinder final : public camera::PoseFinder {
     hand_->width = frame.width;
     walk(to_seconds(frame.time - hand_->last));
     hand_->last = frame.time;
+    seen_ = hand_->seen;
     if (hand_->is_lost) return std::nullopt;
     camera::FoundPose found;
     found.time = frame.time;
     found.pose = transform(hand_->robot, hand_->camera_in_robot);
+    found.covariance = hand_->covariance;
     found.pose.x += hand_->noise * random_.gaussian();
     found.pose.y += hand_->noise * random_.gaussian();
     found.pose.theta = wrap_angle(found.pose.theta + hand_->noise * random_.gaussian());
     return found;
   }
+
+  [[nodiscard]] const std::vector<camera::SeenFiducial>& seen() const override { return seen_; }
 
  private:
   void walk(double seconds) {
@@ -89,6 +97,7 @@ class PersonFinder final : public camera::PoseFinder {
 
   std::shared_ptr<Hand> hand_;
   Random random_{5};
+  std::vector<camera::SeenFiducial> seen_;
 };
 
 /// A camera of 30 frames a second, small and grey; `trouble` makes it fail.

@@ -1,4 +1,5 @@
 // Rows of the contract without a board: the simulation, and what answers in its place.
+#include "eyebridge/hal/device_notes.hpp"
 #include "fault/fault_tap.hpp"
 #include "host/host_backend.hpp"
 #include "mix/mix_backend.hpp"
@@ -31,6 +32,13 @@ Rig hosted_rig(const Pose& start) {
   return rig;
 }
 
+/// Nor does who notes it all for a window.
+Rig noted_rig(const Pose& start) {
+  Rig rig = lockstep_rig(start);
+  rig.backend = with_notes(std::move(rig.backend)).backend;
+  return rig;
+}
+
 /// Devices of another simulated robot, which follows this one, must not show at the others.
 Rig mixed_rig(const Pose& start) {
   Rig rig = lockstep_rig(start);
@@ -59,12 +67,16 @@ Rig real_seat_rig(const Pose& start) { return seated_rig(start, {{"factor", "50"
 }  // namespace
 
 std::vector<RigCase> contract_rows() {
-  return {
-      {"SimLockstep", lockstep_rig, kSimulated}, {"SimRealTime", real_time_rig, kSimulated},
-      {"FaultNone", faultless_rig, kSimulated},  {"FaultLater", rig_before_its_faults, kSimulated},
-      {"OnHost", hosted_rig, kSimulated},        {"MixOther", mixed_rig, kSimulated},
-      {"Seat", virtual_seat_rig, kSimulated},    {"SeatRealTime", real_seat_rig, kSimulated},
-      {"Replay", lockstep_rig, kReplayed, true}};
+  return {{"SimLockstep", lockstep_rig, kSimulated},
+          {"SimRealTime", real_time_rig, kSimulated},
+          {"FaultNone", faultless_rig, kSimulated},
+          {"FaultLater", rig_before_its_faults, kSimulated},
+          {"OnHost", hosted_rig, kSimulated},
+          {"MixOther", mixed_rig, kSimulated},
+          {"Noted", noted_rig, kSimulated},
+          {"Seat", virtual_seat_rig, kSimulated},
+          {"SeatRealTime", real_seat_rig, kSimulated},
+          {"Replay", lockstep_rig, kReplayed, true}};
 }
 
 }  // namespace eyebridge::hal

@@ -248,5 +248,34 @@ TEST(KeysRemote, CodesWaitApartFromKeysUntilTheyAreAskedFor) {
   EXPECT_EQ(keys.wait_remote(on(clock)).error().code, Errc::Unsupported);
 }
 
+TEST(KeysGiven, TellWhatTheProgramGotLastAndWhen) {
+  FakeClock clock;
+  Keys keys(clock, parse_key_script("KEY2@1s,30:40@2s,IRTV_5@3s"), nullptr);
+  EXPECT_EQ(keys.given().key, 0);
+  EXPECT_FALSE(keys.given().touch);
+  clock.wait_until(seconds(4));
+  EXPECT_EQ(keys.given().key, 0) << "the program has not asked yet";
+  EXPECT_EQ(keys.read(), 2);
+  EXPECT_EQ(keys.given().key, 2);
+  EXPECT_EQ(keys.given().key_at, seconds(4));
+  clock.wait_until(seconds(5));
+  EXPECT_TRUE(keys.read_touch());
+  EXPECT_EQ(keys.given().touch, (TouchPoint{30, 40}));
+  EXPECT_EQ(keys.given().touch_at, seconds(5));
+  EXPECT_EQ(keys.read_remote(), '5');
+  EXPECT_EQ(keys.given().remote, '5');
+  EXPECT_EQ(keys.read(), 0);
+  EXPECT_EQ(keys.given().key, 2) << "that there was none is no news";
+}
+
+TEST(KeysGiven, OfAWaitIsTheKeyThatItWaitedFor) {
+  FakeClock clock;
+  Keys keys(clock, {}, nullptr);
+  keys.press(1);
+  keys.press(4);
+  EXPECT_EQ(keys.wait(4, [](Time) {}).value(), 4);
+  EXPECT_EQ(keys.given().key, 4);
+}
+
 }  // namespace
 }  // namespace eyebridge::robios

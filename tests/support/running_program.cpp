@@ -20,8 +20,11 @@ namespace {
 
 constexpr int kPatience_ms = 120'000;
 
-/// This process's environment and `more`, as "NAME=VALUE".
-std::vector<std::string> environment_with(const std::map<std::string, std::string>& more) {
+/// This process's environment and `more`, as "NAME=VALUE"; and what the leak checker must not blame
+/// programs for.
+std::vector<std::string> environment_with(std::map<std::string, std::string> more) {
+  more.try_emplace("LSAN_OPTIONS",
+                   "print_suppressions=0:suppressions=" EYEBRIDGE_LSAN_SUPPRESSIONS);
   std::vector<std::string> all;
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string text = *entry;

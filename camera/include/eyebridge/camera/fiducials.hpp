@@ -20,6 +20,16 @@ struct Fiducial {
   friend bool operator==(const Fiducial&, const Fiducial&) = default;
 };
 
+/// The corners of a fiducial's black square: top left, top right, bottom right, bottom left, as one
+/// sees them who faces the wall.
+using Corners = std::array<Vec2, 4>;
+
+/// A fiducial found in a picture.
+struct SeenFiducial {
+  int id = 0;
+  Corners corners{};  ///< Pixels; (0, 0) is the centre of the top left pixel.
+};
+
 /// How a world is marked.
 struct FiducialLayout {
   double size = 0.08;     ///< Edge of the black square, metres; smaller where a wall is too small.

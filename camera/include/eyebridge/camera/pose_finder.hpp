@@ -32,6 +32,8 @@ class PoseFinder {
   /// The next frame; frames come in the order of their times. The pose after it, smoothed; none
   /// while the camera is lost.
   virtual std::optional<FoundPose> take(const Frame& frame) = 0;
+  /// All fiducials in the last frame, those of other worlds, too. Valid until the next one.
+  [[nodiscard]] virtual const std::vector<SeenFiducial>& seen() const = 0;
 };
 
 /// By the fiducials `map`, seen through `lens` (scaled to each frame's size; a pinhole for frames

@@ -14,8 +14,8 @@ namespace eyebridge::camera {
 class FrameWatcher {
  public:
   virtual ~FrameWatcher() = default;
-  /// The next frame, in the size in which the camera gives it.
-  virtual void frame(const Frame& frame) = 0;
+  /// The next frame, in the size in which the camera gives it; it may be kept.
+  virtual void frame(const FramePtr& frame) = 0;
   /// No frame came for a while (Timeout), or none can come (Disconnected). May come again and
   /// again.
   virtual void no_frame(const Error& why) = 0;

@@ -31,6 +31,7 @@ class View;
 namespace eyebridge::hal {
 
 class Environment;
+class HandGuide;
 
 /// One robot, whichever way it is reached. Owns its devices; null means "this robot has none".
 ///
@@ -79,6 +80,8 @@ class Backend {
   virtual WorldControl* world() = 0;
   /// The simulated world as a window sees it; null where there is none in this process.
   virtual Environment* environment() { return nullptr; }
+  /// What guides the person who carries this robot's camera; null when nobody does.
+  virtual HandGuide* hand_guide() { return nullptr; }
   /// What a rendered camera on this robot looks at; null when nothing here can be rendered.
   virtual camera::View* camera_view() = 0;
   /// The camera that is part of this robot and open already (a person carries both); null when

@@ -39,6 +39,7 @@ class PassingBackend : public Backend {
   }
   WorldControl* world() override { return inner_->world(); }
   Environment* environment() override { return inner_->environment(); }
+  HandGuide* hand_guide() override { return inner_->hand_guide(); }
   camera::View* camera_view() override { return inner_->camera_view(); }
   camera::Source* camera_source() override { return inner_->camera_source(); }
   camera::FrameSink* frame_sink() override { return inner_->frame_sink(); }
