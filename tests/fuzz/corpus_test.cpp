@@ -10,6 +10,7 @@
 #include "classic_entry.hpp"
 #include "entry.hpp"
 #include "firmware_entry.hpp"
+#include "gui_entry.hpp"
 #include "host_entry.hpp"
 #include "plant_link_entry.hpp"
 #include "seat_entry.hpp"
@@ -40,6 +41,7 @@ constexpr Target kTargets[] = {{"world", world},
                                {"errors", errors},
                                {"faults", faults},
                                {"hand", hand},
+                               {"message", message},
                                {"radio", radio},
                                {"radio_datagram", radio_datagram},
                                {"seat_message", seat_message},

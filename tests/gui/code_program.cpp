@@ -1,0 +1,15 @@
+// The code panel as a process, so that it can be killed: code_program DRAFTS [FILE ...]
+#include <QApplication>
+
+#include "code/code_window.hpp"
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  auto settings = eyebridge::gui::CodeSettings::defaults();
+  QStringList files = QApplication::arguments().mid(1);
+  settings.drafts = files.takeFirst();
+  eyebridge::gui::CodeWindow window(files, settings);
+  window.move(0, 0);
+  window.show();
+  return QApplication::exec();
+}
