@@ -1,13 +1,19 @@
 #include "app/gui_windows.hpp"
 
 #include <QApplication>
+#include <QFileInfo>
+#include <QMessageBox>
 #include <QMetaObject>
 #include <array>
 #include <utility>
 
 #include <pthread.h>
 
+#include "editor/editor_window.hpp"
 #include "environment/environment_window.hpp"
+#ifdef EYEBRIDGE_HAVE_CODE_PANEL
+#include "code/code_window.hpp"
+#endif
 #include "eyebridge/base/deaf_thread.hpp"
 #include "hand/hand_window.hpp"
 #include "keys.hpp"
@@ -68,6 +74,7 @@ void GuiWindows::run_application() {
   panels_.clear();
   hand_views_.clear();
   environments_.clear();
+  editors_.clear();
 }
 
 bool GuiWindows::post(std::function<void()> action) {
@@ -106,8 +113,38 @@ void GuiWindows::open_environment(hal::Environment& environment) {
         std::make_unique<EnvironmentWindow>(environment, QString::fromStdString(start_.program)));
     // Beside the panels, unless it was put somewhere before.
     if (window->pos().isNull()) window->move(kPanelWidth, kCascade);
+    window->on_edit = [this](const QString& file) { open_editor(file); };
     show(*window);
   });
+}
+
+void GuiWindows::edit(const std::string& path) {
+  post([this, file = QString::fromStdString(path)] { open_editor(file); });
+}
+
+void GuiWindows::open_editor(const QString& file) {
+  const QString ending = QFileInfo(file).suffix().toLower();
+  const bool is_world = file.isEmpty() || ending == "wld" || ending == "maz" || ending == "sim";
+  std::unique_ptr<QWidget> window;
+  if (is_world) {
+    window = std::make_unique<EditorWindow>(file);
+  } else {
+#ifdef EYEBRIDGE_HAVE_CODE_PANEL
+    window = std::make_unique<CodeWindow>(QStringList(file), CodeSettings::defaults());
+#else
+    QMessageBox* const box =
+        new QMessageBox(QMessageBox::Warning, "EyeBridge",
+                        QCoreApplication::translate(
+                            "GuiWindows",
+                            "%1 cannot be opened: this EyeBridge was built without QScintilla "
+                            "(libqscintilla2-qt6-dev), which its code panel needs")
+                            .arg(file));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+    return;
+#endif
+  }
+  show(*editors_.emplace_back(std::move(window)));
 }
 
 void GuiWindows::show(QWidget& window) {
@@ -138,6 +175,7 @@ void GuiWindows::finish(const std::string& how) {
       view->tell_end(text);
       any = any || view->isVisible();
     }
+    for (const auto& window : editors_) any = any || window->isVisible();
     for (const auto& window : environments_) {
       window->tell_end(text);
       any = any || window->isVisible();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QString>
 #include <atomic>
 #include <condition_variable>
 #include <functional>
@@ -8,8 +9,6 @@
 #include <string>
 #include <thread>
 #include <vector>
-
-#include <QString>
 
 #include "windows/windows.hpp"
 
@@ -42,6 +41,7 @@ class GuiWindows final : public robios::Windows {
   void run();
   void run_application();
   void show(QWidget& window);
+  void open_editor(const QString& file);
   void last_window_closed();
   /// False when the windows have ended: it will not be done.
   bool post(std::function<void()> action);

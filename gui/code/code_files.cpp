@@ -177,9 +177,8 @@ void CodeWindow::ask_for_files() {
 bool CodeWindow::save_as(Page& page, const QString& path) {
   const QString examples = canonical(settings_.examples) + '/';
   if (!settings_.examples.isEmpty() && canonical(path).startsWith(examples)) {
-    page.notice().show_notice(
-        tr("%1 is an example, which stays as it is. Choose another folder.").arg(path),
-        {{tr("Save as..."), [this, &page] { ask_where(page, {}); }}});
+    page.tell(tr("%1 is an example, which stays as it is. Choose another folder.").arg(path),
+              {{tr("Save as..."), [this, &page] { ask_where(page, {}); }}});
     return false;
   }
   if (!page.path().isEmpty()) watcher_.removePath(page.path());

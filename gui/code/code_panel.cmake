@@ -21,7 +21,7 @@ add_custom_command(
 
 target_sources(eyebridge_windows PRIVATE
   "${completions}" code/code_files.cpp code/code_menus.cpp code/code_run.cpp code/code_settings.cpp code/code_window.cpp
-  code/completions.cpp code/editor.cpp code/examples.cpp code/find_bar.cpp code/language.cpp code/notice_bar.cpp
+  code/completions.cpp code/editor.cpp code/examples.cpp code/find_bar.cpp code/language.cpp
   code/output_view.cpp code/page.cpp code/recovery.cpp code/robios_apis.cpp code/run_bar.cpp code/run_plan.cpp
   code/runner.cpp code/templates.cpp code/terminal.cpp code/text_file.cpp)
 target_include_directories(eyebridge_windows SYSTEM PUBLIC "${QSCINTILLA_INCLUDE}")

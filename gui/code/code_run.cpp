@@ -33,7 +33,7 @@ bool CodeWindow::prepare(Page& page, ProgramSource& source) {
   TextFile file;
   file.text = page.editor().text();
   const QString trouble = write_text(source.file, file);
-  if (!trouble.isEmpty()) page.notice().show_notice(trouble, {});
+  if (!trouble.isEmpty()) page.tell(trouble, {});
   return trouble.isEmpty();
 }
 

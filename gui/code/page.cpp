@@ -2,6 +2,7 @@
 
 #include <QFileInfo>
 #include <QVBoxLayout>
+#include <utility>
 
 namespace eyebridge::gui {
 
@@ -27,6 +28,11 @@ Page::Page(int number, const QString& name, const QString& text, QWidget* parent
   });
 }
 
+void Page::tell(const QString& text, std::vector<NoticeBar::Answer> answers) {
+  answers.push_back({tr("Close"), {}});
+  notice_->tell(kTopic, text, answers);
+}
+
 void Page::set_path(const QString& path) {
   path_ = QFileInfo(path).absoluteFilePath();
   name_ = QFileInfo(path).fileName();
@@ -41,8 +47,8 @@ QString Page::open(const QString& path) {
   set_path(path);
   editor_->show_text(file_.text);
   if (!QFileInfo(path).isWritable()) {
-    notice_->show_notice(tr("%1 is write-protected: changes can be saved elsewhere.").arg(name_),
-                         {{tr("Save as..."), [this] { on_save_as(); }}});
+    tell(tr("%1 is write-protected: changes can be saved elsewhere.").arg(name_),
+         {{tr("Save as..."), [this] { on_save_as(); }}});
   }
   if (on_change) on_change();
   return "";
@@ -69,10 +75,9 @@ void Page::restore(const Draft& draft) {
   editor_->show_text(file_.text);
   editor_->replace_text(draft.text);
   is_unsaved_ = true;
-  std::vector<NoticeBar::Choice> choices;
+  std::vector<NoticeBar::Answer> choices;
   if (!path_.isEmpty()) choices.push_back({tr("Go back to the saved file"), [this] { reload(); }});
-  notice_->show_notice(
-      tr("These changes to %1 were not saved when the program ended last.").arg(name_), choices);
+  tell(tr("These changes to %1 were not saved when the program ended last.").arg(name_), choices);
 }
 
 bool Page::save() {
@@ -96,12 +101,12 @@ bool Page::write(const QString& path) {
   TextFile file = file_;
   file.text = editor_->text();
   if (const QString trouble = write_text(path, file); !trouble.isEmpty()) {
-    notice_->show_notice(trouble, {{tr("Save as..."), [this] { on_save_as(); }}});
+    tell(trouble, {{tr("Save as..."), [this] { on_save_as(); }}});
     return false;
   }
   file_ = file;
   was_removed_ = false;
-  notice_->dismiss();
+  notice_->end(kTopic);
   is_unsaved_ = false;
   editor_->setModified(false);
   if (on_change) on_change();
@@ -111,7 +116,7 @@ bool Page::write(const QString& path) {
 void Page::reload() {
   TextFile disk;
   if (const QString trouble = read_text(path_, disk); !trouble.isEmpty()) {
-    notice_->show_notice(trouble, {});
+    tell(trouble, {});
     return;
   }
   file_ = disk;
@@ -127,13 +132,12 @@ void Page::look_at_disk() {
   if (!QFileInfo::exists(path_)) {
     was_removed_ = true;
     is_unsaved_ = true;
-    notice_->show_notice(tr("%1 was removed from the disk. Saving writes it again.").arg(name_),
-                         {});
+    tell(tr("%1 was removed from the disk. Saving writes it again.").arg(name_), {});
     if (on_change) on_change();
     return;
   }
   if (const QString trouble = read_text(path_, disk); !trouble.isEmpty()) {
-    notice_->show_notice(trouble, {{tr("Save as..."), [this] { on_save_as(); }}});
+    tell(trouble, {{tr("Save as..."), [this] { on_save_as(); }}});
     return;
   }
   if (disk.bytes == file_.bytes) {
@@ -141,18 +145,17 @@ void Page::look_at_disk() {
     if (was_removed_) {
       was_removed_ = false;
       is_unsaved_ = false;
-      notice_->dismiss();
+      notice_->end(kTopic);
       if (on_change) on_change();
     }
     return;
   }
-  notice_->show_notice(
-      is_modified()
-          ? tr("%1 was changed on the disk, and here, too. Loading it can be undone.").arg(name_)
-          : tr("%1 was changed on the disk.").arg(name_),
-      {{tr("Load it"), [this] { reload(); }},
-       {tr("Overwrite it"), [this] { static_cast<void>(write(path_)); }},
-       {tr("Save as..."), [this] { on_save_as(); }}});
+  tell(is_modified()
+           ? tr("%1 was changed on the disk, and here, too. Loading it can be undone.").arg(name_)
+           : tr("%1 was changed on the disk.").arg(name_),
+       {{tr("Load it"), [this] { reload(); }},
+        {tr("Overwrite it"), [this] { static_cast<void>(write(path_)); }},
+        {tr("Save as..."), [this] { on_save_as(); }}});
 }
 
 }  // namespace eyebridge::gui

@@ -3,11 +3,12 @@
 #include <QCoreApplication>
 #include <QWidget>
 #include <functional>
+#include <vector>
 
 #include "code/editor.hpp"
-#include "code/notice_bar.hpp"
 #include "code/recovery.hpp"
 #include "code/text_file.hpp"
+#include "parts/notice_bar.hpp"
 
 namespace eyebridge::gui {
 
@@ -15,6 +16,8 @@ namespace eyebridge::gui {
 class Page final : public QWidget {
   Q_DECLARE_TR_FUNCTIONS(Page)
  public:
+  static constexpr const char* kTopic = "file";  ///< Of all notices.
+
   /// A new text without a file, which will be called `name`.
   Page(int number, const QString& name, const QString& text, QWidget* parent);
 
@@ -32,6 +35,8 @@ class Page final : public QWidget {
   void look_at_disk();
 
   [[nodiscard]] Editor& editor() { return *editor_; }
+  /// Says something about the file, in the place of what was said before; a person can put it away.
+  void tell(const QString& text, std::vector<NoticeBar::Answer> answers);
   [[nodiscard]] NoticeBar& notice() { return *notice_; }
   /// "" until the text has a file.
   [[nodiscard]] const QString& path() const { return path_; }

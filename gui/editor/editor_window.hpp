@@ -13,9 +13,9 @@
 #include "editor/disk_watch.hpp"
 #include "editor/document.hpp"
 #include "editor/floor_plan.hpp"
-#include "editor/notice_bar.hpp"
 #include "editor/plan_files.hpp"
 #include "editor/property_panel.hpp"
+#include "parts/notice_bar.hpp"
 
 class QActionGroup;
 class QComboBox;

@@ -42,6 +42,11 @@ void EnvironmentWindow::make_file_menu() {
         }
       });
   menu.addSeparator();
+  add_action(menu, tr("&New world"), QKeySequence::New, [this] {
+    if (on_edit) on_edit({});
+  });
+  add_action(menu, tr("&Edit world or program..."), QKeySequence::Open, [this] { ask_for_file(); });
+  menu.addSeparator();
   add_action(menu, tr("&Close"), QKeySequence::Close, [this] { close(); });
 }
 
@@ -162,6 +167,13 @@ void EnvironmentWindow::ask_for_picture() {
   if (path.isEmpty()) return;
   trouble_->setText(save_picture(path) ? tr("Saved %1").arg(path)
                                        : tr("%1 cannot be written").arg(path));
+}
+
+void EnvironmentWindow::ask_for_file() {
+  const QString path = QFileDialog::getOpenFileName(
+      this, tr("Edit"), QString::fromStdString(environment_.directory()),
+      tr("Worlds and programs (*.wld *.maz *.sim *.c *.cpp *.h *.py)"));
+  if (!path.isEmpty() && on_edit) on_edit(path);
 }
 
 bool EnvironmentWindow::start_film(const QString& path) {

@@ -29,6 +29,8 @@ class EnvironmentWindow final : public QMainWindow {
 
   [[nodiscard]] hal::Environment& environment() { return environment_; }
   [[nodiscard]] WorldView& view() { return *view_; }
+  /// Told of a file that a person wants to edit; empty for a new world.
+  std::function<void(const QString&)> on_edit;
   /// The program has ended, `how` in words: the world stays as long as the window.
   void tell_end(const QString& how);
   /// A picture of the view, as PNG or whatever the name says; false when it cannot be written.
@@ -55,6 +57,7 @@ class EnvironmentWindow final : public QMainWindow {
   void show_time();
   void ask_for_picture();
   void ask_for_film();
+  void ask_for_file();
 
   hal::Environment& environment_;
   const QString program_;

@@ -7,8 +7,9 @@
 namespace eyebridge::robios {
 
 /// The windows of this process, opened with the first call; null where `config` does not ask for
-/// them, nor leaves it to us and there is a display, and where there are none and nobody insists, which the log tells as Info. Throws ConfigError where
-/// `gui` is on and they cannot be. Later calls give what the first one did.
+/// them, nor leaves it to us and there is a display, and where there are none and nobody insists,
+/// which the log tells as Info. Throws ConfigError where `gui` is on and they cannot be. Later
+/// calls give what the first one did.
 Windows* open_windows(const hal::Config& config, LogSink& log);
 
 /// Opens the window on a world, paused if that wants to begin so; once.

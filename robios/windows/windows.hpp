@@ -52,8 +52,8 @@ class Windows {
   virtual void open_hand_view(const HandStart& start) = 0;
   /// Shows a world, lent like all; called once for each.
   virtual void open_environment(hal::Environment& environment) = 0;
-  /// Opens a file to be edited: a world, maze or simulation (.wld, .maz, .sim), or a program. Without
-  /// a name, a new world.
+  /// Opens a file to be edited: a world, maze or simulation (.wld, .maz, .sim), or a program.
+  /// Without a name, a new world.
   virtual void edit(const std::string& path) = 0;
   /// The program has ended, `how` in words: the windows say so and stay. Returns when a person has
   /// closed them all, at once in the windows' own thread; from then on nothing lent is used.

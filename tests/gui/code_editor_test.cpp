@@ -1,11 +1,10 @@
 // The editor of the code panel, as a person types.
-#include "code/editor.hpp"
-
 #include <QPalette>
 
 #include <Qsci/qscilexer.h>
 #include <gmock/gmock.h>
 
+#include "code/editor.hpp"
 #include "code_room.hpp"
 
 namespace eyebridge::gui {

@@ -29,7 +29,7 @@ class CodeFiles : public testing::CodeRoom {
     auto& box = dialog<QMessageBox>();
     QTest::mouseClick(box.button(button), Qt::LeftButton);
   }
-  std::string notice() { return page().notice().sentence().toStdString(); }
+  std::string notice() { return page().notice().text(Page::kTopic).toStdString(); }
   /// How many texts are kept for after a crash.
   int drafts() {
     int count = 0;

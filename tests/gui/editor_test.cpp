@@ -16,7 +16,7 @@
 namespace eyebridge::gui {
 namespace {
 
-class Editor : public testing::EditorRig {
+class WorldEditor : public testing::EditorRig {
  protected:
   void SetUp() override {
     EditorRig::SetUp();
@@ -24,7 +24,7 @@ class Editor : public testing::EditorRig {
   }
 };
 
-TEST_F(Editor, BeginsWithARoomOfFourByFourMetres) {
+TEST_F(WorldEditor, BeginsWithARoomOfFourByFourMetres) {
   EXPECT_EQ(plan().width, 4.0);
   EXPECT_EQ(plan().height, 4.0);
   EXPECT_EQ(plan().walls.size(), 4U);
@@ -32,7 +32,7 @@ TEST_F(Editor, BeginsWithARoomOfFourByFourMetres) {
   EXPECT_EQ(window_->windowTitle(), "unnamed[*] – world editor");
 }
 
-TEST_F(Editor, WallsAreDrawnOnTheGridInOneStroke) {
+TEST_F(WorldEditor, WallsAreDrawnOnTheGridInOneStroke) {
   press_key(Qt::Key_W);
   drag(at(1.02, 0.98), at(2.51, 0.97));
   ASSERT_EQ(plan().walls.size(), 5U);
@@ -45,7 +45,7 @@ TEST_F(Editor, WallsAreDrawnOnTheGridInOneStroke) {
   EXPECT_NEAR(plan().walls[5].a.x, 1.02, 0.006);
 }
 
-TEST_F(Editor, WallsAreDrawnFromCornerToCorner) {
+TEST_F(WorldEditor, WallsAreDrawnFromCornerToCorner) {
   press_key(Qt::Key_W);
   click(at(1, 1));
   click(at(2, 1));
@@ -63,7 +63,7 @@ TEST_F(Editor, WallsAreDrawnFromCornerToCorner) {
   EXPECT_EQ(plan().walls[7].a, (Vec2{3, 1}));
 }
 
-TEST_F(Editor, ShiftKeepsAWallStraight) {
+TEST_F(WorldEditor, ShiftKeepsAWallStraight) {
   press_key(Qt::Key_W);
   drag(at(1, 1), at(2, 1.3), Qt::ShiftModifier);
   EXPECT_EQ(plan().walls.at(4).b, (Vec2{2, 1}));
@@ -71,7 +71,7 @@ TEST_F(Editor, ShiftKeepsAWallStraight) {
   EXPECT_EQ(plan().walls.at(5).b, (Vec2{2, 3}));
 }
 
-TEST_F(Editor, AVertexMovesWithAllWallsThatShareIt) {
+TEST_F(WorldEditor, AVertexMovesWithAllWallsThatShareIt) {
   drag(at(4, 4), at(3.5, 3.01));
   EXPECT_EQ(plan().walls[1].b, (Vec2{3.5, 3}));
   EXPECT_EQ(plan().walls[2].a, (Vec2{3.5, 3}));
@@ -82,14 +82,14 @@ TEST_F(Editor, AVertexMovesWithAllWallsThatShareIt) {
   EXPECT_EQ(plan().walls[2].a, (Vec2{3.5, 3}));
 }
 
-TEST_F(Editor, AWallMovesAndItsNeighboursFollow) {
+TEST_F(WorldEditor, AWallMovesAndItsNeighboursFollow) {
   drag(at(4, 2), at(3.48, 2.2));
   EXPECT_EQ(plan().walls[1].a, (Vec2{3.5, 0.2}));
   EXPECT_EQ(plan().walls[0].b, (Vec2{3.5, 0.2}));
   EXPECT_EQ(plan().walls[2].a, (Vec2{3.5, 4.2}));
 }
 
-TEST_F(Editor, ADoubleClickSplitsAWall) {
+TEST_F(WorldEditor, ADoubleClickSplitsAWall) {
   double_click(at(1.32, 4));
   ASSERT_EQ(plan().walls.size(), 5U);
   EXPECT_EQ(plan().walls[2].b, (Vec2{1.3, 4}));
@@ -102,14 +102,14 @@ TEST_F(Editor, ADoubleClickSplitsAWall) {
   EXPECT_EQ(plan().walls[0].b, (Vec2{2, 0}));
 }
 
-TEST_F(Editor, WhatMeetsIsNoWallAnyMore) {
+TEST_F(WorldEditor, WhatMeetsIsNoWallAnyMore) {
   drag(at(4, 4), at(4, 0));
   EXPECT_EQ(plan().walls.size(), 3U);
   press_key(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(plan().walls.size(), 4U);
 }
 
-TEST_F(Editor, ThingsArePlacedTurnedAndDragged) {
+TEST_F(WorldEditor, ThingsArePlacedTurnedAndDragged) {
   window_->findChild<QComboBox*>("things")->setCurrentText("box");
   press_key(Qt::Key_O);
   drag(at(1, 1), at(1, 2));
@@ -123,7 +123,7 @@ TEST_F(Editor, ThingsArePlacedTurnedAndDragged) {
   EXPECT_TRUE(plan().things.empty());
 }
 
-TEST_F(Editor, RobotsStartsAndMarkersArePlaced) {
+TEST_F(WorldEditor, RobotsStartsAndMarkersArePlaced) {
   press_key(Qt::Key_R);
   click(at(1, 1));
   press_key(Qt::Key_S);
@@ -139,7 +139,7 @@ TEST_F(Editor, RobotsStartsAndMarkersArePlaced) {
   EXPECT_EQ(plan().markers[0].position, (Vec2{3, 1}));
 }
 
-TEST_F(Editor, ARobotIsTurnedByItsRim) {
+TEST_F(WorldEditor, ARobotIsTurnedByItsRim) {
   press_key(Qt::Key_R);
   click(at(2, 2));
   press_key(Qt::Key_V);
@@ -149,7 +149,7 @@ TEST_F(Editor, ARobotIsTurnedByItsRim) {
   EXPECT_NEAR(plan().robots[0].pose->theta, deg_to_rad(60), 1e-12);
 }
 
-TEST_F(Editor, AWayIsDrawnPointByPointAndChanged) {
+TEST_F(WorldEditor, AWayIsDrawnPointByPointAndChanged) {
   window_->findChild<QComboBox*>("things")->setCurrentText("can");
   press_key(Qt::Key_O);
   click(at(1, 1));
@@ -169,7 +169,7 @@ TEST_F(Editor, AWayIsDrawnPointByPointAndChanged) {
   EXPECT_EQ(plan().things.size(), 1U) << "the point went, not the can";
 }
 
-TEST_F(Editor, ABandSelectsWhatLiesWithin) {
+TEST_F(WorldEditor, ABandSelectsWhatLiesWithin) {
   press_key(Qt::Key_M);
   click(at(1, 1));
   click(at(2, 1));
@@ -192,7 +192,7 @@ TEST_F(Editor, ABandSelectsWhatLiesWithin) {
   EXPECT_EQ(plan().markers.size(), 3U);
 }
 
-TEST_F(Editor, CopiesArePastedBesideTheirOriginals) {
+TEST_F(WorldEditor, CopiesArePastedBesideTheirOriginals) {
   press_key(Qt::Key_R);
   click(at(2, 2));
   press_key(Qt::Key_C, Qt::ControlModifier);
@@ -205,7 +205,7 @@ TEST_F(Editor, CopiesArePastedBesideTheirOriginals) {
   EXPECT_EQ(plan().robots.size(), 4U);
 }
 
-TEST_F(Editor, ArrowKeysMoveWhatIsSelected) {
+TEST_F(WorldEditor, ArrowKeysMoveWhatIsSelected) {
   press_key(Qt::Key_M);
   click(at(1, 1));
   press_key(Qt::Key_Right);
@@ -215,7 +215,7 @@ TEST_F(Editor, ArrowKeysMoveWhatIsSelected) {
   EXPECT_EQ(plan().markers[0].position, (Vec2{1.099, 1.1}));
 }
 
-TEST_F(Editor, UndoHasNoLimit) {
+TEST_F(WorldEditor, UndoHasNoLimit) {
   press_key(Qt::Key_M);
   click(at(1, 1));
   for (int i = 0; i < 300; ++i) press_key(i % 2 == 0 ? Qt::Key_Right : Qt::Key_Up);
@@ -224,7 +224,7 @@ TEST_F(Editor, UndoHasNoLimit) {
   EXPECT_FALSE(window_->isWindowModified()) << "back where it began";
 }
 
-TEST_F(Editor, TheKeyboardSelectsOneAfterTheOther) {
+TEST_F(WorldEditor, TheKeyboardSelectsOneAfterTheOther) {
   press_key(Qt::Key_M);
   click(at(1, 1));
   press_key(Qt::Key_N);
@@ -236,7 +236,7 @@ TEST_F(Editor, TheKeyboardSelectsOneAfterTheOther) {
   EXPECT_EQ(window_->document().selection(), (Selection{{Kind::Marker, 0}}));
 }
 
-TEST_F(Editor, WhoChoosesAThingPlacesIt) {
+TEST_F(WorldEditor, WhoChoosesAThingPlacesIt) {
   auto* const things = window_->findChild<QComboBox*>("things");
   things->setFocus();
   QTest::keyClick(things, Qt::Key_Down);  // from golf
@@ -245,7 +245,7 @@ TEST_F(Editor, WhoChoosesAThingPlacesIt) {
   EXPECT_EQ(plan().things.at(0).spec.name, "soccer");
 }
 
-TEST_F(Editor, LooksAsAPersonHasSeenIt) {
+TEST_F(WorldEditor, LooksAsAPersonHasSeenIt) {
   press_key(Qt::Key_R);
   drag(at(1, 1), at(1, 2));
   press_key(Qt::Key_O);
@@ -260,14 +260,14 @@ TEST_F(Editor, LooksAsAPersonHasSeenIt) {
   EXPECT_TRUE(testing::looks_as(window_->canvas().grab().toImage(), "editor"));
 }
 
-TEST_F(Editor, LengthsAreMeasured) {
+TEST_F(WorldEditor, LengthsAreMeasured) {
   press_key(Qt::Key_L);
   drag(at(0, 0), at(3, 4));
   EXPECT_EQ(message(), "5000 mm, 53.1°");
   EXPECT_FALSE(window_->isWindowModified());
 }
 
-TEST_F(Editor, TheWheelZoomsToThePointerAndTheMiddleButtonPans) {
+TEST_F(WorldEditor, TheWheelZoomsToThePointerAndTheMiddleButtonPans) {
   Canvas& canvas = window_->canvas();
   const QPointF pointer = at(1, 1);
   const Vec2 before = canvas.viewport().to_world(pointer);
@@ -284,12 +284,12 @@ TEST_F(Editor, TheWheelZoomsToThePointerAndTheMiddleButtonPans) {
   EXPECT_NEAR(canvas.viewport().pixels_per_metre(), scale, 1e-9);
 }
 
-TEST_F(Editor, TheStatusBarTellsWhereThePointerIs) {
+TEST_F(WorldEditor, TheStatusBarTellsWhereThePointerIs) {
   drag(at(1, 2), at(1.5, 2));
   EXPECT_EQ(window_->findChild<QLabel*>("pointer")->text().left(3), "x 1");
 }
 
-TEST_F(Editor, SurvivesAMonkeyAndUndoesAllItDid) {
+TEST_F(WorldEditor, SurvivesAMonkeyAndUndoesAllItDid) {
   const Plan first = plan();
   std::mt19937 random(7);
   const auto any = [&](int below) {
@@ -334,7 +334,7 @@ TEST_F(Editor, SurvivesAMonkeyAndUndoesAllItDid) {
   EXPECT_TRUE(same_plan(plan(), first));
 }
 
-TEST_F(Editor, EveryActionOfTheMenusCanBeReachedByKeyboard) {
+TEST_F(WorldEditor, EveryActionOfTheMenusCanBeReachedByKeyboard) {
   int count = 0;
   for (QMenu* menu : window_->menuBar()->findChildren<QMenu*>()) {
     for (QAction* action : menu->actions()) {

@@ -1,4 +1,4 @@
-#include "editor/notice_bar.hpp"
+#include "parts/notice_bar.hpp"
 
 #include <QCoreApplication>
 #include <QHBoxLayout>
