@@ -1,6 +1,7 @@
 // A robot program and its windows, from outside: what a person does at the display.
 #include <QTest>
 #include <csignal>
+#include <filesystem>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -115,7 +116,7 @@ TEST_F(Session, NoWindowsWhereThereIsNoDisplay) {
   RunningProgram insists(lost);
   EXPECT_EQ(insists.wait(), 2);
   EXPECT_THAT(insists.said(), HasSubstr("no windows can be opened: the display :4711 cannot be "
-                                        "reached; expected a display, or gui = off"));
+                                        "reached; expected one that can, or gui = off"));
   auto silent = start({"--log", "info", "--factor", "20", "--keys", "KEY4@1s"});
   silent.environment["DISPLAY"] = ":4711";
   RunningProgram goes_on(silent);
@@ -124,6 +125,36 @@ TEST_F(Session, NoWindowsWhereThereIsNoDisplay) {
   RunningProgram off(start({"--no-gui", "--factor", "20", "--keys", "KEY4@1s"}));
   EXPECT_EQ(off.wait(), 4) << off.said();
   EXPECT_THAT(person_.titles(), Not(Contains(HasSubstr("drives"))));
+}
+
+TEST_F(Session, NoWindowsWithoutThePlugIn) {
+  // As where EyeBridge was built without Qt.
+  const std::filesystem::path lonely = folder_.path() + "/lib";
+  std::filesystem::create_directory(lonely);
+  std::filesystem::copy_file(EYEBRIDGE_BIN "/../lib/libeyebridge.so.0",
+                             lonely / "libeyebridge.so.0");
+  auto insists = start({"--gui"});
+  insists.environment["LD_LIBRARY_PATH"] = lonely;
+  RunningProgram program(insists);
+  EXPECT_EQ(program.wait(), 2);
+  EXPECT_THAT(program.said(),
+              HasSubstr("no windows can be opened: there is no " + lonely.string() +
+                        "/libeyebridge_gui.so; expected EyeBridge built where Qt 6 is installed "
+                        "(qt6-base-dev), or gui = off"));
+}
+
+TEST_F(Session, WorldsAndProgramsAreEditedWithoutARun) {
+  folder_.write("room.wld", "floor 1000 1000\n0 0 1000 0\n");
+  RunningProgram edit({{EYEBRIDGE_BIN "/eyebridge", "edit", "room.wld", "drives.c"},
+                       {{"XDG_CONFIG_HOME", folder_.path()}, {"XDG_DATA_HOME", folder_.path()}},
+                       folder_.path()});
+  const xcb_window_t world = person_.window("room.wld");
+  const xcb_window_t program = person_.window("drives.c");
+  person_.close(world);
+  person_.wait_until_gone("room.wld");
+  EXPECT_THAT(person_.titles(), Contains(HasSubstr("drives.c")));
+  person_.close(program);
+  EXPECT_EQ(edit.wait(), 0) << edit.said();
 }
 
 }  // namespace
