@@ -197,7 +197,7 @@ void Editor::toggle_comment() {
     if (all) {
       const int begin = static_cast<int>(words.indexOf(sign));
       int end = begin + static_cast<int>(sign.size());
-      if (words[end] == ' ') ++end;
+      if (end < words.size() && words[end] == ' ') ++end;
       setSelection(row, begin, row, end);
       removeSelectedText();
     } else {

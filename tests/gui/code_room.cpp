@@ -1,5 +1,6 @@
 #include "code_room.hpp"
 
+#include <QFile>
 #include <QPushButton>
 #include <QTextBlock>
 #include <QTextDocument>
@@ -16,6 +17,15 @@ constexpr int kBuildPatience_ms = 60'000;
 CodeRoom::CodeRoom() : settings_(CodeSettings::defaults()) {
   settings_.drafts = path("drafts");
   settings_.builds = path("builds");
+#ifdef EYEBRIDGE_TEST_PRELOAD
+  // Python was built without the sanitizers that are in our libraries: they have to be there first.
+  const QString script =
+      write("eyebridge.sh", "#!/bin/sh\nLD_PRELOAD='" EYEBRIDGE_TEST_PRELOAD
+                            "' ASAN_OPTIONS=detect_leaks=0 exec '" +
+                                settings_.eyebridge.toStdString() + "' \"$@\"\n");
+  QFile(script).setPermissions(QFile::ReadOwner | QFile::ExeOwner);
+  settings_.eyebridge = script;
+#endif
 }
 
 void CodeRoom::open(const QStringList& paths) {
