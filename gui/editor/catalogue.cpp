@@ -52,11 +52,11 @@ Catalogue::Catalogue(const files::SimFile& sim, const std::filesystem::path& dir
       problems_.emplace_back(error.what());
     }
   };
-  for (const auto& [written, where] : sim.robot_files) {
-    guarded([&] { add_robot(written, directory, where); });
+  for (const auto& file : sim.robot_files) {
+    guarded([&] { add_robot(file.first, directory, file.second); });
   }
-  for (const auto& [written, where] : sim.object_files) {
-    guarded([&] { add_object(written, directory, where); });
+  for (const auto& file : sim.object_files) {
+    guarded([&] { add_object(file.first, directory, file.second); });
   }
 }
 

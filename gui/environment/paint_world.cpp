@@ -165,11 +165,11 @@ void paint_camera_cone(QPainter& painter, const Viewport& view, const hal::Robot
 
 void paint_bumpers(QPainter& painter, const Viewport& view, const hal::RobotLook& robot,
                    const std::vector<bool>& touched) {
-  constexpr double kRim = 5.0;  // pixels
-  const double radius = robot.model->radius() * view.pixels_per_metre() + kRim / 2;
+  constexpr double kWidth = 5.0;  // pixels
+  const double radius = robot.model->radius() * view.pixels_per_metre() + kWidth / 2;
   const QPointF centre = view.to_pixel(robot.pose.position());
   const QRectF circle(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius);
-  QPen pen(QColor(220, 0, 0), kRim);
+  QPen pen(QColor(220, 0, 0), kWidth);
   pen.setCapStyle(Qt::FlatCap);
   painter.setPen(pen);
   const auto sixteenths = [](double angle) { return qRound(16 * rad_to_deg(angle)); };

@@ -39,6 +39,7 @@ __attribute__((visibility("default"))) void exit(int code) noexcept {
   abort();  // it does not return
 }
 
+// NOLINTNEXTLINE(readability-identifier-naming): the C library's
 __attribute__((visibility("default"))) int __libc_start_main(Main* main, int argc, char** argv,
                                                              void (*init)(), void (*fini)(),
                                                              void (*loader_fini)(),
