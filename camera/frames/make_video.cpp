@@ -20,9 +20,9 @@ const char* codec_of(const std::filesystem::path& file) {
                     "found the ending " + in_quotes(ending) + ", expected a video's: .mp4 or .avi");
 }
 
-/// OpenCV says only that it did not work.
+/// OpenCV says only that it did not work. What is there stays as it is.
 void check_place(const std::filesystem::path& file) {
-  std::FILE* const out = std::fopen(file.c_str(), "wb");
+  std::FILE* const out = std::fopen(file.c_str(), "ab");
   if (out == nullptr) {
     throw ConfigError({file.string()}, std::string("cannot be written: ") + std::strerror(errno));
   }
@@ -33,9 +33,9 @@ void check_place(const std::filesystem::path& file) {
 
 std::unique_ptr<VideoWriter> make_video(const std::filesystem::path& file, Size size, double rate) {
   const char* const codec = codec_of(file);
-  check_place(file);
   const auto make = reinterpret_cast<MakeVideo>(
       own_library_entry("libeyebridge_video.so", "eyebridge_make_video"));
+  check_place(file);
   try {
     return std::unique_ptr<VideoWriter>(make(file.c_str(), codec, size, rate));
   } catch (const ConfigError&) {

@@ -94,7 +94,8 @@ void GuiWindows::open_panel(const robios::PanelStart& start) {
   const bool comes = post([this, start] {
     const auto& panel = panels_.emplace_back(std::make_unique<PanelWindow>(start));
     const int step = kCascade * (static_cast<int>(panels_.size() - 1) % kCascadeLength);
-    panel->move(kCascade + step, kCascade + step);
+    // The first one is where it was left, if it was.
+    if (panel->pos().isNull() || step > 0) panel->move(kCascade + step, kCascade + step);
     show(*panel);
   });
   if (!comes) start.keys->set_window(false);
@@ -107,10 +108,10 @@ void GuiWindows::open_hand_view(const robios::HandStart& start) {
   });
 }
 
-void GuiWindows::open_environment(hal::Environment& environment) {
-  post([this, &environment] {
-    const auto& window = environments_.emplace_back(
-        std::make_unique<EnvironmentWindow>(environment, QString::fromStdString(start_.program)));
+void GuiWindows::open_environment(hal::Environment& environment, robios::Crew* crew) {
+  post([this, &environment, crew] {
+    const auto& window = environments_.emplace_back(std::make_unique<EnvironmentWindow>(
+        environment, QString::fromStdString(start_.program), crew));
     // Beside the panels, unless it was put somewhere before.
     if (window->pos().isNull()) window->move(kPanelWidth, kCascade);
     window->on_edit = [this](const QString& file) { open_editor(file); };

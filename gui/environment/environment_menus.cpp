@@ -97,6 +97,9 @@ void EnvironmentWindow::make_robot_menu() {
     const std::size_t count = view_->look().robots.size();
     if (count > 0) view_->choose(view_->chosen() ? (*view_->chosen() + 1) % count : 0);
   });
+  QAction* const adding = adding_dock_->toggleViewAction();
+  adding->setShortcut(Qt::Key_A);
+  menu.addAction(adding);
   drive_ = add_switch(menu, tr("&Drive with the arrow keys"), Qt::Key_K, false,
                       [this](bool drives) { view_->set_driving(drives); });
 }
@@ -113,7 +116,8 @@ void EnvironmentWindow::make_view_menu() {
   follow_ = add_switch(menu, tr("F&ollow robot"), Qt::Key_O, false,
                        [this](bool follows) { view_->follow(follows); });
   add_action(menu, tr("Centre on &robot"), Qt::Key_R, [this] { view_->centre_on_robot(); });
-  QAction* const tape = add_switch(menu, tr("&Measure"), Qt::Key_M, false, [this](bool measures) {
+  measure_ = add_switch(menu, tr("&Measure"), Qt::Key_M, false, [this](bool measures) {
+    if (measures) adding_->stop_placing();
     view_->set_tool(measures ? Tool::Tape : Tool::Hand);
   });
   menu.addSeparator();
@@ -138,7 +142,7 @@ void EnvironmentWindow::make_view_menu() {
   bar.setObjectName("view_bar");
   bar.addAction(fit);
   bar.addAction(follow_);
-  bar.addAction(tape);
+  bar.addAction(measure_);
   bar.addAction(drive_);
   bar.addAction(scene_dock_->toggleViewAction());
 }

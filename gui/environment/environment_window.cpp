@@ -1,9 +1,11 @@
 #include "environment/environment_window.hpp"
 
 #include <QAction>
+#include <QCloseEvent>
 #include <QDockWidget>
 #include <QSettings>
 #include <QStatusBar>
+#include <exception>
 
 #include "eyebridge/base/units.hpp"
 
@@ -16,11 +18,12 @@ constexpr int kFramesPerScene = 3;     // 20 pictures a second, each some millis
 
 }  // namespace
 
-EnvironmentWindow::EnvironmentWindow(hal::Environment& environment, const QString& program)
+EnvironmentWindow::EnvironmentWindow(hal::Environment& environment, const QString& program,
+                                     robios::Crew* crew)
     : environment_(environment), program_(program), view_(new WorldView(environment, this)) {
   setWindowTitle(tr("%1 – environment").arg(program));
   setCentralWidget(view_);
-  make_docks();
+  make_docks(crew);
   make_status();
   make_file_menu();
   make_time_menu();
@@ -32,17 +35,14 @@ EnvironmentWindow::EnvironmentWindow(hal::Environment& environment, const QStrin
   restoreState(settings.value("environment/state").toByteArray());
   view_->setFocus();
   connect(&timer_, &QTimer::timeout, this, [this] { refresh(); });
-  timer_.start(kRefresh_ms);
   refresh();
 }
 
 EnvironmentWindow::~EnvironmentWindow() {
-  QSettings settings;
-  settings.setValue("environment/geometry", saveGeometry());
-  settings.setValue("environment/state", saveState());
+  if (isVisible()) keep_layout();
 }
 
-void EnvironmentWindow::make_docks() {
+void EnvironmentWindow::make_docks(robios::Crew* crew) {
   const auto add = [this](const QString& title, const char* name, Qt::DockWidgetArea area,
                           QWidget* widget) {
     auto* dock = new QDockWidget(title, this);
@@ -61,6 +61,18 @@ void EnvironmentWindow::make_docks() {
   scene_dock_ = add(tr("3D"), "scene", Qt::RightDockWidgetArea, scene_);
   scene_dock_->hide();
   add(tr("Errors"), "errors", Qt::RightDockWidgetArea, errors_)->hide();
+  adding_ = new AddRobotPanel(crew, this);
+  adding_dock_ = add(tr("Add robot"), "add_robot", Qt::RightDockWidgetArea, adding_);
+  adding_dock_->hide();
+  adding_->on_placing = [this](bool places) {
+    if (places) measure_->setChecked(false);
+    view_->set_tool(places ? Tool::Place : Tool::Hand);
+  };
+  adding_->on_answer = [this](const QString& text) {
+    trouble_->setText(text);
+    events_->add(text);
+  };
+  view_->on_place = [this](const Pose& pose) { adding_->add(pose); };
   view_->on_look = [this](const hal::WorldLook& look) { events_->add(look); };
   errors_->on_trouble = [this](const QString& text) { trouble_->setText(text); };
 }
@@ -85,6 +97,7 @@ void EnvironmentWindow::make_status() {
 void EnvironmentWindow::refresh() {
   view_->refresh();
   errors_->follow(view_->look());
+  adding_->follow(view_->look());
   // The other side may be paused by another window, or have ended.
   if (pause_->isChecked() != environment_.time().is_paused()) {
     pause_->setChecked(environment_.time().is_paused());
@@ -94,10 +107,37 @@ void EnvironmentWindow::refresh() {
   }
   if (frames_ % kFramesPerScene == 0) scene_->refresh(view_->look(), view_->chosen());
   ++frames_;
-  if (film_ && film_->is_due(view_->look().scene.time)) {
-    film_->add(view_->grab().toImage(), view_->look().scene.time);
-  }
+  add_to_film();
   show_time();
+}
+
+void EnvironmentWindow::add_to_film() {
+  if (!film_ || !film_->is_due(view_->look().scene.time)) return;
+  try {
+    film_->add(view_->grab().toImage(), view_->look().scene.time);
+  } catch (const std::exception& error) {
+    stop_film();
+    trouble_->setText(tr("The film has ended: %1").arg(error.what()));
+  }
+}
+
+void EnvironmentWindow::closeEvent(QCloseEvent* event) {
+  // Now: a process whose last window is closed may end without destroying it.
+  stop_film();
+  timer_.stop();
+  keep_layout();
+  QMainWindow::closeEvent(event);
+}
+
+void EnvironmentWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  timer_.start(kRefresh_ms);
+}
+
+void EnvironmentWindow::keep_layout() {
+  QSettings settings;
+  settings.setValue("environment/geometry", saveGeometry());
+  settings.setValue("environment/state", saveState());
 }
 
 void EnvironmentWindow::show_time() {

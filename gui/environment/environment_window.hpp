@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 
+#include "environment/add_robot_panel.hpp"
 #include "environment/error_panel.hpp"
 #include "environment/event_log.hpp"
 #include "environment/film.hpp"
@@ -23,8 +24,9 @@ namespace eyebridge::gui {
 class EnvironmentWindow final : public QMainWindow {
   Q_OBJECT
  public:
-  /// `environment` is lent.
-  EnvironmentWindow(hal::Environment& environment, const QString& program);
+  /// `environment` and `crew` are lent; null where nobody can be added.
+  EnvironmentWindow(hal::Environment& environment, const QString& program,
+                    robios::Crew* crew = nullptr);
   ~EnvironmentWindow() override;
 
   [[nodiscard]] hal::Environment& environment() { return environment_; }
@@ -41,6 +43,10 @@ class EnvironmentWindow final : public QMainWindow {
   void stop_film();
   [[nodiscard]] SceneView& scene() { return *scene_; }
 
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+
  private:
   QAction* add_action(QMenu& menu, const QString& text, const QKeySequence& key,
                       const std::function<void()>& act);
@@ -51,9 +57,11 @@ class EnvironmentWindow final : public QMainWindow {
   void make_robot_menu();
   void make_view_menu();
   void make_scene_menu(QMenu& menu);
-  void make_docks();
+  void make_docks(robios::Crew* crew);
   void make_status();
   void refresh();
+  void add_to_film();
+  void keep_layout();
   void show_time();
   void ask_for_picture();
   void ask_for_film();
@@ -67,9 +75,12 @@ class EnvironmentWindow final : public QMainWindow {
   SceneView* scene_ = nullptr;
   QDockWidget* scene_dock_ = nullptr;
   ErrorPanel* errors_ = nullptr;
+  AddRobotPanel* adding_ = nullptr;
   std::optional<Film> film_;
   QAction* film_switch_ = nullptr;
   QAction* drive_ = nullptr;
+  QAction* measure_ = nullptr;
+  QDockWidget* adding_dock_ = nullptr;
   QAction* pause_ = nullptr;
   QAction* step_ = nullptr;
   QAction* follow_ = nullptr;

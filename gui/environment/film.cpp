@@ -6,8 +6,8 @@
 namespace eyebridge::gui {
 namespace {
 
-// What videos are made of; and a world that jumps by hours makes no film of hours.
-constexpr int kMostAtOnce = 250;
+// A world that is much faster than this window, or jumps, does not hold it up.
+constexpr int kMostAtOnce = 5;
 
 camera::Size even(const QImage& picture) { return {picture.width() & ~1, picture.height() & ~1}; }
 
@@ -49,7 +49,7 @@ void Film::add(const QImage& picture, double time) {
     video_->add(frame);
     next_ = start_ + ++count_ / kRate;
   }
-  if (is_due(time)) {  // the world has jumped: the film goes on from there
+  if (is_due(time)) {  // the film goes on from there
     start_ = time - (count_ - 1) / kRate;
     next_ = start_ + count_ / kRate;
   }

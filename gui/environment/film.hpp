@@ -9,7 +9,7 @@
 namespace eyebridge::gui {
 
 /// A film of a view: 25 pictures for each second of the world, so that it shows a paused world for
-/// no time and a fast one at its own pace.
+/// no time. A world that is more than some times faster than real time is shown faster.
 class Film {
  public:
   static constexpr double kRate = 25.0;

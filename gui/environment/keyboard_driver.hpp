@@ -14,7 +14,8 @@ class KeyboardDriver {
   static bool knows(int key);
 
   void press(int key) { down_.insert(key); }
-  void release(int key) { down_.erase(key); }
+  /// False where it was not down: who pressed it meant another robot, or nobody was driving.
+  bool release(int key) { return down_.erase(key) > 0; }
   void release_all() { down_.clear(); }
   [[nodiscard]] bool any() const { return !down_.empty(); }
 

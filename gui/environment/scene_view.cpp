@@ -97,6 +97,7 @@ void SceneView::draw() {
       picture_ =
           QImage(seen.bytes.data(), seen.width, seen.height, seen.stride, QImage::Format_RGB888)
               .copy();
+      ++count_;
     } else {
       trouble_ = QString::fromStdString(frame.error().what);
       source_.reset();

@@ -34,6 +34,8 @@ class SceneView final : public QWidget {
   [[nodiscard]] const Orbit& orbit() const { return orbit_; }
   /// What was drawn last; null before that.
   [[nodiscard]] const QImage& picture() const { return picture_; }
+  /// How many have been drawn.
+  [[nodiscard]] int count() const { return count_; }
   /// All of the floor.
   void fit();
 
@@ -58,6 +60,7 @@ class SceneView final : public QWidget {
   bool is_opened_ = false;
   QString trouble_;  ///< Why there is no picture.
   QImage picture_;
+  int count_ = 0;
   Orbit orbit_;
   bool is_placed_ = false;  ///< The orbit is where it was put, not where it is by default.
   From from_ = From::Free;

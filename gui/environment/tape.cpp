@@ -37,4 +37,18 @@ void paint_tape(QPainter& painter, const Viewport& view, const Tape& tape) {
   painter.drawText(box, Qt::AlignCenter, text);
 }
 
+void paint_place(QPainter& painter, const Viewport& view, const Pose& place) {
+  constexpr double kLength = 40.0;  // pixels
+  constexpr double kTip = 10.0;
+  painter.save();
+  painter.translate(view.to_pixel(place.position()));
+  painter.rotate(-rad_to_deg(place.theta));
+  painter.setPen(QPen(QColor(0, 120, 0), 3.0));
+  painter.drawLine(QPointF(0, -kTip), QPointF(0, kTip));
+  painter.drawLine(QPointF(0, 0), QPointF(kLength, 0));
+  painter.drawLine(QPointF(kLength, 0), QPointF(kLength - kTip, kTip));
+  painter.drawLine(QPointF(kLength, 0), QPointF(kLength - kTip, -kTip));
+  painter.restore();
+}
+
 }  // namespace eyebridge::gui

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include "environment/paint_world.hpp"
 
@@ -100,8 +101,9 @@ void WorldView::set_tool(Tool tool) {
   tool_ = tool;
   measures_ = false;
   tape_.reset();
+  place_.reset();
   grip_.reset();
-  if (tool == Tool::Tape) {
+  if (tool != Tool::Hand) {
     setCursor(Qt::CrossCursor);
   } else {
     unsetCursor();
@@ -129,6 +131,7 @@ void WorldView::paintEvent(QPaintEvent* /*event*/) {
     }
   }
   if (tape_) paint_tape(painter, view_, *tape_);
+  if (place_) paint_place(painter, view_, *place_);
 }
 
 void WorldView::paint_robots_layers(QPainter& painter) {
@@ -164,6 +167,11 @@ void WorldView::resizeEvent(QResizeEvent* /*event*/) {
 
 void WorldView::mousePressEvent(QMouseEvent* event) {
   const Vec2 place = view_.to_world(event->position());
+  if (event->button() == Qt::LeftButton && tool_ == Tool::Place) {
+    place_ = Pose{place.x, place.y, 0.0};
+    update();
+    return;
+  }
   if (event->button() == Qt::LeftButton && tool_ == Tool::Tape) {
     tape_ = Tape{place, place};
     measures_ = true;
@@ -185,6 +193,11 @@ void WorldView::mouseMoveEvent(QMouseEvent* event) {
   const Vec2 place = view_.to_world(event->position());
   if (on_pointer) on_pointer(place);
   if (grip_) carry(place);
+  if (place_ && norm(place - place_->position()) * view_.pixels_per_metre() > kSlack) {
+    const Vec2 way = place - place_->position();
+    place_->theta = arc_tan2(way.y, way.x);
+    update();
+  }
   if (measures_) {
     tape_->to = place;
     update();
@@ -200,7 +213,8 @@ void WorldView::mouseReleaseEvent(QMouseEvent* /*event*/) {
   grip_.reset();
   pan_from_.reset();
   measures_ = false;
-  setCursor(tool_ == Tool::Tape ? Qt::CrossCursor : Qt::ArrowCursor);
+  setCursor(tool_ == Tool::Hand ? Qt::ArrowCursor : Qt::CrossCursor);
+  if (const auto place = std::exchange(place_, {}); place && on_place) on_place(*place);
 }
 
 void WorldView::carry(Vec2 place) {
@@ -250,8 +264,7 @@ void WorldView::keyPressEvent(QKeyEvent* event) {
 void WorldView::keyReleaseEvent(QKeyEvent* event) {
   if (!drives_ || !KeyboardDriver::knows(event->key())) return QWidget::keyReleaseEvent(event);
   if (event->isAutoRepeat()) return;
-  driver_.release(event->key());
-  drive();
+  if (driver_.release(event->key())) drive();
 }
 
 void WorldView::focusOutEvent(QFocusEvent* event) {

@@ -29,8 +29,9 @@ struct Layers {
 
 /// What the left button is.
 enum class Tool {
-  Hand,  ///< Takes robots and things, moves the picture.
-  Tape,  ///< Measures.
+  Hand,   ///< Takes robots and things, moves the picture.
+  Tape,   ///< Measures.
+  Place,  ///< Shows where something shall stand, and by dragging where it shall look.
 };
 
 /// The world from above. The left button takes a robot by its middle to carry it, or by its rim to
@@ -72,6 +73,8 @@ class WorldView final : public QWidget {
 
   /// Told of each look at the world, also of those that a person's doings bring.
   std::function<void(const hal::WorldLook&)> on_look;
+  /// Told of a place that was shown.
+  std::function<void(const Pose&)> on_place;
   /// Told where the pointer is, in the world; and why something could not be done.
   std::function<void(Vec2)> on_pointer;
   std::function<void(const QString&)> on_trouble;
@@ -110,7 +113,8 @@ class WorldView final : public QWidget {
   std::optional<QPointF> pan_from_;
   Tool tool_ = Tool::Hand;
   std::optional<Tape> tape_;
-  bool measures_ = false;  ///< The tape's end is at the pointer.
+  std::optional<Pose> place_;  ///< That is being shown.
+  bool measures_ = false;      ///< The tape's end is at the pointer.
   bool drives_ = false;
   KeyboardDriver driver_;
   QImage texture_;

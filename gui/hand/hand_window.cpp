@@ -1,6 +1,7 @@
 #include "hand/hand_window.hpp"
 
 #include <QAction>
+#include <QCloseEvent>
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
@@ -49,6 +50,16 @@ HandWindow::HandWindow(const robios::HandStart& start)
 }
 
 HandWindow::~HandWindow() {
+  if (isVisible()) keep_layout();
+}
+
+void HandWindow::closeEvent(QCloseEvent* event) {
+  // Now: a process whose last window is closed may end without destroying it.
+  keep_layout();
+  QMainWindow::closeEvent(event);
+}
+
+void HandWindow::keep_layout() {
   QSettings settings;
   settings.setValue("hand/geometry", saveGeometry());
   settings.setValue("hand/state", saveState());

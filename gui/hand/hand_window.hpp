@@ -31,7 +31,11 @@ class HandWindow final : public QMainWindow {
   /// Below: the pose and its uncertainty, or why there is none.
   [[nodiscard]] QString place_text() const { return place_->text(); }
 
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
  private:
+  void keep_layout();
   void make_menus(QDockWidget& camera);
   void refresh();
   void show_place(const hal::HandLook& look);

@@ -1,11 +1,14 @@
 #include "panel/panel_window.hpp"
 
+#include <QApplication>
+#include <QCloseEvent>
 #include <QDockWidget>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QScreen>
 #include <QSettings>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "keys.hpp"
 #include "panel/frame_image.hpp"
@@ -51,10 +54,26 @@ PanelWindow::PanelWindow(const robios::PanelStart& start)
 }
 
 PanelWindow::~PanelWindow() {
+  if (isVisible()) keep_layout();
+  presses_.set_window(false);
+}
+
+void PanelWindow::keep_layout() {
   QSettings settings;
   settings.setValue("panel/geometry", saveGeometry());
   settings.setValue("panel/state", saveState());
-  presses_.set_window(false);
+}
+
+void PanelWindow::closeEvent(QCloseEvent* event) {
+  // Now: a process whose last window is closed may end without destroying it.
+  keep_layout();
+  QMainWindow::closeEvent(event);
+  // Nobody can press its keys any more. With the last window the whole program ends, politely.
+  const auto others = QApplication::topLevelWidgets();
+  const bool is_last = std::ranges::none_of(others, [this](const QWidget* other) {
+    return other != this && other->isWindow() && other->isVisible();
+  });
+  if (!is_last) presses_.set_window(false);
 }
 
 void PanelWindow::make_screen() {
@@ -141,6 +160,8 @@ void PanelWindow::tell(const QString& text) {
 void PanelWindow::tell_end(const QString& how) {
   refresh();
   if (inspector_ != nullptr) inspector_->refresh();
+  if (speaker_ != nullptr) speaker_->put_out();
+  timer_.stop();
   tell(how);
   for (QPushButton* key : keys_) key->setEnabled(false);
   remote_->setEnabled(false);

@@ -45,9 +45,11 @@ class PanelWindow final : public QMainWindow {
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void keep_layout();
   void make_screen();
   void make_docks(const robios::PanelStart& start);
   void make_menus();

@@ -47,6 +47,11 @@ void Speaker::refresh() {
   update();
 }
 
+void Speaker::put_out() {
+  is_lit_ = false;
+  update();
+}
+
 QSize Speaker::sizeHint() const {
   const int line = fontMetrics().height();
   return {line + 8 + fontMetrics().horizontalAdvance("20000 Hz, 60.00 s"), line + 6};

@@ -18,6 +18,8 @@ class Speaker final : public QWidget {
 
   /// Looks whether something plays now.
   void refresh();
+  /// The program has ended, and its clock does not go on.
+  void put_out();
   [[nodiscard]] bool is_lit() const { return is_lit_; }
   [[nodiscard]] const QString& text() const { return text_; }
 

@@ -2,7 +2,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <exception>
 #include <thread>
 #include <utility>
 
@@ -47,8 +46,7 @@ hal::Newcomer read_newcomer(const Words& words, const hal::SharedWorld& world) {
   return newcomer;
 }
 
-Door::Door(hal::SharedWorld& world, Add add)
-    : world_(world), add_(std::move(add)), door_(open_door()) {
+Door::Door(Add add) : add_(std::move(add)), door_(open_door()) {
   if (!door_.valid()) return;
   std::thread thread([this] { answer_all(); });
   pthread_setname_np(thread.native_handle(), "eb:door");
@@ -66,13 +64,9 @@ void Door::answer_all() {
 }
 
 Words Door::answer(const Words& words) {
-  try {
-    const Result<std::size_t> index = add_(read_newcomer(words, world_));
-    if (index) return {"ok", std::to_string(*index + 1)};
-    return {"error", index.error().what};
-  } catch (const std::exception& error) {
-    return {"error", error.what()};
-  }
+  const Result<std::size_t> index = add_(words);
+  if (index) return {"ok", std::to_string(*index + 1)};
+  return {"error", index.error().what};
 }
 
 }  // namespace eyebridge::robios

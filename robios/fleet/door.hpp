@@ -13,11 +13,11 @@ namespace eyebridge::robios {
 class Door {
  public:
   /// Lets a robot in: its index.
-  using Add = std::function<Result<std::size_t>(hal::Newcomer)>;
+  using Add = std::function<Result<std::size_t>(const Words&)>;
 
   /// Answers from a thread of its own from now on; where the system refuses, it stays shut.
-  /// `world` and what `add` has are lent for the life of the process.
-  Door(hal::SharedWorld& world, Add add);
+  /// What `add` has is lent for the life of the process.
+  explicit Door(Add add);
   [[nodiscard]] bool is_open() const { return door_.valid(); }
   /// Nobody finds it any more. Any thread.
   static void close() noexcept { close_door(); }
@@ -28,7 +28,6 @@ class Door {
   void answer_all();
   [[nodiscard]] Words answer(const Words& words);
 
-  hal::SharedWorld& world_;
   const Add add_;
   const UniqueFd door_;
   std::mutex answering_;  ///< Held from a question to its answer.

@@ -84,6 +84,14 @@ Result<std::size_t> Fleet::add(hal::Newcomer newcomer) {
   return scheduler_->let_in(*this, std::move(newcomer));
 }
 
+Result<std::size_t> Fleet::add(const Words& words) {
+  try {
+    return add(read_newcomer(words, *world_));
+  } catch (const std::exception& error) {
+    return fail(Errc::OutOfRange, error.what());
+  }
+}
+
 RobotProgram Fleet::program_of(const hal::Newcomer& newcomer) const {
   if (newcomer.program.empty()) return {};
   return programs_of({{newcomer.model.name, newcomer.program, newcomer.arguments}}, {}, scenario_)
@@ -135,7 +143,7 @@ int Fleet::run() {
   the_fleet = this;
   watch_signals([](int) { the_fleet->stop(); }, [] { the_fleet->scheduler_->look(); });
   const std::vector<Robot*> robots_at_start = robots();
-  door_.emplace(*world_, [this](hal::Newcomer newcomer) { return add(std::move(newcomer)); });
+  door_.emplace([this](const Words& words) { return add(words); });
   if (!door_->is_open()) {
     log_.write(
         Severity::Info,
@@ -143,7 +151,7 @@ int Fleet::run() {
         "be this user's alone");
   }
   if (windows_ != nullptr) {
-    show_world(*windows_, world_->environment());
+    show_world(*windows_, world_->environment(), this);
   } else if (world_->environment().starts_paused()) {
     log_.write(Severity::Info, kPauseIgnored);
   }

@@ -20,12 +20,12 @@
 namespace eyebridge::robios {
 
 /// Several robots in one world, each with its program, from their start to the last one's end.
-class Fleet {
+class Fleet final : public Crew {
  public:
   /// `words` as programs_of() takes them; `calls` are set before a thread is there that asks them.
   /// Throws ConfigError.
   Fleet(hal::Config config, const std::vector<std::string>& words, eyebridge_robot_calls& calls);
-  ~Fleet();
+  ~Fleet() override;
   Fleet(const Fleet&) = delete;
   Fleet& operator=(const Fleet&) = delete;
 
@@ -36,6 +36,7 @@ class Fleet {
   /// whichever is next; a scenario's own newcomers come at their times by themselves. OutOfRange
   /// where it would stand in something. Any thread but those of programs, in virtual time.
   Result<std::size_t> add(hal::Newcomer newcomer);
+  Result<std::size_t> add(const Words& words) override;
   [[nodiscard]] hal::SharedWorld& world() { return *world_; }
   /// end(), for a signal that ends the process then: run() does not return. Any thread.
   void stop();

@@ -37,12 +37,14 @@ void Keys::press(int key) {
   }
   const std::lock_guard lock(mutex_);
   presses_.push_back(key);
+  ++inputs_;
   pressed_.notify_all();
 }
 
 void Keys::touch(int x, int y) {
   const std::lock_guard lock(mutex_);
   add_touch({x, y});
+  ++inputs_;
   pressed_.notify_all();
 }
 
@@ -125,6 +127,7 @@ auto Keys::wait_for(Wanted wanted, const WaitUntil& wait_until, Take take)
     take_terminal(std::chrono::milliseconds{0});
     std::optional<Time> next;
     bool window = false;
+    std::uint64_t inputs = 0;
     {
       const std::lock_guard lock(mutex_);
       take_script();
@@ -135,6 +138,7 @@ auto Keys::wait_for(Wanted wanted, const WaitUntil& wait_until, Take take)
         next = script_[next_].at;
       }
       window = window_;
+      inputs = inputs_;
     }
     bool typed = false;
     if (terminal_ != nullptr) {
@@ -157,8 +161,8 @@ auto Keys::wait_for(Wanted wanted, const WaitUntil& wait_until, Take take)
       take_terminal(kSlice);
     } else {
       std::unique_lock lock(mutex_);
-      pressed_.wait(
-          lock, [&] { return !presses_.empty() || last_touch_ || !remote_.empty() || !window_; });
+      // For something new: what is there already is not what is wanted.
+      pressed_.wait(lock, [&] { return inputs_ != inputs || !window_; });
     }
   }
 }
@@ -180,6 +184,7 @@ void Keys::press_remote(int code) {
   }
   const std::lock_guard lock(mutex_);
   remote_.push_back(code);
+  ++inputs_;
   pressed_.notify_all();
 }
 

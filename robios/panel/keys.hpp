@@ -97,6 +97,7 @@ class Keys {
   std::unique_ptr<KeyInput> terminal_;
   std::function<int(int, int)> key_at_;
   bool window_ = false;
+  std::uint64_t inputs_ = 0;  ///< How many a window has brought.
   std::deque<int> presses_;
   std::deque<int> remote_;
   bool uses_remote_ = false;  // else letters and digits that are typed are not kept

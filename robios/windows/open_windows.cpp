@@ -48,13 +48,13 @@ Windows* open_windows(const hal::Config& config, LogSink& log) {
   return nullptr;
 }
 
-void show_world(Windows& windows, hal::Environment& environment) {
+void show_world(Windows& windows, hal::Environment& environment, Crew* crew) {
   static std::mutex mutex;
   static std::set<hal::Environment*> shown;
   const std::lock_guard lock(mutex);
   if (!shown.insert(&environment).second) return;
   if (environment.starts_paused()) environment.time().pause();
-  windows.open_environment(environment);
+  windows.open_environment(environment, crew);
 }
 
 }  // namespace eyebridge::robios

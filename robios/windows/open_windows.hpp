@@ -13,7 +13,7 @@ namespace eyebridge::robios {
 Windows* open_windows(const hal::Config& config, LogSink& log);
 
 /// Opens the window on a world, paused if that wants to begin so; once.
-void show_world(Windows& windows, hal::Environment& environment);
+void show_world(Windows& windows, hal::Environment& environment, Crew* crew = nullptr);
 
 /// What the log says where a world wants that and there is no window.
 inline constexpr const char* kPauseIgnored =

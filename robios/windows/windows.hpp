@@ -1,7 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
+#include <vector>
+
+#include "eyebridge/base/result.hpp"
 
 namespace eyebridge {
 namespace camera {
@@ -35,6 +39,18 @@ struct HandStart {
   const camera::LatestFrame* frames = nullptr;
 };
 
+/// Who lets robots into a world while its programs run: a run of several. Any thread but those of
+/// programs.
+class Crew {
+ public:
+  virtual ~Crew() = default;
+
+  /// Adds a robot, in the words of `eyebridge add`: MODEL x y phi [PROGRAM [ARGUMENTS]],
+  /// millimetres and degrees. Its index, from 0; or why it cannot come. Returns when the run has
+  /// let it in, which one that is paused does not.
+  virtual Result<std::size_t> add(const std::vector<std::string>& words) = 0;
+};
+
 /// What windows need of the process that they are in.
 struct WindowsStart {
   /// A person closed the last window while the program runs. Called from the windows' thread.
@@ -50,8 +66,8 @@ class Windows {
 
   virtual void open_panel(const PanelStart& start) = 0;
   virtual void open_hand_view(const HandStart& start) = 0;
-  /// Shows a world, lent like all; called once for each.
-  virtual void open_environment(hal::Environment& environment) = 0;
+  /// Shows a world, lent like all; called once for each. `crew` is null where nobody can be added.
+  virtual void open_environment(hal::Environment& environment, Crew* crew) = 0;
   /// Opens a file to be edited: a world, maze or simulation (.wld, .maz, .sim), or a program.
   /// Without a name, a new world.
   virtual void edit(const std::string& path) = 0;
@@ -61,7 +77,7 @@ class Windows {
 };
 
 /// Both sides are of one version, or they do not talk.
-inline constexpr int kWindowsVersion = 3;
+inline constexpr int kWindowsVersion = 4;
 
 /// What the plug-in exports as `eyebridge_open_windows`: null, and `why`, where windows cannot be.
 /// They live as long as the process.

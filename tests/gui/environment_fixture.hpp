@@ -3,8 +3,11 @@
 #include <QAction>
 #include <QSettings>
 #include <QTest>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -18,7 +21,7 @@ class EnvironmentFixture : public ::testing::Test {
  protected:
   void SetUp() override {
     QSettings().clear();  // as the first window of all
-    window_.emplace(room_.environment(), "square");
+    window_.emplace(room_.environment(), "square", &crew_);
     window_->resize(1000, 900);
     window_->show();
     window_->activateWindow();  // shortcuts are those of the active window
@@ -53,6 +56,18 @@ class EnvironmentFixture : public ::testing::Test {
     return false;
   }
 
+  /// Keeps what it was asked for, and lets nobody in.
+  struct AskedCrew final : robios::Crew {
+    Result<std::size_t> add(const std::vector<std::string>& asked) override {
+      const std::lock_guard lock(mutex);
+      words = asked;
+      return fail(Errc::OutOfRange, "the run has ended");
+    }
+    std::mutex mutex;
+    std::vector<std::string> words;
+  };
+
+  AskedCrew crew_;
   Room room_;
   std::optional<EnvironmentWindow> window_;
 };

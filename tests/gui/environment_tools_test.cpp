@@ -2,6 +2,8 @@
 // 3D.
 #include <QComboBox>
 #include <QDockWidget>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QSlider>
 #include <QTest>
 #include <QWheelEvent>
@@ -30,6 +32,11 @@ class Tools : public testing::EnvironmentFixture {
       most = std::max(most, range);
     }
     return most - least;
+  }
+  /// One that was begun after now.
+  void wait_for_another_picture() {
+    const int before = window_->scene().count();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return window_->scene().count() > before; }, 60'000));
   }
   template <class Widget>
   Widget& child(const char* name) {
@@ -84,9 +91,33 @@ TEST_F(Tools, ArrowKeysDriveTheChosenRobotWhileTheyAreDown) {
 TEST_F(Tools, WhoLooksAwayStopsDriving) {
   QTest::keyClick(&*window_, Qt::Key_K);
   QTest::keyPress(&window_->view(), Qt::Key_Up);
+  room_.pass(0.2);
+  EXPECT_GT(room_.pose(1).x, 0.505);
   window_->view().clearFocus();
   room_.pass(1.0);
-  EXPECT_LT(room_.pose(1).x, 0.505);
+  const Pose stopped = room_.pose(1);
+  room_.pass(1.0);
+  EXPECT_EQ(room_.pose(1), stopped);
+}
+
+TEST_F(Tools, AKeyThatIsReleasedStopsOnlyWhomItDrove) {
+  QTest::keyClick(&*window_, Qt::Key_K);
+  QTest::keyPress(&window_->view(), Qt::Key_Up);
+  window_->view().choose(1);
+  ASSERT_TRUE(room_.environment().drive(1, {0.1, 0.0}));  // its program
+  QTest::keyRelease(&window_->view(), Qt::Key_Up);
+  room_.pass(1.0);
+  EXPECT_LT(room_.pose(2).x, 1.45) << "robot 2 goes on";
+}
+
+TEST_F(Tools, AFilmIsWholeWhenItsWindowIsClosed) {
+  const eyebridge::testing::ScratchFolder folder;
+  const std::string path = folder.path() + "/room.mp4";
+  ASSERT_TRUE(window_->start_film(QString::fromStdString(path)));
+  window_->close();
+  JumpingClock clock;
+  const auto source = camera::open_source("frames:" + path, {&clock, nullptr, nullptr});
+  EXPECT_TRUE(source->next(clock.now() + std::chrono::seconds(1)));
 }
 
 TEST_F(Tools, ErrorsAreSetForAllAndForOne) {
@@ -182,10 +213,10 @@ TEST_F(Tools, TheEyeIsTheRobots) {
   child<QDockWidget>("scene").setFloating(true);
   child<QDockWidget>("scene").resize(480, 360);
   ASSERT_TRUE(QTest::qWaitFor([&] { return scene.picture().size() == scene.size(); }));
-  QTest::qWait(150);  // some pictures later
+  wait_for_another_picture();
   EXPECT_TRUE(testing::looks_as(scene.picture(), "scene-robot"));
   action("Behind the robot").trigger();
-  QTest::qWait(150);
+  wait_for_another_picture();
   EXPECT_TRUE(testing::looks_as(scene.picture(), "scene-behind"));
 }
 
@@ -199,6 +230,35 @@ TEST(Orbit, StaysAboveTheFloorAndBelowTheTop) {
   EXPECT_EQ(orbit.distance, Orbit::kFarthest);
   orbit.move_away(1e-9);
   EXPECT_EQ(orbit.distance, Orbit::kNearest);
+}
+
+TEST_F(Tools, ARobotIsAskedForWhereThePersonShows) {
+  QTest::keyClick(&*window_, Qt::Key_A);
+  auto& program = child<QLineEdit>("add_program");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return program.isVisible(); }));
+  EXPECT_EQ(child<QComboBox>("add_model").currentText(), "S4");
+  child<QComboBox>("add_model").setEditText("LabBot");
+  QTest::keyClicks(&program, "./prog 3 \"two words\"");
+  QTest::mouseClick(&child<QPushButton>("add_place"), Qt::LeftButton);
+  window_->view().fit();
+  drag(at(1.0, 0.7), at(1.0, 0.9));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return trouble() == "the run has ended"; }));
+  const std::lock_guard lock(crew_.mutex);
+  ASSERT_EQ(crew_.words.size(), 7U);
+  EXPECT_EQ(crew_.words[0], "LabBot");
+  EXPECT_NEAR(std::stod(crew_.words[1]), 1000.0, 5.0);
+  EXPECT_NEAR(std::stod(crew_.words[2]), 700.0, 5.0);
+  EXPECT_NEAR(std::stod(crew_.words[3]), 90.0, 1.0);
+  EXPECT_EQ(crew_.words[4], "./prog");
+  EXPECT_EQ(crew_.words[6], "two words");
+  QTest::keyClick(&*window_, Qt::Key_M);
+  EXPECT_FALSE(child<QPushButton>("add_place").isChecked()) << "one tool at a time";
+}
+
+TEST(AddRobot, IsNotOfferedWhereARunHasOne) {
+  testing::Room room;
+  EnvironmentWindow window(room.environment(), "square");
+  EXPECT_FALSE(window.findChild<QPushButton*>("add_place")->isEnabled());
 }
 
 TEST(FloorTexture, IsDrawnWithItsUpperEdgeAtTheWorlds) {
