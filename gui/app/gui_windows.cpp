@@ -74,7 +74,7 @@ void GuiWindows::run_application() {
   panels_.clear();
   hand_views_.clear();
   environments_.clear();
-  editors_.clear();
+  for (const auto& window : editors_) delete window;
 }
 
 bool GuiWindows::post(std::function<void()> action) {
@@ -126,26 +126,24 @@ void GuiWindows::edit(const std::string& path) {
 void GuiWindows::open_editor(const QString& file) {
   const QString ending = QFileInfo(file).suffix().toLower();
   const bool is_world = file.isEmpty() || ending == "wld" || ending == "maz" || ending == "sim";
-  std::unique_ptr<QWidget> window;
+  QWidget* window = nullptr;
   if (is_world) {
-    window = std::make_unique<EditorWindow>(file);
+    window = new EditorWindow(file);
   } else {
 #ifdef EYEBRIDGE_HAVE_CODE_PANEL
-    window = std::make_unique<CodeWindow>(QStringList(file), CodeSettings::defaults());
+    window = new CodeWindow(QStringList(file), CodeSettings::defaults());
 #else
-    QMessageBox* const box =
-        new QMessageBox(QMessageBox::Warning, "EyeBridge",
-                        QCoreApplication::translate(
-                            "GuiWindows",
-                            "%1 cannot be opened: this EyeBridge was built without QScintilla "
-                            "(libqscintilla2-qt6-dev), which its code panel needs")
-                            .arg(file));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
-    return;
+    window = new QMessageBox(QMessageBox::Warning, "EyeBridge",
+                             QCoreApplication::translate(
+                                 "GuiWindows",
+                                 "%1 cannot be opened: this EyeBridge was built without QScintilla "
+                                 "(libqscintilla2-qt6-dev), which its code panel needs")
+                                 .arg(file));
 #endif
   }
-  show(*editors_.emplace_back(std::move(window)));
+  window->setAttribute(Qt::WA_DeleteOnClose);
+  editors_.emplace_back(window);
+  show(*window);
 }
 
 void GuiWindows::show(QWidget& window) {
@@ -176,7 +174,7 @@ void GuiWindows::finish(const std::string& how) {
       view->tell_end(text);
       any = any || view->isVisible();
     }
-    for (const auto& window : editors_) any = any || window->isVisible();
+    for (const auto& window : editors_) any = any || (window && window->isVisible());
     for (const auto& window : environments_) {
       window->tell_end(text);
       any = any || window->isVisible();

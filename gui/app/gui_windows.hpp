@@ -1,6 +1,8 @@
 #pragma once
 
+#include <QPointer>
 #include <QString>
+#include <QWidget>
 #include <atomic>
 #include <condition_variable>
 #include <functional>
@@ -11,8 +13,6 @@
 #include <vector>
 
 #include "windows/windows.hpp"
-
-class QWidget;
 
 namespace eyebridge::gui {
 
@@ -56,7 +56,8 @@ class GuiWindows final : public robios::Windows {
   std::vector<std::unique_ptr<PanelWindow>> panels_;
   std::vector<std::unique_ptr<HandWindow>> hand_views_;
   std::vector<std::unique_ptr<EnvironmentWindow>> environments_;
-  std::vector<std::unique_ptr<QWidget>> editors_;
+  std::vector<QPointer<QWidget>>
+      editors_;         ///< They go when they are closed, and so do their locks.
   std::thread thread_;  ///< Last: it uses the others.
 };
 

@@ -23,7 +23,9 @@ Windows* load_windows(const std::filesystem::path& folder, WindowsStart start, s
     why = file.string() + " has no windows in it; expected the plug-in of this EyeBridge";
     return nullptr;
   }
-  return open(kWindowsVersion, std::move(start), why);
+  // Kept: they live as long as the process.
+  static Windows* const windows = open(kWindowsVersion, std::move(start), why);
+  return windows;
 }
 
 }  // namespace eyebridge::robios
