@@ -63,7 +63,7 @@ TEST_F(Session, PanelThenEnvironmentAndBothStayAtTheEnd) {
       [&] { return person_.picture(panel).pixelColor(50, 100) == QColor(255, 0, 0); }));
   person_.type(panel, '1');
   const xcb_window_t environment = person_.window("drives – environment");
-  program.wait_for("at 100\n");
+  EXPECT_EQ(person_.window("environment – ended"), environment);
   EXPECT_THAT(person_.titles(), Contains(HasSubstr("drives – robot")));
   person_.close(environment);
   person_.wait_until_gone("environment");
@@ -82,7 +82,7 @@ TEST_F(Session, WindowsInVirtualTimeWhereTheyAreAskedFor) {
   RunningProgram quiet(start({"--fast", "--keys", "KEY1@1s"}));
   EXPECT_EQ(quiet.wait(), 7) << quiet.said();
   RunningProgram shown(start({"--fast", "--gui", "--keys", "KEY1@1s"}));
-  const xcb_window_t environment = person_.window("drives – environment");
+  const xcb_window_t environment = person_.window("drives – environment – ended");
   person_.close(person_.window("drives – robot"));
   person_.close(environment);
   EXPECT_EQ(shown.wait(), 7) << shown.said();
