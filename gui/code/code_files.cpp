@@ -252,6 +252,7 @@ void CodeWindow::close_page(Page& page) {
 
 void CodeWindow::remove_page(Page& page) {
   page.on_change = {};
+  if (ran_ == &page) ran_.clear();
   if (!page.path().isEmpty()) watcher_.removePath(page.path());
   recovery_.forget(page.number());
   QDir(copy_folder(page)).removeRecursively();

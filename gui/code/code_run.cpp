@@ -98,7 +98,7 @@ Page* CodeWindow::page_for(const QString& file, bool opens) {
   if (!named.exists() && !source_.home.isEmpty()) named = QFileInfo(QDir(source_.home), file);
   // Compilers and Python may name it by another way than we do.
   const QString path = named.exists() ? named.canonicalFilePath() : named.absoluteFilePath();
-  if (path == QFileInfo(source_.file).canonicalFilePath()) return ran_;
+  if (path == QFileInfo(source_.file).canonicalFilePath() && ran_) return ran_;
   if (Page* const open = page_of(path)) return open;
   return opens && named.isFile() ? open_file(path) : nullptr;
 }

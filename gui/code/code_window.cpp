@@ -155,6 +155,8 @@ void CodeWindow::closeEvent(QCloseEvent* event) {
     is_closing_ = true;
   }
   if (runner_->state() != Runner::State::Idle) {
+    // What is typed from now on would be saved by nobody.
+    centralWidget()->setEnabled(false);
     runner_->stop();  // its end closes us
     return;
   }

@@ -229,7 +229,10 @@ void Editor::show_text(const QString& text) {
 
 void Editor::mark(int line, Message::Severity severity) {
   if (severity == Message::Severity::Note || line < 1 || line > lines()) return;
-  markerAdd(line - 1, severity == Message::Severity::Error ? kErrorMark : kWarningMark);
+  const int mark = severity == Message::Severity::Error ? kErrorMark : kWarningMark;
+  // A second one would lie behind it: a program that repeats itself would add them for ever.
+  if ((markersAtLine(line - 1) & (1U << mark)) != 0) return;
+  markerAdd(line - 1, mark);
 }
 
 void Editor::clear_marks() {

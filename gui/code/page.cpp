@@ -83,7 +83,8 @@ void Page::restore(const Draft& draft) {
 bool Page::save() {
   TextFile disk;
   const bool exists = QFileInfo::exists(path_);
-  if (exists && read_text(path_, disk).isEmpty() && disk.bytes != file_.bytes) {
+  // What cannot be read is not what we have read: it is not overwritten unasked, either.
+  if (exists && (!read_text(path_, disk).isEmpty() || disk.bytes != file_.bytes)) {
     look_at_disk();
     return false;
   }
@@ -137,7 +138,8 @@ void Page::look_at_disk() {
     return;
   }
   if (const QString trouble = read_text(path_, disk); !trouble.isEmpty()) {
-    tell(trouble, {{tr("Save as..."), [this] { on_save_as(); }}});
+    tell(trouble, {{tr("Overwrite it"), [this] { static_cast<void>(write(path_)); }},
+                   {tr("Save as..."), [this] { on_save_as(); }}});
     return;
   }
   if (disk.bytes == file_.bytes) {

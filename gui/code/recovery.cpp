@@ -7,7 +7,7 @@
 #include <QJsonObject>
 #include <QUuid>
 
-#include "code/text_file.hpp"
+#include "parts/whole_file.hpp"
 
 namespace eyebridge::gui {
 namespace {

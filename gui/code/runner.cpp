@@ -7,6 +7,7 @@
 #include <cstring>
 #include <utility>
 
+#include <sys/prctl.h>
 #include <unistd.h>
 
 namespace eyebridge::gui {
@@ -58,7 +59,11 @@ void Runner::start_step() {
     end(false, tr("No terminal can be opened for the program's output"));
     return;
   }
-  process_->setChildProcessModifier([this] {
+  process_->setChildProcessModifier([this, windows = getpid()] {
+    // Without us nobody could stop it. Told when the thread that forks ends: the windows' thread,
+    // which lives as long as the process.
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (getppid() != windows) _exit(1);
     // A group of its own: what it starts is stopped with it. The windows' thread takes no signals,
     // which a child would inherit.
     setpgid(0, 0);

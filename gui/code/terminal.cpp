@@ -28,7 +28,7 @@ bool Terminal::open(std::function<void(const QByteArray&)> on_bytes) {
   notifier_ = std::make_unique<QSocketNotifier>(reader_.get(), QSocketNotifier::Read);
   QObject::connect(notifier_.get(), &QSocketNotifier::activated, notifier_.get(), [this] {
     // Once: other events want their turn, too.
-    if (!read_some()) notifier_->setEnabled(false);
+    if (read_some() == Got::End) notifier_->setEnabled(false);
   });
   return true;
 }
@@ -38,13 +38,16 @@ void Terminal::take_outputs() const {
   dup2(writer_.get(), STDERR_FILENO);
 }
 
-bool Terminal::read_some() {
+Terminal::Got Terminal::read_some() {
   std::array<char, 65536> bytes;
-  const ssize_t got = read(reader_.get(), bytes.data(), bytes.size());
-  if (got > 0) on_bytes_(QByteArray(bytes.data(), static_cast<qsizetype>(got)));
-  if (got > 0) return true;
-  // EIO: the last writer has closed it.
-  return got < 0 && errno == EINTR;
+  ssize_t got = 0;
+  do {
+    got = read(reader_.get(), bytes.data(), bytes.size());
+  } while (got < 0 && errno == EINTR);
+  if (got < 0 && errno == EAGAIN) return Got::NothingNow;
+  if (got <= 0) return Got::End;  // EIO: the last writer has closed it
+  on_bytes_(QByteArray(bytes.data(), static_cast<qsizetype>(got)));
+  return Got::Bytes;
 }
 
 void Terminal::finish() {
@@ -52,7 +55,7 @@ void Terminal::finish() {
   notifier_->setEnabled(false);
   // Somebody in the background may write for ever.
   constexpr int kMostReads = 1000;
-  for (int i = 0; i < kMostReads && read_some(); ++i) {
+  for (int i = 0; i < kMostReads && read_some() == Got::Bytes; ++i) {
   }
   notifier_.reset();
   reader_ = {};

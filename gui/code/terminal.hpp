@@ -23,8 +23,9 @@ class Terminal {
   void finish();
 
  private:
-  /// False when there is no more, now or ever.
-  bool read_some();
+  /// NothingNow: more may come.
+  enum class Got { Bytes, NothingNow, End };
+  Got read_some();
 
   UniqueFd reader_;
   UniqueFd writer_;

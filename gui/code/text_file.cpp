@@ -3,9 +3,10 @@
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 #include <QStringDecoder>
 #include <QStringEncoder>
+
+#include "parts/whole_file.hpp"
 
 namespace eyebridge::gui {
 namespace {
@@ -59,19 +60,6 @@ QString read_text(const QString& path, TextFile& file) {
     file.text = QString::fromLatin1(bytes);
   }
   return "";
-}
-
-QString write_whole(const QString& path, const QByteArray& bytes) {
-  QSaveFile disk(path);
-  // In a folder where no new files may be made the file itself may still be written.
-  disk.setDirectWriteFallback(true);
-  // flush(): commit() does not notice when the last of its buffer finds no room.
-  if (!disk.open(QIODevice::WriteOnly) || disk.write(bytes) != bytes.size() || !disk.flush()) {
-    const QString why = disk.errorString();
-    disk.cancelWriting();
-    return why;
-  }
-  return disk.commit() ? "" : disk.errorString();
 }
 
 QString write_text(const QString& path, TextFile& file) {

@@ -21,7 +21,4 @@ QString read_text(const QString& path, TextFile& file);
 /// read_text().
 QString write_text(const QString& path, TextFile& file);
 
-/// Writes the bytes, all of them or none. Returns "" or why not, in the system's words.
-QString write_whole(const QString& path, const QByteArray& bytes);
-
 }  // namespace eyebridge::gui

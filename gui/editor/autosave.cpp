@@ -5,11 +5,14 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QSettings>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QStandardPaths>
 #include <algorithm>
 #include <utility>
 #include <vector>
+
+#include "parts/whole_file.hpp"
 
 namespace eyebridge::gui {
 namespace {
@@ -32,8 +35,8 @@ QString key_of(const std::filesystem::path& path) {
   return info.completeBaseName() + '-' + QString::fromLatin1(hash.left(16));
 }
 
-std::string text_at(const QSettings& settings, const char* key) {
-  return settings.value(key).toString().toStdString();
+std::string text_at(const QJsonObject& kept, const char* key) {
+  return kept[key].toString().toStdString();
 }
 
 }  // namespace
@@ -41,7 +44,6 @@ std::string text_at(const QSettings& settings, const char* key) {
 bool Autosave::take(const QString& name) {
   const QString file = autosave_folder() + '/' + name + ".autosave";
   auto lock = std::make_unique<QLockFile>(file + ".editor");
-  // Not .lock: that is what QSettings locks the file with.
   lock->setStaleLockTime(0);  // only the end of its process makes a lock stale, never its age
   if (!lock->tryLock(0)) return false;
   file_ = file;
@@ -68,24 +70,31 @@ Autosave::Autosave(const std::filesystem::path& path) {
 bool Autosave::has_left() const { return is_ours() && QFile::exists(file_); }
 
 Plan Autosave::left() const {
-  const QSettings settings(file_, QSettings::IniFormat);
   const std::string name = file_.toStdString();
+  QFile disk(file_);
+  QByteArray bytes;
+  if (disk.open(QIODevice::ReadOnly)) bytes = disk.readAll();
+  const QJsonObject kept = QJsonDocument::fromJson(bytes).object();
+  if (!kept["ground"].isString() || !kept["simulation"].isString()) {
+    throw ConfigError({name, 0, 0},
+                      AutosaveText::tr("these are no edits that an editor kept").toStdString());
+  }
   std::vector<Warning> warnings;
-  const auto ground = files::read_world(text_at(settings, "ground"), name, warnings);
+  const auto ground = files::read_world(text_at(kept, "ground"), name, warnings);
   Plan plan;
-  plan.rest = files::read_sim(text_at(settings, "simulation"), name, warnings);
+  plan.rest = files::read_sim(text_at(kept, "simulation"), name, warnings);
   plan.width = ground.width;
   plan.height = ground.height;
   plan.texture = ground.floor_texture;
   plan.walls = ground.walls;
   plan.starts = ground.starts;
-  const QString letters = settings.value("letters").toString();
-  const QString drawn = settings.value("drawn").toString();
+  const QString letters = kept["letters"].toString();
+  const QString drawn = kept["drawn"].toString();
   for (std::size_t i = 0; i < plan.starts.size(); ++i) {
     const char letter = letters.mid(static_cast<qsizetype>(i), 1).toStdString().c_str()[0];
     plan.starts[i].letter = letter == '-' ? '\0' : letter;
   }
-  if (settings.contains("cell")) plan.cell = settings.value("cell").toDouble();
+  if (kept.contains("cell")) plan.cell = kept["cell"].toDouble();
   for (const world::ObjectSpec& object : plan.rest.objects) plan.things.push_back({object, false});
   for (std::size_t i = 0; i < plan.things.size(); ++i) {
     const auto at = static_cast<qsizetype>(i);
@@ -122,19 +131,24 @@ void Autosave::write(const Plan& plan) {
     thing.spec.radius = usual.objects.at(0).radius;
     thing.spec.height = usual.objects.at(0).height;
   }
-  QSettings settings(file_, QSettings::IniFormat);
-  settings.clear();
-  settings.setValue("ground", QString::fromStdString(files::write_world(ground_of(whole, false))));
-  settings.setValue("simulation", QString::fromStdString(files::write_sim(sim_of(whole))));
-  settings.setValue("letters", letters);
-  settings.setValue("drawn", drawn);
-  if (plan.cell) settings.setValue("cell", *plan.cell);
-  settings.sync();
-  if (settings.status() != QSettings::NoError) {
+  QJsonObject kept{{"ground", QString::fromStdString(files::write_world(ground_of(whole, false)))},
+                   {"simulation", QString::fromStdString(files::write_sim(sim_of(whole)))},
+                   {"letters", letters},
+                   {"drawn", drawn}};
+  if (plan.cell) kept["cell"] = *plan.cell;
+  if (!write_whole(file_, QJsonDocument(kept).toJson()).isEmpty()) {
     throw ConfigError(
         {file_.toStdString(), 0, 0},
         AutosaveText::tr("cannot be written: expected room to keep unsaved edits").toStdString());
   }
+}
+
+QString Autosave::set_aside() {
+  QString name;
+  for (int i = 1; name.isEmpty() || QFile::exists(name); ++i) {
+    name = QString("%1.unreadable-%2").arg(file_).arg(i);
+  }
+  return QFile::rename(file_, name) ? name : file_;
 }
 
 void Autosave::drop() {

@@ -27,6 +27,8 @@ class Autosave {
   [[nodiscard]] Plan left() const;
   /// Throws ConfigError when it cannot be written.
   void write(const Plan& plan);
+  /// What was left, and cannot be read, gets another name: that one is returned.
+  QString set_aside();
   /// Nothing is to be recovered any more.
   void drop();
 

@@ -32,6 +32,7 @@ void Canvas::set_texture(const QImage& texture) {
 
 void Canvas::set_tool(PlanTool tool) {
   is_down_ = false;
+  is_band_ = false;
   chain_.reset();
   new_at_.reset();
   hold_.reset();
@@ -62,6 +63,8 @@ void Canvas::zoom(double factor) {
 
 void Canvas::refresh() {
   if (is_fitted_ && !is_down_) view_.fit({document_.plan().width, document_.plan().height});
+  // Undone under the mouse, say: what it held is gone, or another thing.
+  if (hold_ && held_version_ != document_.version()) hold_.reset();
   if (way_point_) {
     const world::Path* const way = way_of(document_.plan(), way_point_->item);
     const bool is_there = way != nullptr && way_point_->point < way->points.size();

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QImage>
 #include <QWidget>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -87,6 +88,7 @@ class Canvas final : public QWidget {
   void say(const QString& text);
   void say_length(Vec2 from, Vec2 to);
 
+  void take_hold(std::optional<Hold> hold);
   void press_select(Vec2 place, Qt::KeyboardModifiers keys);
   void press_wall(Vec2 place, Qt::KeyboardModifiers keys);
   void press_place(Vec2 place, Qt::KeyboardModifiers keys);
@@ -113,6 +115,7 @@ class Canvas final : public QWidget {
   bool is_fitted_ = true;
 
   std::optional<Hold> hold_;
+  std::uint64_t held_version_ = 0;  ///< Of the document, when hold_ was picked.
   std::optional<WayPoint> way_point_;
   QPointF press_pixel_;
   Vec2 press_place_;

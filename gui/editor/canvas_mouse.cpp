@@ -86,8 +86,13 @@ void Canvas::mousePressEvent(QMouseEvent* event) {
   }
 }
 
+void Canvas::take_hold(std::optional<Hold> hold) {
+  hold_ = hold;
+  held_version_ = document_.version();
+}
+
 void Canvas::press_select(Vec2 place, Qt::KeyboardModifiers keys) {
-  hold_ = pick(document_.plan(), catalogue_, place, slack());
+  take_hold(pick(document_.plan(), catalogue_, place, slack()));
   way_point_.reset();
   const bool adds = keys.testFlag(Qt::ShiftModifier);
   if (!hold_) {
@@ -129,7 +134,7 @@ void Canvas::press_way(Vec2 place, Qt::KeyboardModifiers keys) {
   const Selection& selection = document_.selection();
   const bool has_one = selection.size() == 1 && can_move(*selection.begin());
   if (hold && hold->part == Hold::Part::WayPoint) {
-    hold_ = hold;  // to be dragged
+    take_hold(hold);  // to be dragged
     way_point_ = WayPoint{hold->item, hold->point};
     return document_.select({hold->item});
   }

@@ -91,6 +91,7 @@ void Document::tell() const {
 
 void Document::take(Plan plan) {
   plan_ = std::move(plan);
+  ++version_;
   preview_.reset();
   tell();
 }

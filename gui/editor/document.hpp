@@ -2,6 +2,7 @@
 
 #include <QString>
 #include <QUndoStack>
+#include <cstdint>
 #include <functional>
 #include <optional>
 
@@ -19,6 +20,8 @@ class Document {
   [[nodiscard]] const Plan& plan() const { return preview_ ? *preview_ : plan_; }
   /// As of the last step.
   [[nodiscard]] const Plan& settled() const { return plan_; }
+  /// Another number after each change of the settled plan.
+  [[nodiscard]] std::uint64_t version() const { return version_; }
   [[nodiscard]] QUndoStack& history() { return history_; }
   [[nodiscard]] const QUndoStack& history() const { return history_; }
 
@@ -43,6 +46,7 @@ class Document {
   void tell() const;
 
   Plan plan_;
+  std::uint64_t version_ = 0;
   std::optional<Plan> preview_;
   Selection selection_;
   QUndoStack history_;

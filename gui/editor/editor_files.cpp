@@ -44,13 +44,15 @@ bool EditorWindow::write(const QString& path) {
     const bool is_new_name = files_.path != saving.files.path;
     files_ = std::move(saving.files);
     files_.other_comments = 0;
-    if (autosave_) autosave_->drop();
+    drop_own();
+    for (const char* topic : {"disk", "save", "open", "warnings"}) notices_->end(topic);
     if (is_new_name) {
+      // What was left of the old name is offered where that is opened again.
+      notices_->end("recovery");
       autosave_.reset();
       autosave_ = std::make_unique<Autosave>(files_.path);
-      autosave_->drop();  // of a file that has just been written over
+      if (autosave_->has_left()) offer_left();
     }
-    for (const char* topic : {"disk", "save", "open", "warnings", "recovery"}) notices_->end(topic);
     document_.history().setClean();
     show_files();
     refresh();
@@ -186,7 +188,7 @@ void EditorWindow::answer(Answer answer) {
   if (!act || answer == Answer::Cancel) return;
   if (answer == Answer::Save && !save()) return;
   if (answer == Answer::Discard) {
-    if (autosave_) autosave_->drop();
+    drop_own();
     document_.history().setClean();
   }
   act();
@@ -290,21 +292,29 @@ void EditorWindow::reload() {
 }
 
 void EditorWindow::offer_left() {
-  notices_->tell(
-      "recovery", tr("An editor ended here with unsaved edits."),
-      {{tr("Recover them"),
-        [this] {
-          try {
-            const Plan left = autosave_->left();
-            document_.edit(tr("Recover"), [&](Plan& plan) { plan = left; });
-            show_catalogue();
-          } catch (const ConfigError& error) {
-            notices_->tell(
-                "recovery",
-                tr("The edits cannot be recovered: %1").arg(QString::fromStdString(error.what())));
-          }
-        }},
-       {tr("Discard them"), [this] { autosave_->drop(); }}});
+  notices_->tell("recovery", tr("An editor ended here with unsaved edits."),
+                 {{tr("Recover them"),
+                   [this] {
+                     try {
+                       const Plan left = autosave_->left();
+                       document_.edit(tr("Recover"), [&](Plan& plan) { plan = left; });
+                       show_catalogue();
+                     } catch (const ConfigError& error) {
+                       notices_->tell(
+                           "unreadable",
+                           tr("The edits cannot be recovered: %1. They are kept as %2")
+                               .arg(QString::fromStdString(error.what()), autosave_->set_aside()));
+                     }
+                     refresh();  // from now on our own edits are kept
+                   }},
+                  {tr("Discard them"), [this] {
+                     autosave_->drop();
+                     refresh();
+                   }}});
+}
+
+void EditorWindow::drop_own() {
+  if (autosave_ && notices_->text("recovery").isEmpty()) autosave_->drop();
 }
 
 void EditorWindow::keep_edits() {

@@ -66,6 +66,7 @@ EditorWindow::EditorWindow(const QString& path)
 EditorWindow::~EditorWindow() {
   document_.on_change = {};
   disconnect(&document_.history(), nullptr, this, nullptr);  // it still tells when it ends
+  keep_edits();                                              // nobody has said what becomes of them
   QSettings settings;
   settings.setValue("editor/geometry", saveGeometry());
   settings.setValue("editor/state", saveState());
@@ -81,17 +82,18 @@ void EditorWindow::refresh() {
   properties_->refresh();
   setWindowModified(!document_.history().isClean());
   if (!document_.history().isClean()) {
-    autosave_timer_.start();
+    // From the first edit: who goes on working would put it off for ever.
+    if (!autosave_timer_.isActive()) autosave_timer_.start();
   } else {
     autosave_timer_.stop();
-    if (autosave_ && !notices_->text("recovery").isEmpty()) return;  // not ours to drop yet
-    if (autosave_) autosave_->drop();
+    drop_own();
   }
 }
 
 void EditorWindow::take(PlanFiles files) {
   if (files.path.empty()) files.plan = empty_plan(kNewSide, kNewSide);
-  for (const char* topic : {"disk", "save", "warnings", "run", "recovery"}) notices_->end(topic);
+  for (const char* topic : {"disk", "save", "warnings", "run", "recovery", "unreadable"})
+    notices_->end(topic);
   files_ = std::move(files);
   autosave_.reset();
   const auto on_change = std::exchange(document_.on_change, {});
@@ -135,7 +137,7 @@ void EditorWindow::make_new() { take({}); }
 
 void EditorWindow::closeEvent(QCloseEvent* event) {
   if (document_.history().isClean()) {
-    if (autosave_ && notices_->text("recovery").isEmpty()) autosave_->drop();
+    drop_own();
     event->accept();
     return;
   }

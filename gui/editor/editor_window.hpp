@@ -95,6 +95,8 @@ class EditorWindow final : public QMainWindow {
   void disk_changed();
   void offer_left();
   void keep_edits();
+  /// Forgets what was kept of our edits; not what another editor left, while nobody has answered.
+  void drop_own();
 
   void copy();
   void paste(Vec2 by);

@@ -1,7 +1,6 @@
 #include "editor/plan_files.hpp"
 
 #include <QCoreApplication>
-#include <QSaveFile>
 #include <algorithm>
 #include <string_view>
 #include <system_error>
@@ -10,6 +9,7 @@
 #include "editor/catalogue.hpp"
 #include "editor/maze_fit.hpp"
 #include "eyebridge/files/search.hpp"
+#include "parts/whole_file.hpp"
 
 namespace eyebridge::gui {
 namespace {
@@ -337,14 +337,12 @@ Saving plan_saving(const Plan& plan, const PlanFiles& source, const std::filesys
 }
 
 void write_whole_file(const FileText& file) {
-  QSaveFile out(QString::fromStdString(file.path.string()));
-  const auto size = static_cast<qint64>(file.text.size());
-  const bool done =
-      out.open(QIODevice::WriteOnly) && out.write(file.text.data(), size) == size && out.commit();
-  if (!done) {
+  const QString why =
+      write_whole(QString::fromStdString(file.path.string()), QByteArray::fromStdString(file.text));
+  if (!why.isEmpty()) {
     refuse(file.path, PlanFilesText::tr("cannot be written (%1): expected a place where you may "
                                         "write; your edits are still here")
-                          .arg(out.errorString()));
+                          .arg(why));
   }
 }
 

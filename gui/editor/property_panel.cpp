@@ -46,7 +46,18 @@ void PropertyPanel::rebuild(std::optional<Kind> kind) {
   is_built_ = true;
   kind_ = kind;
   fields_.clear();
-  while (form_->rowCount() > 0) form_->removeRow(0);
+  while (form_->rowCount() > 0) {
+    const QFormLayout::TakeRowResult row = form_->takeRow(0);
+    for (QLayoutItem* const item : {row.labelItem, row.fieldItem}) {
+      if (item == nullptr) continue;
+      // One of them may be what has just told of a change: it goes when that is over.
+      QWidget* const widget = item->widget();
+      delete item;
+      widget->disconnect(this);  // what losing the keyboard makes it tell is not meant any more
+      widget->hide();
+      widget->deleteLater();
+    }
+  }
   rows_ = kind ? properties_of(*kind, catalogue_) : floor_properties();
   for (const Property& property : rows_) {
     QWidget* const field = make_field(property);

@@ -1,18 +1,21 @@
 #include "panel/save_picture.hpp"
 
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QSaveFile>
 #include <utility>
+
+#include "parts/whole_file.hpp"
 
 namespace eyebridge::gui {
 
 bool save_picture(const QImage& picture, const QString& path) {
   const QByteArray suffix = QFileInfo(path).suffix().toLatin1();
-  QSaveFile file(path);
+  QBuffer bytes;
   const char* const format = suffix.isEmpty() ? "png" : suffix.constData();
-  return file.open(QIODevice::WriteOnly) && picture.save(&file, format) && file.commit();
+  return bytes.open(QIODevice::WriteOnly) && picture.save(&bytes, format) &&
+         write_whole(path, bytes.data()).isEmpty();
 }
 
 void ask_where_to_save(QWidget& window, const QString& title, const QString& name,

@@ -21,6 +21,15 @@ class CodeEditor : public testing::CodeRoom {
   std::string text() { return editor().text().toStdString(); }
 };
 
+TEST_F(CodeEditor, ALineIsMarkedOnceHoweverManyMessagesNameIt) {
+  open({write("a.c", "int a;\n")});
+  for (int i = 0; i < 3; ++i) editor().mark(1, Message::Severity::Error);
+  EXPECT_TRUE(editor().is_marked(1));
+  constexpr unsigned long kErrorMark = 1;
+  editor().SendScintilla(QsciScintilla::SCI_MARKERDELETE, 0UL, kErrorMark);  // one of them
+  EXPECT_FALSE(editor().is_marked(1));
+}
+
 TEST_F(CodeEditor, NamesOfRobiosAreOfferedWhileTyping) {
   open_text("a.c", "#include \"eyebot.h\"\n");
   type("VWStr");

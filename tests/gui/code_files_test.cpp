@@ -1,4 +1,4 @@
-// What becomes of files and of unsaved texts.
+// What becomes of files.
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFileInfo>
@@ -7,20 +7,16 @@
 #include <QPushButton>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 
 #include "code_room.hpp"
-#include "person.hpp"
-#include "running_program.hpp"
 
 namespace eyebridge::gui {
 namespace {
 
-using eyebridge::testing::RunningProgram;
 using ::testing::HasSubstr;
 
 class CodeFiles : public testing::CodeRoom {
@@ -30,15 +26,6 @@ class CodeFiles : public testing::CodeRoom {
     QTest::mouseClick(box.button(button), Qt::LeftButton);
   }
   std::string notice() { return page().notice().text(Page::kTopic).toStdString(); }
-  /// How many texts are kept for after a crash.
-  int drafts() {
-    int count = 0;
-    for (const auto& entry :
-         std::filesystem::recursive_directory_iterator(settings_.drafts.toStdString())) {
-      count += entry.path().extension() == ".json" ? 1 : 0;
-    }
-    return count;
-  }
 };
 
 TEST_F(CodeFiles, SavedAsItWasRead) {
@@ -94,7 +81,7 @@ TEST_F(CodeFiles, SaveAsKeepsTheOldFileAndTakesTheNewLanguage) {
   chooser.selectFile(path("b.py"));
   auto* const buttons = chooser.findChild<QDialogButtonBox*>();
   QTest::mouseClick(buttons->button(QDialogButtonBox::Save), Qt::LeftButton);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return page().name() == "b.py"; }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page().name() == "b.py"; }, 60'000));
   EXPECT_EQ(file("b.py"), "int a;\n");
   EXPECT_EQ(file("a.c"), "int a;\n");
   EXPECT_EQ(editor().language(), Language::Python);
@@ -124,14 +111,14 @@ TEST_F(CodeFiles, ExamplesStayAsTheyAre) {
 TEST_F(CodeFiles, WhatChangedOnDiskIsOfferedAndNothingIsLost) {
   open({write("a.c", "int a;\n")});
   write("a.c", "int b;\n");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return page().notice().isVisible(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page().notice().isVisible(); }, 60'000));
   EXPECT_EQ(notice(), "a.c was changed on the disk.");
   click_notice("Load it");
   EXPECT_EQ(editor().text(), "int b;\n");
   EXPECT_FALSE(page().is_modified());
   type("x");
   write("a.c", "int c;\n");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return page().notice().isVisible(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page().notice().isVisible(); }, 60'000));
   EXPECT_THAT(notice(), HasSubstr("changed on the disk, and here, too"));
   EXPECT_EQ(editor().text(), "xint b;\n");
   press(Qt::Key_S, Qt::ControlModifier);
@@ -148,7 +135,7 @@ TEST_F(CodeFiles, OverwritesWhenAPersonSaysSo) {
   open({write("a.c", "int a;\n")});
   type("x");
   write("a.c", "int c;\n");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return page().notice().isVisible(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page().notice().isVisible(); }, 60'000));
   click_notice("Overwrite it");
   EXPECT_EQ(file("a.c"), "xint a;\n");
   EXPECT_FALSE(page().notice().isVisible());
@@ -159,7 +146,7 @@ TEST_F(CodeFiles, AFileThatIsReplacedIsStillWatched) {
   for (const char* const text : {"int b;\n", "int c;\n"}) {
     write("new", text);
     std::filesystem::rename(path("new").toStdString(), path("a.c").toStdString());
-    ASSERT_TRUE(QTest::qWaitFor([&] { return page().notice().isVisible(); })) << text;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return page().notice().isVisible(); }, 60'000)) << text;
     click_notice("Load it");
     EXPECT_EQ(editor().text(), text);
   }
@@ -168,7 +155,7 @@ TEST_F(CodeFiles, AFileThatIsReplacedIsStillWatched) {
 TEST_F(CodeFiles, AFileThatIsRemovedCanBeSavedAgain) {
   open({write("a.c", "int a;\n")});
   std::filesystem::remove(path("a.c").toStdString());
-  ASSERT_TRUE(QTest::qWaitFor([&] { return page().notice().isVisible(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page().notice().isVisible(); }, 60'000));
   EXPECT_EQ(notice(), "a.c was removed from the disk. Saving writes it again.");
   EXPECT_TRUE(page().is_modified());
   press(Qt::Key_S, Qt::ControlModifier);
@@ -207,6 +194,20 @@ TEST_F(CodeFiles, ADiskWithoutRoomKeepsTheOldFile) {
   EXPECT_EQ(file("a.c"), "much too longint a;\n");
 }
 
+TEST_F(CodeFiles, WhatCannotBeReadIsNotOverwrittenUnasked) {
+  open({write("a.c", "int a;\n")});
+  type("x");
+  const std::string picture("not\0text", 8);
+  write("a.c", picture);
+  press(Qt::Key_S, Qt::ControlModifier);
+  EXPECT_THAT(notice(), HasSubstr("a.c is no text"));
+  EXPECT_EQ(file("a.c"), picture);
+  EXPECT_TRUE(page().is_modified());
+  click_notice("Overwrite it");
+  EXPECT_EQ(file("a.c"), "xint a;\n");
+  EXPECT_FALSE(page().is_modified());
+}
+
 // Saving replaces the file: as root it once put a text in the place of a device.
 TEST_F(CodeFiles, WhatIsNoOrdinaryFileIsNeitherReadNorReplaced) {
   open({write("a.c", "int a;\n")});
@@ -231,19 +232,8 @@ TEST_F(CodeFiles, ClosingAsksAboutUnsavedTexts) {
   EXPECT_TRUE(window().isVisible());
   EXPECT_FALSE(window().close());
   answer(QMessageBox::Save);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().isVisible(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().isVisible(); }, 60'000));
   EXPECT_EQ(file("a.c"), "xint a;\n");
-}
-
-TEST_F(CodeFiles, ClosingWithoutSavingForgets) {
-  open({write("a.c", "int a;\n")});
-  type("x");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return drafts() == 1; }));
-  EXPECT_FALSE(window().close());
-  answer(QMessageBox::Discard);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().isVisible(); }));
-  EXPECT_EQ(file("a.c"), "int a;\n");
-  EXPECT_EQ(drafts(), 0);
 }
 
 TEST_F(CodeFiles, ClosingATabAsksToo) {
@@ -252,7 +242,7 @@ TEST_F(CodeFiles, ClosingATabAsksToo) {
   press(Qt::Key_W, Qt::ControlModifier);
   EXPECT_EQ(window().page_count(), 2);
   answer(QMessageBox::Save);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return window().page_count() == 1; }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window().page_count() == 1; }, 60'000));
   EXPECT_EQ(file("b.c"), "xint b;\n");
   press(Qt::Key_W, Qt::ControlModifier);
   EXPECT_EQ(window().page_count(), 0);
@@ -271,8 +261,24 @@ TEST_F(CodeFiles, ClosingStopsWhatRuns) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return output().contains("here"); }, 60'000))
       << output().toStdString();
   window().close();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().isVisible(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().isVisible(); }, 60'000));
   EXPECT_EQ(window().runner().state(), Runner::State::Idle);
+}
+
+TEST_F(CodeFiles, WhileItClosesNothingIsTypedThatNobodyWouldSave) {
+  open({write("a.py",
+              "import signal, time\nsignal.signal(signal.SIGTERM, lambda *_: time.sleep(0.5) or "
+              "exit())\nprint('here', flush=True)\nwhile True: time.sleep(0.1)\n")});
+  const QString before = editor().text();
+  window().run_bar().windows().setChecked(false);
+  press(Qt::Key_F5);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return output().contains("here"); }, 60'000))
+      << output().toStdString();
+  EXPECT_FALSE(window().close());
+  ASSERT_EQ(window().runner().state(), Runner::State::Stopping);
+  QTest::keyClick(&editor(), 'x');
+  EXPECT_EQ(editor().text(), before);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !window().isVisible(); }, 60'000));
 }
 
 TEST_F(CodeFiles, RecentFilesAreInTheMenu) {
@@ -287,67 +293,6 @@ TEST_F(CodeFiles, RecentFilesAreInTheMenu) {
   EXPECT_EQ(recent->actions().front()->text(), path("a.c"));
   recent->actions().front()->trigger();
   EXPECT_EQ(page().name(), "a.c");
-}
-
-TEST_F(CodeFiles, TextsOfAWindowThatWasNotClosedAreThereAgain) {
-  open({write("a.c", "int a;\n")});
-  type("x");
-  action("Python program").trigger();
-  type("y");
-  open();  // the window goes, a new one comes
-  ASSERT_EQ(window().page_count(), 2);
-  EXPECT_EQ(page().name(), "program.py");
-  EXPECT_TRUE(page().is_modified());
-  EXPECT_THAT(editor().text().toStdString(), HasSubstr("yfrom eye import"));
-  window().tabs().setCurrentIndex(0);
-  EXPECT_EQ(editor().text(), "xint a;\n");
-  EXPECT_EQ(file("a.c"), "int a;\n");
-  EXPECT_THAT(notice(), HasSubstr("These changes to a.c were not saved"));
-  click_notice("Go back to the saved file");
-  EXPECT_EQ(editor().text(), "int a;\n");
-  EXPECT_FALSE(page().is_modified());
-}
-
-TEST_F(CodeFiles, KillDoesNotLoseWhatWasTyped) {
-  const std::string program = write("a.c", "int a;\n").toStdString();
-  const std::vector<std::string> command{EYEBRIDGE_BIN "/code_program",
-                                         settings_.drafts.toStdString(), program};
-  const eyebridge::testing::ProgramStart start{
-      command, {{"XDG_CONFIG_HOME", folder_.path()}}, folder_.path()};
-  std::filesystem::create_directory(settings_.drafts.toStdString());
-  testing::Person person;
-  {
-    RunningProgram panel(start);
-    const auto window = person.window("a.c");
-    for (int i = 0; i < 3; ++i) person.type(window, 'k');
-    ASSERT_TRUE(QTest::qWaitFor([&] { return drafts() == 1; }, 30'000)) << panel.said();
-    EXPECT_EQ(panel.finish(SIGKILL), 128 + SIGKILL);
-  }
-  EXPECT_EQ(file("a.c"), "int a;\n");
-  open();
-  ASSERT_EQ(page().name(), "a.c");
-  EXPECT_EQ(editor().text(), "kkkint a;\n");
-  EXPECT_TRUE(page().is_modified());
-  press(Qt::Key_S, Qt::ControlModifier);
-  EXPECT_EQ(file("a.c"), "kkkint a;\n");
-}
-
-TEST_F(CodeFiles, DraftsOfAPanelThatLivesAreItsOwn) {
-  open({write("a.c", "int a;\n")});
-  type("x");
-  ASSERT_TRUE(QTest::qWaitFor([&] { return drafts() == 1; }));
-  CodeWindow second({}, settings_);
-  EXPECT_EQ(second.page_count(), 1);
-  EXPECT_EQ(second.page()->name(), "program.c");
-}
-
-TEST_F(CodeFiles, DraftsThatAreNoneAreLeftAndNamed) {
-  std::filesystem::create_directories(settings_.drafts.toStdString() + "/old");
-  std::ofstream(settings_.drafts.toStdString() + "/old/1.json") << "{\"text\": 3}";
-  open();
-  EXPECT_THAT(window().state().toStdString(),
-              HasSubstr("old/1.json cannot be recovered: it is no draft"));
-  EXPECT_TRUE(QFileInfo::exists(settings_.drafts + "/old/1.json"));
 }
 
 }  // namespace

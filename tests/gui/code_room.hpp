@@ -35,12 +35,13 @@ class CodeRoom : public ::testing::Test {
   void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {});
   /// The menu's entry of this text, without its '&'.
   [[nodiscard]] QAction& action(const QString& text);
-  /// The dialog that is open, whatever it is; it must come within some seconds.
+  /// The dialog that is open, whatever it is; it must come within a minute.
   template <class Dialog>
   Dialog& dialog() {
     Dialog* found = nullptr;
     const bool came = QTest::qWaitFor(
-        [&] { return (found = window_->findChild<Dialog*>()) != nullptr && found->isVisible(); });
+        [&] { return (found = window_->findChild<Dialog*>()) != nullptr && found->isVisible(); },
+        60'000);
     if (!came) throw std::runtime_error("no dialog came");
     return *found;
   }

@@ -79,6 +79,18 @@ TEST_F(CodeRun, ATracebackLeadsToItsLine) {
   EXPECT_EQ(editor().line(), 6);
 }
 
+TEST_F(CodeRun, AMessageOpensATabThatWasClosed) {
+  open_without_windows({write("fail.py", "x = 1\nprint(y)\n"), write("other.py", "")});
+  window().tabs().setCurrentIndex(0);
+  press(Qt::Key_F5);
+  wait_for_end();
+  press(Qt::Key_W, Qt::ControlModifier);
+  ASSERT_EQ(page().name(), "other.py");
+  click_output("line 2");
+  ASSERT_EQ(page().name(), "fail.py") << said();
+  EXPECT_EQ(editor().line(), 2);
+}
+
 TEST_F(CodeRun, AMessageOfAWorldOpensTheWorld) {
   const QString world = write("bad.wld", "floor 2000 1000\n0 0 2000 x\n");
   open_without_windows({write("p.py", "from eye import *\nprint(PSDGet(1))\n")});

@@ -1,8 +1,10 @@
 // The world editor, as a person uses it: drawing.
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
 #include <QLabel>
 #include <QMenuBar>
+#include <QMouseEvent>
 #include <QTest>
 #include <QWheelEvent>
 #include <random>
@@ -21,6 +23,14 @@ class WorldEditor : public testing::EditorRig {
   void SetUp() override {
     EditorRig::SetUp();
     open("");
+  }
+  void press_at(QPoint place) { QTest::mousePress(&window_->canvas(), Qt::LeftButton, {}, place); }
+  void move_and_release(QPoint place) {
+    Canvas& canvas = window_->canvas();
+    QMouseEvent move(QEvent::MouseMove, place, canvas.mapToGlobal(place), Qt::NoButton,
+                     Qt::LeftButton, {});
+    QApplication::sendEvent(&canvas, &move);
+    QTest::mouseRelease(&canvas, Qt::LeftButton, {}, place);
   }
 };
 
@@ -87,6 +97,35 @@ TEST_F(WorldEditor, AWallMovesAndItsNeighboursFollow) {
   EXPECT_EQ(plan().walls[1].a, (Vec2{3.5, 0.2}));
   EXPECT_EQ(plan().walls[0].b, (Vec2{3.5, 0.2}));
   EXPECT_EQ(plan().walls[2].a, (Vec2{3.5, 4.2}));
+}
+
+TEST_F(WorldEditor, WhatIsUndoneUnderTheMouseIsLetGo) {
+  press_key(Qt::Key_W);
+  drag(at(1, 1), at(2, 1));
+  press_key(Qt::Key_V);
+  press_at(at(2, 1));
+  press_key(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_EQ(plan().walls.size(), 4U);
+  const QString before = message();
+  move_and_release(at(3, 3));
+  EXPECT_EQ(message(), before) << "no wall is being moved";
+  EXPECT_EQ(plan().walls.size(), 4U);
+  press_key(Qt::Key_M);
+  click(at(1, 1));
+  press_key(Qt::Key_Right);
+  press_key(Qt::Key_V);
+  press_at(at(1.1, 1));
+  press_key(Qt::Key_Z, Qt::ControlModifier);
+  move_and_release(at(3, 3));
+  EXPECT_EQ(plan().markers.at(0).position, (Vec2{1, 1}));
+}
+
+TEST_F(WorldEditor, AnotherToolEndsTheBand) {
+  press_at(at(2, 2));
+  press_key(Qt::Key_W);
+  press_key(Qt::Key_V);
+  drag(at(4, 4), at(3.5, 3));
+  EXPECT_EQ(plan().walls[1].b, (Vec2{3.5, 3}));
 }
 
 TEST_F(WorldEditor, ADoubleClickSplitsAWall) {

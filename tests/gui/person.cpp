@@ -101,11 +101,15 @@ std::uint8_t Person::key_of(std::uint32_t symbol) {
   throw std::runtime_error("no such key");
 }
 
-void Person::type(xcb_window_t window, char character) {
+void Person::press(xcb_window_t window, std::uint32_t symbol) {
   xcb_set_input_focus(connection_.get(), XCB_INPUT_FOCUS_PARENT, window, XCB_CURRENT_TIME);
-  const std::uint8_t key = key_of(static_cast<std::uint32_t>(character));
+  const std::uint8_t key = key_of(symbol);
   fake(XCB_KEY_PRESS, key);
   fake(XCB_KEY_RELEASE, key);
+}
+
+void Person::type(xcb_window_t window, char character) {
+  press(window, static_cast<std::uint32_t>(character));
 }
 
 void Person::type_alt(xcb_window_t window, char character) {

@@ -23,6 +23,8 @@ class Person {
   /// Returns when there is none any more.
   void wait_until_gone(const std::string& title);
   [[nodiscard]] std::vector<std::string> titles();
+  /// Presses a key in the window, by its symbol of keysymdef.h.
+  void press(xcb_window_t window, std::uint32_t symbol);
   /// Types a character into the window.
   void type(xcb_window_t window, char character);
   /// The same with Alt.

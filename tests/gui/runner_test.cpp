@@ -1,7 +1,6 @@
 // Processes of the code panel: how they end, and what is seen of them.
 #include "code/runner.hpp"
 
-#include <QElapsedTimer>
 #include <QTest>
 #include <csignal>
 
@@ -27,11 +26,11 @@ class Run : public ::testing::Test {
     runner_.start({{Step::Kind::Run, "/bin/sh", {"-c", script}, "/"}});
   }
   void wait_for(const char* text) {
-    ASSERT_TRUE(QTest::qWaitFor([&] { return output_.contains(text); }, 30'000))
+    ASSERT_TRUE(QTest::qWaitFor([&] { return output_.contains(text); }, 60'000))
         << output_.toStdString();
   }
   void wait_for_end() {
-    ASSERT_TRUE(QTest::qWaitFor([&] { return runner_.state() == Runner::State::Idle; }, 30'000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return runner_.state() == Runner::State::Idle; }, 60'000));
   }
 
   Runner runner_{nullptr};
@@ -97,10 +96,12 @@ TEST_F(Run, WhatAProgramStartedEndsWithIt) {
   ASSERT_GT(pid, 1);
   // Gone, or waiting for init to look after it.
   const std::string stat = "/proc/" + std::to_string(pid) + "/stat";
-  EXPECT_TRUE(QTest::qWaitFor([&] {
-    const std::string text = eyebridge::testing::file_text(stat);
-    return text.empty() || text.find(") Z") != text.npos;
-  }));
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        const std::string text = eyebridge::testing::file_text(stat);
+        return text.empty() || text.find(") Z") != text.npos;
+      },
+      60'000));
 }
 
 // The windows' thread takes no signals, and children inherit what their parent blocks.
@@ -109,14 +110,10 @@ TEST_F(Run, SignalsThatAreBlockedHereReachThePrograms) {
   sigset_t before;
   sigfillset(&all);
   pthread_sigmask(SIG_SETMASK, &all, &before);
-  shell("echo ready; exec sleep 1000");
+  shell("grep SigBlk /proc/self/status");
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  wait_for("ready");
-  QElapsedTimer time;
-  time.start();
-  runner_.stop();
   wait_for_end();
-  EXPECT_LT(time.elapsed(), Runner::kPatience_ms) << "it had to be killed";
+  EXPECT_EQ(output_.toStdString(), "SigBlk:\t0000000000000000\n");
 }
 
 TEST_F(Run, WhatCannotBeStartedSaysWhy) {
