@@ -111,7 +111,10 @@ TEST_F(CodeDrafts, AProgramEndsWithAPanelThatIsKilled) {
   const std::vector<std::string> command{EYEBRIDGE_BIN "/code_program",
                                          settings_.drafts.toStdString(), program};
   const eyebridge::testing::ProgramStart start{
-      command, {{"XDG_CONFIG_HOME", folder_.path()}}, folder_.path()};
+      command,
+      {{"XDG_CONFIG_HOME", folder_.path()},
+       {"EYEBRIDGE_TEST_COMMAND", settings_.eyebridge.toStdString()}},
+      folder_.path()};
   testing::Person person;
   RunningProgram panel(start);
   constexpr std::uint32_t kF5 = 0xffc2;  // of keysymdef.h
