@@ -16,7 +16,8 @@ LONGEST_SOURCE = 400
 LONGEST_README = 29
 SKIPPED = {"build", "out", ".git", "__pycache__", ".cache"}
 
-CORE = ["core/base", "core/world", "core/robot", "core/files", "core/episode", "core/mapping"]
+GRIDS = ["core/mapping", "core/planning", "core/localisation"]
+CORE = ["core/base", "core/world", "core/robot", "core/files", "core/episode", *GRIDS]
 BACKENDS = ["hal/sim", "hal/shared", "hal/seat", "hal/board", "hal/replay", "hal/hand", "hal/host"]
 FIRMWARE = ["firmware-stubs/board", "firmware-stubs/ports", "firmware-stubs/pins", "firmware-stubs/mps2"]
 EVERYTHING = [*CORE, "hal", *BACKENDS, "camera", "robios", "bridges", *FIRMWARE, "apps", "gui", "tests"]
@@ -26,9 +27,11 @@ ALLOWED = {
     "core/base": [],
     "core/world": ["core/base"],
     "core/robot": ["core/base", "core/world"],
-    "core/files": ["core/base", "core/world", "core/robot"],
+    "core/files": ["core/base", "core/world", "core/robot", "core/mapping"],
     "core/episode": ["core/base", "core/world", "core/robot", "core/files"],
-    "core/mapping": ["core/base", "core/world"],
+    "core/mapping": ["core/base", "core/world", "core/robot"],
+    "core/planning": ["core/base", "core/mapping"],
+    "core/localisation": ["core/base", "core/world", "core/robot", "core/mapping"],
     "camera": CORE,
     "bridges": ["core/base"],
     "hal": [*CORE, "camera:view.hpp"],
