@@ -9,6 +9,7 @@
 #include <exception>
 
 #include "environment/environment_window.hpp"
+#include "parts/save_picture.hpp"
 
 namespace eyebridge::gui {
 
@@ -163,14 +164,15 @@ void EnvironmentWindow::make_scene_menu(QMenu& menu) {
   add(tr("The robot's &camera"), QKeySequence("Ctrl+3"), SceneView::From::RobotsCamera);
 }
 
-bool EnvironmentWindow::save_picture(const QString& path) { return view_->grab().save(path); }
+bool EnvironmentWindow::save_picture(const QString& path) {
+  return gui::save_picture(view_->grab().toImage(), path);
+}
 
 void EnvironmentWindow::ask_for_picture() {
-  const QString path = QFileDialog::getSaveFileName(this, tr("Save picture"), "environment.png",
-                                                    tr("Pictures (*.png *.jpg)"));
-  if (path.isEmpty()) return;
-  trouble_->setText(save_picture(path) ? tr("Saved %1").arg(path)
-                                       : tr("%1 cannot be written").arg(path));
+  ask_where_to_save(*this, tr("Save picture"), "environment.png", [this](const QString& path) {
+    trouble_->setText(save_picture(path) ? tr("Saved %1").arg(path)
+                                         : tr("%1 cannot be written").arg(path));
+  });
 }
 
 void EnvironmentWindow::ask_for_file() {
