@@ -106,7 +106,7 @@ TEST_F(PanelDocks, APictureThatIsTooLargeIsShownByAWholeFraction) {
 TEST_F(PanelDocks, LookingAtTheCameraTakesNoPictureAndKeepsTimeStill) {
   const Time before = robot_->clock().now();
   frames_.set(frame(4, 3, Time(0)));
-  const auto shows_it = [&] { return panel_->camera()->caption().contains("4 x 3"); };
+  const auto shows_it = [&] { return panel_->camera()->caption().contains("4 × 3"); };
   ASSERT_TRUE(QTest::qWaitFor(shows_it, 30'000)) << panel_->camera()->caption().toStdString();
   EXPECT_EQ(robot_->clock().now(), before);
   for (const hal::NotedValue& value : notes_->values()) {
