@@ -42,14 +42,16 @@ BeamTable::BeamTable(const BeamModel& model, double resolution)
     const double width = std::max(static_cast<double>(level) / levels_, kLeastSigma);
     Blur& blur = blurs_[level];
     blur.reach = kBlurWidth * width + kCellHalf;
-    blur.scale = Blur::kEntries / (2.0 * blur.reach);
+    blur.cells = static_cast<int>(2.0 * blur.reach) + 1;
+    blur.scale = Blur::kEntries / (2.0 * blur.reach + 1.0);
     for (int i = 0; i < Blur::kEntries; ++i) {
       const double offset = (i + 0.5) / blur.scale - blur.reach;
       const double said =
           blurred_probability(model, (offset - kCellHalf) * resolution,
                               (offset + kCellHalf) * resolution, width * resolution);
       blur.evidence[static_cast<std::size_t>(i)] =
-          static_cast<float>(log_odds_of(mixed_probability(model, said, 0.5)));
+          offset < blur.reach ? static_cast<float>(log_odds_of(mixed_probability(model, said, 0.5)))
+                              : kNoEvidence;
     }
     max_reach = std::max(max_reach, blur.reach);
   }

@@ -16,6 +16,9 @@ double folded_probability(const BeamModel& model, double depth);
 /// How a reading that may be folded mixes what it says with what it hides.
 double mixed_probability(const BeamModel& model, double said, double hidden);
 
+/// Less than any evidence: what a cell has that nothing was said of.
+inline constexpr float kNoEvidence = -1e30F;
+
 /// What the readings of one model add to the log-odds of cells of one size. Lengths are in cells,
 /// along the axis that the beam follows.
 class BeamTable {
@@ -24,15 +27,17 @@ class BeamTable {
 
   /// The evidence around a reading, by the offset of a cell's centre from it.
   struct Blur {
-    static constexpr int kEntries = 64;
+    static constexpr int kEntries = 80;
     double reach = 0.0;  ///< To either side; nearer cells were crossed, farther ones say nothing.
     double scale = 0.0;  ///< Entries a cell.
+    int cells = 0;       ///< As many in a row begin before the one side and end beyond the other.
+    /// From -reach to one cell and more beyond reach, where it is kNoEvidence.
     std::array<float, kEntries> evidence{};
 
-    /// `offset` is within the reach.
+    /// `offset` is of one of `cells` cells, of which the first is the first within reach.
     [[nodiscard]] float at(double offset) const {
       const int i = static_cast<int>((offset + reach) * scale);
-      return evidence[static_cast<std::size_t>(i < kEntries ? i : kEntries - 1)];
+      return evidence[static_cast<std::size_t>(i < 0 ? 0 : i < kEntries ? i : kEntries - 1)];
     }
   };
 

@@ -15,10 +15,10 @@ std::int64_t up(std::int64_t value, std::int64_t divisor) { return -down(-value,
 
 }  // namespace
 
-void BeamWalk::clip(int columns, int rows, int& from, int& to) const {
+void BeamWalk::clip(const Box& box, int& from, int& to) const {
   std::int64_t low = from;
   std::int64_t high = to;
-  const std::int64_t along = steep_ ? rows : columns;
+  const std::int64_t along = steep_ ? box.rows : box.columns;
   // 0 <= first + step * k < along
   if (step_ > 0) {
     low = std::max(low, -first_);
@@ -28,7 +28,7 @@ void BeamWalk::clip(int columns, int rows, int& from, int& to) const {
     high = std::min(high, first_ + 1);
   }
   // 0 <= across + slope * k <= most
-  const std::int64_t most = (std::int64_t{steep_ ? columns : rows} << kBits) - 1;
+  const std::int64_t most = (std::int64_t{steep_ ? box.columns : box.rows} << kBits) - 1;
   if (slope_ > 0) {
     low = std::max(low, up(-across_, slope_));
     high = std::min(high, down(most - across_, slope_) + 1);

@@ -8,6 +8,28 @@
 
 namespace eyebridge::mapping {
 
+/// The whole number below or at `x`, |x| < 2^62; std::floor is a call without SSE 4.1.
+inline std::int64_t whole_below(double x) {
+  const auto cut = static_cast<std::int64_t>(x);
+  return cut - (static_cast<double>(cut) > x ? 1 : 0);
+}
+
+/// A part of a grid, with a buffer for it.
+struct Box {
+  int columns = 0;
+  int rows = 0;
+  int stride = 0;  ///< Of rows in the buffer.
+
+  [[nodiscard]] std::size_t size() const {
+    return static_cast<std::size_t>(rows) * static_cast<std::size_t>(stride);
+  }
+  /// The place of a cell; size() for one outside.
+  [[nodiscard]] std::size_t index_of(std::int64_t column, std::int64_t row) const {
+    if (column < 0 || row < 0 || column >= columns || row >= rows) return size();
+    return static_cast<std::size_t>(row * stride + column);
+  }
+};
+
 /// The cells of a box that a beam goes through: one in each column (of a steep beam: in each row),
 /// counted by `k` from the beam's origin, whose own cell is 0. Places are in cells from the box's
 /// lower left corner.
@@ -26,11 +48,11 @@ class BeamWalk {
     step_ = major < 0.0 ? -1 : 1;
     share_ = std::abs(major);
     const double slope = minor / share_;
-    const double cell = std::floor(along);
-    first_ = static_cast<std::int64_t>(cell);
+    first_ = whole_below(along);
+    const auto cell = static_cast<double>(first_);
     offset_ = step_ > 0 ? cell + 0.5 - along : along - cell - 0.5;
     slope_ = static_cast<std::int64_t>(slope * kOne);
-    across_ = static_cast<std::int64_t>(std::floor((across + offset_ * slope) * kOne));
+    across_ = whole_below((across + offset_ * slope) * kOne);
   }
 
   /// Share of a length along the beam that it makes along its columns, 0.7 … 1.
@@ -39,26 +61,38 @@ class BeamWalk {
   [[nodiscard]] double distance(int k) const { return offset_ + k; }
   /// The first cell whose middle is at least `distance` away.
   [[nodiscard]] int first_at(double distance) const {
-    return static_cast<int>(std::ceil(distance - offset_));
+    return -static_cast<int>(whole_below(offset_ - distance));
   }
 
-  /// Narrows `from` … `to` (not counted) to cells within a box of this size.
-  void clip(int columns, int rows, int& from, int& to) const;
+  /// Index in `box` of the cell in the column of cell `k` that the beam is in at `distance` along
+  /// the columns; the box's size where that is outside.
+  [[nodiscard]] std::size_t index_at(int k, double distance, const Box& box) const {
+    const std::int64_t along = first_ + step_ * std::int64_t{k};
+    const std::int64_t across =
+        whole_below(static_cast<double>(across_) / kOne +
+                    (distance - offset_) * (static_cast<double>(slope_) / kOne));
+    return steep_ ? box.index_of(across, along) : box.index_of(along, across);
+  }
 
-  /// Calls visit(index in a box with `columns`) for the cells `from` … `to`, which lie within it.
+  /// Narrows `from` … `to` (not counted) to cells within `box`.
+  void clip(const Box& box, int& from, int& to) const;
+
+  /// Calls visit(index in `box`, k) for the cells `from` … `to` (not counted), which lie within it.
   template <class Visit>
-  void visit(int columns, int from, int to, Visit&& visit) const {
+  void visit(const Box& box, int from, int to, Visit&& visit) const {
+    if (from >= to) return;
     std::int64_t across = across_ + from * slope_;
+    const std::int64_t along = first_ + step_ * std::int64_t{from};
     if (steep_) {
-      std::ptrdiff_t row = (first_ + step_ * std::int64_t{from}) * columns;
-      const std::ptrdiff_t up = step_ * std::ptrdiff_t{columns};
+      std::int64_t row = along * box.stride;
+      const std::int64_t up = std::int64_t{step_} * box.stride;
       for (int k = from; k < to; ++k, row += up, across += slope_) {
         visit(static_cast<std::size_t>(row + (across >> kBits)), k);
       }
     } else {
-      std::ptrdiff_t column = first_ + step_ * std::int64_t{from};
+      std::int64_t column = along;
       for (int k = from; k < to; ++k, column += step_, across += slope_) {
-        visit(static_cast<std::size_t>((across >> kBits) * columns + column), k);
+        visit(static_cast<std::size_t>((across >> kBits) * box.stride + column), k);
       }
     }
   }

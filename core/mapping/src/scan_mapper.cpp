@@ -1,8 +1,12 @@
 #include "eyebridge/mapping/scan_mapper.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <stdexcept>
 #include <vector>
@@ -13,45 +17,19 @@
 namespace eyebridge::mapping {
 namespace {
 
-// What the beams of a scan did to a cell: a later one counts before those ahead of it.
-enum Mark : std::uint8_t { kUntouched, kCrossedUnmet, kCrossedNear, kCrossed, kMet };
-
 constexpr double kMostCellsOfBeam = 1 << 20;
-
-/// A beam that says something. Cells are counted as its walk does, lengths are in cells.
-struct Beam {
-  BeamWalk walk;
-  double place = 0.0;                     ///< Of what it met, along the walk's columns.
-  const BeamTable::Blur* blur = nullptr;  ///< Null: out of range.
-  int from = 0;                           ///< First cell that it crossed and tells of;
-  int near = 0;                           ///< the first one beyond the least range;
-  int crossed = 0;                        ///< the first one that it may have met something in;
-  int end = 0;                            ///< the first one that it says nothing of.
-  int low = 1;                            ///< Only cells from here, not the origin's own,
-  int high = 0;                           ///< to here, not counted, lie within the box.
-};
-
-/// A part of a grid.
-struct Box {
-  Cell lower;
-  int columns = 0;
-  int rows = 0;
-};
 
 bool is_finite(Vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 
-/// Adds `evidence` of its mark to each of `count` cells, within the limits.
-void add_marks(const std::uint8_t* marks, float* cells, std::size_t count, const float* evidence,
-               float lowest, float highest) {
-  const float unmet = evidence[kCrossedUnmet];
-  const float near = evidence[kCrossedNear];
-  const float crossed = evidence[kCrossed];
-  for (std::size_t i = 0; i < count; ++i) {
-    const int mark = marks[i];
-    float add = mark == kCrossed ? crossed : 0.0F;
-    add = mark == kCrossedNear ? near : add;
-    add = mark == kCrossedUnmet ? unmet : add;
-    const float sum = cells[i] + add;
+// Cells whose evidence is looked through together: 64 bytes of it.
+constexpr int kTile = 16;
+
+/// Adds what is said of `count` cells, within the limits, and forgets it.
+void add_evidence(float* evidence, float* cells, int count, float lowest, float highest) {
+  for (int i = 0; i < count; ++i) {
+    const float said = evidence[i];
+    evidence[i] = kNoEvidence;
+    const float sum = cells[i] + (said > kNoEvidence ? said : 0.0F);
     const float high = sum < highest ? sum : highest;
     cells[i] = high > lowest ? high : lowest;
   }
@@ -63,138 +41,165 @@ struct ScanMapper::Impl {
   BeamModel model;
   std::optional<BeamTable> table;
   double resolution = 0.0;  // that the table is for
-  std::vector<Beam> beams;
-  std::vector<double> ends;         // of beams, by ray: how far they reach, metres; < 0: no reading
-  std::vector<std::uint8_t> marks;  // of the box
-  std::vector<float> met;           // evidence of cells of the box marked as kMet
-  std::vector<std::size_t> met_cells;
+  double per_metre = 0.0;   // cells
+  std::vector<float> said;  // of the cells of a box, then of all others; between scans nothing
+  std::vector<std::uint8_t> told;  // by tile of these: whether anything was said
+  std::vector<double> clear;       // by ray: how far it crosses cells for sure, cells
 
-  /// How far the evidence of a beam reaches, metres; less than 0 when it says nothing.
-  [[nodiscard]] double end_of(double range) const {
-    if (!BeamModel::is_reading(range)) return -1.0;
-    if (model.is_out_of_range(range)) return model.max_range;
-    // Where the columns are widest, cells reach farther along the beam.
-    return std::max(range - model.bias, 0.0) + 1.5 * table->max_reach * resolution;
+  // Of the scan at hand.
+  Box box;
+  Vec2 origin;                     // in the box, cells
+  std::size_t own = 0;             // index of the sensor's cell; the box's size when it is outside
+  bool clipped = false;            // whether beams may leave the box
+  std::array<double, 32> close{};  // by level of beams: as far as the next ones lie close, cells
+
+  void set_resolution(double metres);
+  [[nodiscard]] const BeamTable::Blur& blur_of(double range) const {
+    return table->blur(table->sigma(range));
   }
-  void make_beam(Vec2 origin, Vec2 direction, double range);
-  void mark_crossed(const Box& box, const Beam& beam, int from, int to, Mark mark);
-  void mark_met(std::size_t cell, double offset, const Beam& beam);
-  void mark_all(const Box& box, Vec2 origin);
-  void apply(OccupancyGrid& grid, const Box& box);
-  Result<void> insert(OccupancyGrid& grid, Vec2 origin, std::span<const Vec2> directions,
+  [[nodiscard]] double place_of(double range) const {
+    return std::max(range - model.bias, 0.0) * per_metre;
+  }
+  /// Of what several beams say of a cell, that counts which speaks most for an obstacle.
+  void say(std::size_t cell, float evidence) {
+    const float before = said[cell];
+    said[cell] = before > evidence ? before : evidence;
+    told[cell / kTile] = 1;
+  }
+  void apply(OccupancyGrid& grid, Cell corner);
+  void set_gap(double gap);
+  [[nodiscard]] double shared(std::size_t ray) const;
+  void draw(Vec2 direction, double range, double skipped);
+  void draw_unmet(const BeamWalk& walk, double skipped);
+  Result<void> insert(OccupancyGrid& grid, Vec2 from, std::span<const Vec2> directions, double gap,
                       std::span<const double> ranges);
 };
 
-void ScanMapper::Impl::make_beam(Vec2 origin, Vec2 direction, double range) {
-  Beam beam{BeamWalk(origin, direction)};
-  const double scale = beam.walk.share() / resolution;
-  beam.near = model.min_range > 0.0 ? beam.walk.first_at(model.min_range * scale) : 0;
-  if (model.is_out_of_range(range)) {
-    beam.from = beam.near;
-    beam.crossed = beam.end = beam.walk.first_at(model.max_range * scale);
-  } else {
-    beam.blur = &table->blur(table->sigma(range));
-    beam.place = std::max(range - model.bias, 0.0) * scale;
-    beam.crossed = beam.walk.first_at(beam.place - beam.blur->reach);
-    beam.end = beam.walk.first_at(beam.place + beam.blur->reach);
-    if (model.fold == 0.0) beam.near = 0;
-  }
-  beam.high = beam.end;
-  beams.push_back(beam);
+void ScanMapper::Impl::set_resolution(double metres) {
+  if (table && resolution == metres) return;
+  resolution = metres;
+  per_metre = 1.0 / metres;
+  table.emplace(model, metres);
 }
 
-void ScanMapper::Impl::mark_crossed(const Box& box, const Beam& beam, int from, int to, Mark mark) {
-  beam.walk.visit(box.columns, std::max(from, beam.low), std::min(to, beam.high),
-                  [&](std::size_t cell, int) { marks[cell] = mark; });
-}
-
-void ScanMapper::Impl::mark_met(std::size_t cell, double offset, const Beam& beam) {
-  const float evidence = beam.blur->at(offset);
-  if (marks[cell] != kMet) {
-    marks[cell] = kMet;
-    met[cell] = evidence;
-    met_cells.push_back(cell);
-  } else {
-    met[cell] = std::max(met[cell], evidence);
+// Near the sensor many beams cross each cell. There, of two beams that lie closer than half a cell
+// the cells of all those between are crossed by one of the two, as far as both go. So every second
+// beam begins where its neighbours get too far from each other; of the others, every second where
+// those that are left do; and so on.
+void ScanMapper::Impl::set_gap(double gap) {
+  constexpr double kClose = 0.5;  // cells
+  double apart = gap;
+  for (double& distance : close) {
+    apart *= 2.0;
+    distance = gap > 0.0 ? kClose / apart : 0.0;
   }
 }
 
-void ScanMapper::Impl::mark_all(const Box& box, Vec2 origin) {
-  // The later ones count before those ahead of them.
-  for (const Beam& beam : beams) {
-    if (beam.blur == nullptr) mark_crossed(box, beam, beam.from, beam.crossed, kCrossedUnmet);
-  }
-  for (const Beam& beam : beams) {
-    if (beam.blur == nullptr) continue;
-    const int near = std::min(beam.near, beam.crossed);
-    mark_crossed(box, beam, beam.from, near, kCrossedNear);
-    mark_crossed(box, beam, near, beam.crossed, kCrossed);
-  }
-  const int column = static_cast<int>(std::floor(origin.x));
-  const int row = static_cast<int>(std::floor(origin.y));
-  const bool inside = column >= 0 && row >= 0 && column < box.columns && row < box.rows;
-  const auto own = static_cast<std::size_t>(inside ? row * box.columns + column : 0);
-  if (inside) {
-    for (const Beam& beam : beams) {
-      if (beam.from > 0 || beam.crossed <= 0) continue;
-      const Mark mark = beam.blur == nullptr ? kCrossedUnmet
-                        : beam.near > 0      ? kCrossedNear
-                                             : kCrossed;
-      marks[own] = std::max<std::uint8_t>(marks[own], mark);
-    }
-  }
-  for (const Beam& beam : beams) {
-    if (beam.blur == nullptr) continue;
-    if (inside && beam.crossed <= 0 && beam.end > 0) {
-      mark_met(own, beam.walk.distance(0) - beam.place, beam);
-    }
-    beam.walk.visit(
-        box.columns, std::max(beam.crossed, beam.low), std::min(beam.end, beam.high),
-        [&](std::size_t cell, int k) { mark_met(cell, beam.walk.distance(k) - beam.place, beam); });
-  }
+double ScanMapper::Impl::shared(std::size_t ray) const {
+  const int level = std::countr_zero(ray);
+  if (ray == 0 || level >= 32) return 0.0;
+  const std::size_t apart = std::size_t{1} << level;
+  if (ray + apart >= clear.size()) return 0.0;
+  const double both = std::min(clear[ray - apart], clear[ray + apart]) - 1.0;
+  return std::min(both, close[static_cast<std::size_t>(level)]);
 }
 
-void ScanMapper::Impl::apply(OccupancyGrid& grid, const Box& box) {
-  const float evidence[] = {0.0F, table->crossed_unmet, table->crossed_near, table->crossed};
-  const auto columns = static_cast<std::size_t>(box.columns);
-  const float lowest = grid.lowest();
-  const float highest = grid.highest();
-  float* const cells = grid.edit() + grid.geometry().index_of(box.lower);
+/// Says what a beam out of range does.
+void ScanMapper::Impl::draw_unmet(const BeamWalk& walk, double skipped) {
+  const double scale = per_metre * walk.share();
+  int from = std::max(1, walk.first_at(skipped * walk.share()));
+  int to = walk.first_at(model.max_range * scale);
+  int near = 0;
+  if (model.min_range > 0.0) near = walk.first_at(model.min_range * scale);
+  if (clipped) walk.clip(box, from, to);
+  const float evidence = table->crossed_unmet;
+  walk.visit(box, std::max(from, near), to, [&](std::size_t cell, int) { say(cell, evidence); });
+  if (near <= 0) say(own, evidence);
+}
+
+/// Says what a beam does, but for what others say of cells nearer than `skipped`.
+void ScanMapper::Impl::draw(Vec2 direction, double range, double skipped) {
+  const BeamWalk walk(origin, direction);
+  if (model.is_out_of_range(range)) return draw_unmet(walk, skipped);
+  const BeamTable::Blur& blur = blur_of(range);
+  const double place = place_of(range) * walk.share();
+  const int crossed = walk.first_at(place - blur.reach);
+  int from = 1;  // the sensor's own cell, 0, may not be on the walk
+  int end = std::max(crossed + blur.cells, from);
+  if (clipped) walk.clip(box, from, end);
+
+  float near = table->crossed;
+  int begin = skipped > 1.0 ? std::max(from, walk.first_at(skipped * walk.share())) : from;
+  const int to = std::min(crossed, end);
+  if (model.fold > 0.0) {
+    const int folded = walk.first_at(model.min_range * per_metre * walk.share());
+    near = folded > 0 ? table->crossed_near : near;
+    walk.visit(box, begin, std::min(folded, to), [&](std::size_t cell, int) { say(cell, near); });
+    begin = std::max(begin, folded);
+  }
+  const float far = table->crossed;
+  walk.visit(box, begin, to, [&](std::size_t cell, int) { say(cell, far); });
+  const double first = walk.distance(0) - place;
+  say(own, crossed > 0 ? near : blur.at(first));
+  // In the column of the reading the cell that it lies in counts, which need not be the one that
+  // the beam is in at the column's middle.
+  const int middle = walk.first_at(place - 0.5);
+  const std::size_t exact = walk.index_at(middle, place, box);
+  walk.visit(box, std::max(crossed, from), end,
+             [&](std::size_t cell, int k) { say(k == middle ? exact : cell, blur.at(first + k)); });
+}
+
+void ScanMapper::Impl::apply(OccupancyGrid& grid, Cell corner) {
   const auto stride = static_cast<std::size_t>(grid.geometry().columns);
-  for (std::size_t row = 0; row < static_cast<std::size_t>(box.rows); ++row) {
-    add_marks(&marks[row * columns], cells + row * stride, columns, evidence, lowest, highest);
+  float* const cells = grid.edit() + grid.geometry().index_of(corner);
+  const auto width = static_cast<std::size_t>(box.stride) / kTile;
+  const std::size_t tiles = box.size() / kTile;
+  for (std::size_t first = 0; first < tiles; first += sizeof(std::uint64_t)) {
+    std::uint64_t any = 0;  // of eight tiles; there is room for them after the last
+    std::memcpy(&any, &told[first], sizeof any);
+    if (any == 0) continue;
+    for (std::size_t tile = first; tile < std::min(first + sizeof any, tiles); ++tile) {
+      if (told[tile] == 0) continue;
+      told[tile] = 0;
+      const int column = static_cast<int>(tile % width) * kTile;
+      add_evidence(&said[tile * kTile], cells + tile / width * stride + column,
+                   std::min(kTile, box.columns - column), grid.lowest(), grid.highest());
+    }
   }
-  for (const std::size_t cell : met_cells) {
-    float& value = cells[cell / columns * stride + cell % columns];
-    value = std::min(std::max(value + met[cell], lowest), highest);
-  }
+  said[box.size()] = kNoEvidence;  // of what lay outside
+  told[tiles] = 0;
 }
 
-Result<void> ScanMapper::Impl::insert(OccupancyGrid& grid, Vec2 origin,
-                                      std::span<const Vec2> directions,
+Result<void> ScanMapper::Impl::insert(OccupancyGrid& grid, Vec2 from,
+                                      std::span<const Vec2> directions, double gap,
                                       std::span<const double> ranges) {
   if (directions.size() != ranges.size()) {
     throw std::invalid_argument("scan mapper: expected as many ranges as directions");
   }
-  if (!is_finite(origin)) return fail(Errc::OutOfRange, "a scan from a place that is not finite");
-  if (!table || resolution != grid.geometry().resolution) {
-    resolution = grid.geometry().resolution;
-    table.emplace(model, resolution);
-  }
-  if (!(model.max_range / resolution + table->max_reach < kMostCellsOfBeam)) {
+  if (!is_finite(from)) return fail(Errc::OutOfRange, "a scan from a place that is not finite");
+  set_resolution(grid.geometry().resolution);
+  if (!(model.max_range * per_metre + table->max_reach < kMostCellsOfBeam)) {
     return fail(Errc::OutOfRange, "a beam would cross more than 2^20 cells");
   }
-  Vec2 lower = origin;
-  Vec2 upper = origin;
+  Vec2 lower = from;
+  Vec2 upper = from;
   bool says_something = false;
+  clear.assign(ranges.size(), 0.0);
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     if (!is_finite(directions[i])) {
       return fail(Errc::OutOfRange, "a beam in a direction that is not finite");
     }
-    const double end = end_of(ranges[i]);
-    if (end < 0.0) continue;
+    if (!BeamModel::is_reading(ranges[i])) continue;
     says_something = true;
-    const Vec2 tip = origin + end * directions[i];
+    double end = model.max_range;
+    if (!model.is_out_of_range(ranges[i])) {
+      // On a diagonal beam a column is sqrt(2) of a cell long.
+      const double reach = 1.5 * blur_of(ranges[i]).reach;
+      const double place = place_of(ranges[i]);
+      clear[i] = place - reach;
+      end = (place + reach + 1.5) * resolution;
+    }
+    const Vec2 tip = from + end * directions[i];
     lower = {std::min(lower.x, tip.x), std::min(lower.y, tip.y)};
     upper = {std::max(upper.x, tip.x), std::max(upper.y, tip.y)};
   }
@@ -202,8 +207,8 @@ Result<void> ScanMapper::Impl::insert(OccupancyGrid& grid, Vec2 origin,
   if (const auto covered = grid.cover(lower, upper); !covered) return covered;
 
   const GridGeometry& g = grid.geometry();
-  const Vec2 first = (lower - g.origin) * (1.0 / g.resolution);
-  const Vec2 last = (upper - g.origin) * (1.0 / g.resolution);
+  const Vec2 first = per_metre * (lower - g.origin);
+  const Vec2 last = per_metre * (upper - g.origin);
   if (!(last.x > -1.0 && last.y > -1.0 && first.x < g.columns + 1 && first.y < g.rows + 1)) {
     return {};
   }
@@ -211,28 +216,25 @@ Result<void> ScanMapper::Impl::insert(OccupancyGrid& grid, Vec2 origin,
   const auto cut = [](double cell, int count) {
     return static_cast<int>(std::min(std::max(std::floor(cell), 0.0), count - 1.0));
   };
-  const Cell low{cut(first.x - 1.0, g.columns), cut(first.y - 1.0, g.rows)};
-  const Cell high{cut(last.x + 1.0, g.columns), cut(last.y + 1.0, g.rows)};
-  const Box box{low, high.column - low.column + 1, high.row - low.row + 1};
-  const bool clipped =
-      first.x < 1.0 || first.y < 1.0 || last.x >= g.columns - 1.0 || last.y >= g.rows - 1.0;
-  const Vec2 in_box = (origin - g.origin) * (1.0 / g.resolution) -
-                      Vec2{static_cast<double>(low.column), static_cast<double>(low.row)};
-
-  beams.clear();
-  for (std::size_t i = 0; i < ranges.size(); ++i) {
-    if (!BeamModel::is_reading(ranges[i])) continue;
-    make_beam(in_box, directions[i], ranges[i]);
-    Beam& beam = beams.back();
-    if (clipped) beam.walk.clip(box.columns, box.rows, beam.low, beam.high);
+  const Cell corner{cut(first.x - 1.0, g.columns), cut(first.y - 1.0, g.rows)};
+  box.columns = cut(last.x + 1.0, g.columns) - corner.column + 1;
+  box.rows = cut(last.y + 1.0, g.rows) - corner.row + 1;
+  // An odd number of tiles: at a power of two, the cells above each other would fight for the same
+  // lines of the cache.
+  box.stride = (((box.columns + kTile - 1) / kTile) | 1) * kTile;
+  clipped = first.x < 1.0 || first.y < 1.0 || last.x >= g.columns - 1 || last.y >= g.rows - 1;
+  const Vec2 shift{static_cast<double>(corner.column), static_cast<double>(corner.row)};
+  origin = per_metre * (from - g.origin) - shift;
+  own = box.index_of(whole_below(origin.x), whole_below(origin.y));
+  if (said.size() <= box.size()) {
+    said.resize(box.size() + 1, kNoEvidence);
+    told.resize((box.size() / kTile) + sizeof(std::uint64_t), 0);
   }
-  const std::size_t size =
-      static_cast<std::size_t>(box.columns) * static_cast<std::size_t>(box.rows);
-  marks.assign(size, kUntouched);
-  met_cells.clear();
-  if (met.size() < size) met.resize(size);
-  mark_all(box, in_box);
-  apply(grid, box);
+  set_gap(gap);
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (BeamModel::is_reading(ranges[i])) draw(directions[i], ranges[i], shared(i));
+  }
+  apply(grid, corner);
   return {};
 }
 
@@ -248,14 +250,13 @@ const BeamModel& ScanMapper::model() const { return impl_->model; }
 
 Result<void> ScanMapper::insert(OccupancyGrid& grid, Vec2 origin, std::span<const Vec2> directions,
                                 std::span<const double> ranges) {
-  return impl_->insert(grid, origin, directions, ranges);
+  return impl_->insert(grid, origin, directions, 0.0, ranges);
 }
 
 Result<void> ScanMapper::insert_sweep(OccupancyGrid& grid, Vec2 origin,
                                       std::span<const Vec2> directions, double gap,
                                       std::span<const double> ranges) {
-  static_cast<void>(gap);
-  return impl_->insert(grid, origin, directions, ranges);
+  return impl_->insert(grid, origin, directions, std::abs(gap), ranges);
 }
 
 }  // namespace eyebridge::mapping

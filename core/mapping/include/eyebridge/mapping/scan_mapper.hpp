@@ -14,9 +14,9 @@ namespace eyebridge::mapping {
 ///
 /// Each cell gets the evidence of a scan once, however many of its beams cross it: the beams of a
 /// scan share walls and errors and are no independent witnesses, least of all near the sensor. Of
-/// several beams the one counts that speaks most for an obstacle; of those that only crossed the
-/// cell, one that met something before one out of range. No logarithm is taken while mapping: they
-/// are in a table by standard deviation and distance from the reading. Not thread-safe.
+/// several beams the one counts that speaks most for an obstacle. No logarithm is taken while
+/// mapping: they are in a table by standard deviation and distance from the reading. Not
+/// thread-safe.
 class ScanMapper {
  public:
   /// Throws std::invalid_argument for a model that cannot be.
