@@ -81,18 +81,20 @@ class BeamWalk {
   template <class Visit>
   void visit(const Box& box, int from, int to, Visit&& visit) const {
     if (from >= to) return;
-    std::int64_t across = across_ + from * slope_;
-    const std::int64_t along = first_ + step_ * std::int64_t{from};
+    // Copies: else what `visit` writes makes the compiler read them again for every cell.
+    const std::int64_t slope = slope_;
+    const std::int64_t stride = box.stride;
+    const std::int64_t step = steep_ ? step_ * stride : step_;
+    const std::int64_t first = first_ + step_ * std::int64_t{from};
+    std::int64_t along = steep_ ? first * stride : first;
+    std::int64_t across = across_ + from * slope;
     if (steep_) {
-      std::int64_t row = along * box.stride;
-      const std::int64_t up = std::int64_t{step_} * box.stride;
-      for (int k = from; k < to; ++k, row += up, across += slope_) {
-        visit(static_cast<std::size_t>(row + (across >> kBits)), k);
+      for (int k = from; k < to; ++k, along += step, across += slope) {
+        visit(static_cast<std::size_t>(along + (across >> kBits)), k);
       }
     } else {
-      std::int64_t column = along;
-      for (int k = from; k < to; ++k, column += step_, across += slope_) {
-        visit(static_cast<std::size_t>((across >> kBits) * box.stride + column), k);
+      for (int k = from; k < to; ++k, along += step, across += slope) {
+        visit(static_cast<std::size_t>(along + (across >> kBits) * stride), k);
       }
     }
   }

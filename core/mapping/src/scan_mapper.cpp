@@ -35,6 +35,19 @@ void add_evidence(float* evidence, float* cells, int count, float lowest, float 
   }
 }
 
+/// Where it is noted what beams say; a copy, which what is written through it does not change.
+struct Notes {
+  float* said;         ///< Of cells.
+  std::uint8_t* told;  ///< By tile of them: whether anything was said.
+
+  /// Of what several beams say of a cell, that counts which speaks most for an obstacle.
+  void say(std::size_t cell, float evidence) const {
+    const float before = said[cell];
+    said[cell] = before > evidence ? before : evidence;
+    told[cell / kTile] = 1;
+  }
+};
+
 }  // namespace
 
 struct ScanMapper::Impl {
@@ -60,12 +73,7 @@ struct ScanMapper::Impl {
   [[nodiscard]] double place_of(double range) const {
     return std::max(range - model.bias, 0.0) * per_metre;
   }
-  /// Of what several beams say of a cell, that counts which speaks most for an obstacle.
-  void say(std::size_t cell, float evidence) {
-    const float before = said[cell];
-    said[cell] = before > evidence ? before : evidence;
-    told[cell / kTile] = 1;
-  }
+  [[nodiscard]] Notes notes() { return {said.data(), told.data()}; }
   void apply(OccupancyGrid& grid, Cell corner);
   void set_gap(double gap);
   [[nodiscard]] double shared(std::size_t ray) const;
@@ -113,8 +121,9 @@ void ScanMapper::Impl::draw_unmet(const BeamWalk& walk, double skipped) {
   if (model.min_range > 0.0) near = walk.first_at(model.min_range * scale);
   if (clipped) walk.clip(box, from, to);
   const float evidence = table->crossed_unmet;
-  walk.visit(box, std::max(from, near), to, [&](std::size_t cell, int) { say(cell, evidence); });
-  if (near <= 0) say(own, evidence);
+  const auto take = [=, notes = notes()](std::size_t cell, int) { notes.say(cell, evidence); };
+  walk.visit(box, std::max(from, near), to, take);
+  if (near <= 0) take(own, 0);
 }
 
 /// Says what a beam does, but for what others say of cells nearer than `skipped`.
@@ -128,25 +137,28 @@ void ScanMapper::Impl::draw(Vec2 direction, double range, double skipped) {
   int end = std::max(crossed + blur.cells, from);
   if (clipped) walk.clip(box, from, end);
 
-  float near = table->crossed;
+  const Notes notes = this->notes();
+  const float far = table->crossed;
+  float near = far;
   int begin = skipped > 1.0 ? std::max(from, walk.first_at(skipped * walk.share())) : from;
   const int to = std::min(crossed, end);
   if (model.fold > 0.0) {
     const int folded = walk.first_at(model.min_range * per_metre * walk.share());
-    near = folded > 0 ? table->crossed_near : near;
-    walk.visit(box, begin, std::min(folded, to), [&](std::size_t cell, int) { say(cell, near); });
+    near = folded > 0 ? table->crossed_near : far;
+    walk.visit(box, begin, std::min(folded, to),
+               [=](std::size_t cell, int) { notes.say(cell, near); });
     begin = std::max(begin, folded);
   }
-  const float far = table->crossed;
-  walk.visit(box, begin, to, [&](std::size_t cell, int) { say(cell, far); });
+  walk.visit(box, begin, to, [=](std::size_t cell, int) { notes.say(cell, far); });
   const double first = walk.distance(0) - place;
-  say(own, crossed > 0 ? near : blur.at(first));
+  notes.say(own, crossed > 0 ? near : blur.at(first));
   // In the column of the reading the cell that it lies in counts, which need not be the one that
   // the beam is in at the column's middle.
   const int middle = walk.first_at(place - 0.5);
   const std::size_t exact = walk.index_at(middle, place, box);
-  walk.visit(box, std::max(crossed, from), end,
-             [&](std::size_t cell, int k) { say(k == middle ? exact : cell, blur.at(first + k)); });
+  walk.visit(box, std::max(crossed, from), end, [=, &blur](std::size_t cell, int k) {
+    notes.say(k == middle ? exact : cell, blur.at(first + k));
+  });
 }
 
 void ScanMapper::Impl::apply(OccupancyGrid& grid, Cell corner) {
