@@ -44,7 +44,7 @@ BeamTable::BeamTable(const BeamModel& model, double resolution)
     blur.reach = kBlurWidth * width + kCellHalf;
     blur.cells = static_cast<int>(2.0 * blur.reach) + 1;
     blur.scale = Blur::kEntries / (2.0 * blur.reach + 1.0);
-    for (int i = 0; i < Blur::kEntries; ++i) {
+    for (int i = 0; i <= Blur::kEntries; ++i) {
       const double offset = (i + 0.5) / blur.scale - blur.reach;
       const double said =
           blurred_probability(model, (offset - kCellHalf) * resolution,

@@ -31,13 +31,15 @@ class BeamTable {
     double reach = 0.0;  ///< To either side; nearer cells were crossed, farther ones say nothing.
     double scale = 0.0;  ///< Entries a cell.
     int cells = 0;       ///< As many in a row begin before the one side and end beyond the other.
-    /// From -reach to one cell and more beyond reach, where it is kNoEvidence.
-    std::array<float, kEntries> evidence{};
+    /// From -reach to one cell beyond reach, where it is kNoEvidence.
+    std::array<float, kEntries + 1> evidence{};
 
     /// `offset` is of one of `cells` cells, of which the first is the first within reach.
     [[nodiscard]] float at(double offset) const {
+      // Rounding takes it less than an entry too low, where 0 is what a negative one is cut to, or
+      // too high.
       const int i = static_cast<int>((offset + reach) * scale);
-      return evidence[static_cast<std::size_t>(i < 0 ? 0 : i < kEntries ? i : kEntries - 1)];
+      return evidence[static_cast<std::size_t>(i)];
     }
   };
 

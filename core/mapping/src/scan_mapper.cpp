@@ -90,12 +90,12 @@ void ScanMapper::Impl::set_resolution(double metres) {
   table.emplace(model, metres);
 }
 
-// Near the sensor many beams cross each cell. There, of two beams that lie closer than half a cell
+// Near the sensor many beams cross each cell. There, of two beams that lie close to each other
 // the cells of all those between are crossed by one of the two, as far as both go. So every second
 // beam begins where its neighbours get too far from each other; of the others, every second where
 // those that are left do; and so on.
 void ScanMapper::Impl::set_gap(double gap) {
-  constexpr double kClose = 0.5;  // cells
+  constexpr double kClose = 0.7;  // cells: less than 1 / sqrt(2), so that no cell fits between
   double apart = gap;
   for (double& distance : close) {
     apart *= 2.0;

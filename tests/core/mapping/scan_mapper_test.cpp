@@ -177,6 +177,37 @@ TEST(ScanMapper, GivesTheSameWhereverTheGridEnds) {
   }
 }
 
+TEST(ScanMapper, MapsASweepAsItDoesItsBeamsOneByOne) {
+  Random random(11);
+  std::size_t changed = 0;
+  std::size_t different = 0;
+  for (int round = 0; round < 60; ++round) {
+    const std::size_t count = 90 + 90 * static_cast<std::size_t>(round % 8);
+    const double gap = (round % 2 == 0 ? 1.0 : -1.0) * (round % 3 == 0 ? kPi : 2 * kPi) /
+                       static_cast<double>(count);
+    const std::vector<Vec2> directions = fan(count, gap, 7 * random.uniform());
+    std::vector<double> ranges(count);
+    double range = 1.0;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (random.chance(0.1)) range = 0.2 + 3.0 * random.uniform();  // a corner
+      ranges[i] = random.chance(0.02) ? kNotANumber : range + 0.01 * random.gaussian();
+    }
+    const Vec2 origin{4.0 + random.uniform(), 4.0 + random.uniform()};
+    ScanMapper mapper(model_with(0.02));
+    OccupancyGrid one_by_one = grid_of(180, 180);
+    OccupancyGrid sweep = grid_of(180, 180);
+    ASSERT_TRUE(mapper.insert(one_by_one, origin, directions, ranges));
+    ASSERT_TRUE(mapper.insert_sweep(sweep, origin, directions, gap, ranges));
+    for (std::size_t i = 0; i < sweep.raster().cells.size(); ++i) {
+      if (one_by_one.raster().cells[i] != 0.0F) ++changed;
+      if (one_by_one.raster().cells[i] != sweep.raster().cells[i]) ++different;
+    }
+  }
+  EXPECT_GT(changed, 100'000u);
+  // Where a short beam lies beside long ones, a cell that only its own column touches is missed.
+  EXPECT_LT(static_cast<double>(different), 0.001 * static_cast<double>(changed)) << different;
+}
+
 TEST(ScanMapper, GrowsAGridThatMayGrow) {
   OccupancySettings settings;
   settings.growing = true;
