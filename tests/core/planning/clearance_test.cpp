@@ -12,8 +12,6 @@
 namespace eyebridge::planning {
 namespace {
 
-using mapping::Cell;
-
 /// Over all blocked cells, from the definition.
 double nearest_square(const BlockedRaster& blocked, Vec2 point) {
   const mapping::GridGeometry& grid = blocked.geometry;
