@@ -1,9 +1,6 @@
 #include "eyebridge/planning/clearance.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -11,23 +8,6 @@
 
 namespace eyebridge::planning {
 namespace {
-
-/// Over all blocked cells, from the definition.
-double nearest_square(const BlockedRaster& blocked, Vec2 point) {
-  const mapping::GridGeometry& grid = blocked.geometry;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (int row = 0; row < grid.rows; ++row) {
-    for (int column = 0; column < grid.columns; ++column) {
-      if (blocked[{column, row}] == 0) continue;
-      const Vec2 away = grid.centre_of({column, row}) - point;
-      const double half = 0.5 * grid.resolution;
-      const Vec2 gap{std::max(std::abs(away.x) - half, 0.0),
-                     std::max(std::abs(away.y) - half, 0.0)};
-      nearest = std::min(nearest, norm(gap));
-    }
-  }
-  return nearest;
-}
 
 TEST(Clearance, EqualsTheDistanceToTheNearestSquareInEveryCell) {
   Random random(4);
@@ -39,7 +19,8 @@ TEST(Clearance, EqualsTheDistanceToTheNearestSquareInEveryCell) {
     const ClearanceRaster clearance = clearance_of(blocked);
     for (int row = 0; row < rows; ++row) {
       for (int column = 0; column < columns; ++column) {
-        const double wanted = nearest_square(blocked, blocked.geometry.centre_of({column, row}));
+        const double wanted =
+            test::nearest_square(blocked, blocked.geometry.centre_of({column, row}));
         ASSERT_FLOAT_EQ((clearance[{column, row}]), static_cast<float>(wanted)) << trial;
       }
     }
@@ -53,7 +34,7 @@ TEST(Clearance, IsNeverOverratedBetweenCentres) {
     const BlockedRaster blocked = test::random_grid(15, 15, 0.05, random, 0.1);
     const ClearanceRaster clearance = clearance_of(blocked);
     const Vec2 point = blocked.geometry.origin + 1.5 * Vec2{random.uniform(), random.uniform()};
-    const double real = nearest_square(blocked, point);
+    const double real = test::nearest_square(blocked, point);
     const double said = clearance_at(clearance, point);
     if (!std::isfinite(real)) continue;
     EXPECT_LE(said, real + 1e-6);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -81,6 +82,23 @@ inline std::vector<double> brute_force(const BlockedRaster& blocked, const std::
     }
   }
   return distances;
+}
+
+/// Distance from `point` to the nearest blocked cell, over all of them, from the definition.
+inline double nearest_square(const BlockedRaster& blocked, Vec2 point) {
+  const mapping::GridGeometry& grid = blocked.geometry;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      if (blocked[{column, row}] == 0) continue;
+      const Vec2 away = grid.centre_of({column, row}) - point;
+      const double half = 0.5 * grid.resolution;
+      const Vec2 gap{std::max(std::abs(away.x) - half, 0.0),
+                     std::max(std::abs(away.y) - half, 0.0)};
+      nearest = std::min(nearest, norm(gap));
+    }
+  }
+  return nearest;
 }
 
 /// Whether a line misses all blocked cells, looked at every thousandth of a cell: no shared code
