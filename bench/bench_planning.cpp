@@ -1,5 +1,6 @@
 #include <cmath>
 #include <ctime>
+#include <functional>
 #include <queue>
 #include <string>
 #include <utility>
@@ -10,6 +11,10 @@
 #include "eyebridge/base/random.hpp"
 #include "eyebridge/planning/astar.hpp"
 #include "eyebridge/planning/clearance.hpp"
+#include "eyebridge/planning/dstar_lite.hpp"
+#include "eyebridge/planning/rrt_star.hpp"
+#include "eyebridge/planning/theta_star.hpp"
+#include "eyebridge/planning/wavefront.hpp"
 
 namespace eyebridge::planning {
 namespace {
@@ -139,6 +144,47 @@ void plan(benchmark::State& state, const BlockedRaster& blocked, Planner planner
   compare(state, blocked, path, 1e3 * spent / static_cast<double>(state.iterations()));
 }
 
+/// RRT* with what a step is on a floor of 50 m.
+Planned sampled(const BlockedRaster& blocked, Vec2 start, Vec2 goal) {
+  Random random(13);
+  RrtStarSettings settings;
+  settings.step = 2.0;
+  settings.samples = 10000;
+  return rrt_star(blocked, start, goal, random, settings);
+}
+
+/// Flooded from the goal, and down from the start.
+Planned flooded(const BlockedRaster& blocked, Vec2 start, Vec2 goal) {
+  return path_down(blocked, wavefront(blocked, {&goal, 1}), start);
+}
+
+Planned from_scratch(const BlockedRaster& blocked, Vec2 start, Vec2 goal) {
+  return DStarLite(blocked, goal).plan(start);
+}
+
+/// A new plan of D* Lite after a wall in the way appeared or went, a tenth of the way from the
+/// start.
+void replan(benchmark::State& state, const BlockedRaster& blocked) {
+  const Vec2 goal = goal_in(blocked);
+  DStarLite planner(blocked, goal);
+  Planned path = planner.plan(kStart);
+  if (!path) return state.SkipWithError(to_text(path.error()));
+  bool wall = false;
+  const double begin = cpu_seconds();
+  for (auto _ : state) {
+    wall = !wall;
+    for (int i = 80; i < 120; ++i) {
+      const Cell cell{i, 200 - i};
+      planner.set_blocked(cell, wall || blocked[cell] != 0);
+    }
+    path = planner.plan(kStart);
+    benchmark::DoNotOptimize(path);
+  }
+  const double spent = cpu_seconds() - begin;
+  if (!path) return state.SkipWithError(to_text(path.error()));
+  compare(state, planner.blocked(), path, 1e3 * spent / static_cast<double>(state.iterations()));
+}
+
 void clear(benchmark::State& state, const BlockedRaster& blocked) {
   for (auto _ : state) benchmark::DoNotOptimize(clearance_of(blocked));
 }
@@ -152,7 +198,10 @@ const bool kRegistered = [] {
     const char* name;
     Planner planner;
   };
-  constexpr Row kRows[] = {{"Astar", astar}};
+  constexpr Row kRows[] = {{"Astar", astar},
+                           {"ThetaStar", theta_star},
+                           {"DStarLite", from_scratch},
+                           {"Wavefront", flooded}};
   for (const Scene& scene :
        {Scene{"Random30", random_obstacles}, Scene{"Maze", maze}, Scene{"Empty", empty_floor}}) {
     const auto add = [&](const char* what, auto run) {
@@ -163,6 +212,13 @@ const bool kRegistered = [] {
     for (const Row& row : kRows) {
       add(row.name, [=](benchmark::State& state, const BlockedRaster& blocked) {
         plan(state, blocked, row.planner);
+      });
+    }
+    // A wall across a maze would close it, and samples hardly ever meet its corridors.
+    if (scene.make != maze) add("DStarLiteReplan", replan);
+    if (scene.make == empty_floor) {
+      add("RrtStar", [](benchmark::State& state, const BlockedRaster& blocked) {
+        plan(state, blocked, sampled);
       });
     }
     add("Clearance", clear);

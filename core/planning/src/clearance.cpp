@@ -119,10 +119,22 @@ BlockedRaster widened(const ClearanceRaster& clearance, double radius) {
 }
 
 double clearance_at(const ClearanceRaster& clearance, Vec2 point) {
-  if (!is_within(clearance.geometry, point)) return 0.0;
-  const mapping::Cell cell = clearance.geometry.cell_at(point);
-  const double off = norm(point - clearance.geometry.centre_of(cell));
-  return std::max(0.0, static_cast<double>(clearance[cell]) - off);
+  const mapping::GridGeometry& grid = clearance.geometry;
+  if (!is_within(grid, point)) return 0.0;
+  // No obstacle is nearer than a centre's clearance less the way there: the best of the four
+  // centres around, of which one lies away from the nearest obstacle.
+  const double half = 0.5 * grid.resolution;
+  const mapping::Cell low = grid.cell_at(point - Vec2{half, half});
+  double room = 0.0;
+  for (int up = 0; up < 2; ++up) {
+    for (int right = 0; right < 2; ++right) {
+      const mapping::Cell cell{low.column + right, low.row + up};
+      if (!grid.contains(cell)) continue;
+      const double off = norm(point - grid.centre_of(cell));
+      room = std::max(room, static_cast<double>(clearance[cell]) - off);
+    }
+  }
+  return room;
 }
 
 }  // namespace eyebridge::planning

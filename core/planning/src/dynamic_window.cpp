@@ -30,6 +30,9 @@ void check(const DynamicWindowSettings& settings) {
   }
 }
 
+// Less room than this share of a cell is none: along a wall steps would become ever shorter.
+constexpr double kShortestCells = 0.02;
+
 /// Where the arc of `distance` metres and `angle` radians from `pose` ends.
 Pose after_arc(const Pose& pose, double distance, double angle) {
   const double half = 0.5 * angle;
@@ -43,7 +46,7 @@ Pose after_arc(const Pose& pose, double distance, double angle) {
 /// long as there is room all around, which can pass nothing.
 double free_along(const ClearanceRaster& clearance, const Pose& pose, const Twist& twist,
                   double radius, double limit) {
-  const double shortest = 1e-3 * clearance.geometry.resolution;
+  const double shortest = kShortestCells * clearance.geometry.resolution;
   double done = 0.0;
   while (done < limit) {
     const Pose at = after_arc(pose, done, done * twist.angular / twist.linear);
@@ -115,14 +118,15 @@ DynamicChoice DynamicWindow::choose(const ClearanceRaster& clearance, const Pose
                         sample(rightmost, leftmost, k, settings_.angular_samples)};
       const double needed = stopping_distance(twist);
       if (needed > left && twist.linear > slowest) continue;  // would pass the goal
-      double free = settings_.look_ahead;
-      if (twist.linear > 0.0) {
-        const double limit = std::max(needed, settings_.look_ahead);
-        free = free_along(clearance, pose, twist, settings_.radius, limit);
-        if (free < needed) continue;
-        free = std::min(free, settings_.look_ahead);
-      }
-      const double value = score(pose, twist, free, goal);
+      // A turn on the spot is always free; what it is worth lies straight ahead after it. Else to
+      // stand still would look better than any way between obstacles.
+      const bool drives = twist.linear > 0.0;
+      const Pose from = drives ? pose : after_arc(pose, 0.0, twist.angular * settings_.period);
+      const double limit = std::max(needed, settings_.look_ahead);
+      const double free =
+          free_along(clearance, from, drives ? twist : Twist{1.0, 0.0}, settings_.radius, limit);
+      if (drives && free < needed) continue;
+      const double value = score(pose, twist, std::min(free, settings_.look_ahead), goal);
       if (value <= highest) continue;
       highest = value;
       best = {twist, false};

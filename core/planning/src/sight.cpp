@@ -90,6 +90,15 @@ bool is_free_line(const BlockedRaster& blocked, Vec2 a, Vec2 b) {
   return true;
 }
 
+Vec2 farthest_in_sight(const BlockedRaster& blocked, const PathProgress& progress, Vec2 position,
+                       double distance) {
+  for (double ahead = distance; ahead > 0.0; ahead -= blocked.geometry.resolution) {
+    const Vec2 place = progress.ahead(ahead);
+    if (is_free_line(blocked, position, place)) return place;
+  }
+  return progress.ahead(distance);
+}
+
 Path shortened(const BlockedRaster& blocked, const Path& path) {
   const std::vector<Vec2>& points = path.points;
   if (points.size() < 3) return path;

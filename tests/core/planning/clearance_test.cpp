@@ -41,7 +41,7 @@ TEST(Clearance, IsNeverOverratedBetweenCentres) {
     worst = std::max(worst, real - said);
   }
   EXPECT_LT(worst, 0.142);
-  EXPECT_GT(worst, 0.07);
+  EXPECT_GT(worst, 0.01);
   EXPECT_EQ(clearance_at(clearance_of(BlockedRaster({{0, 0}, 1.0, 2, 2})), {2.5, 0.5}), 0.0);
 }
 

@@ -84,12 +84,15 @@ inline std::vector<double> brute_force(const BlockedRaster& blocked, const std::
   return distances;
 }
 
-/// Distance from `point` to the nearest blocked cell, over all of them, from the definition.
-inline double nearest_square(const BlockedRaster& blocked, Vec2 point) {
+/// Distance from `point` to the nearest blocked cell, over all of them that are at most `cells`
+/// away, from the definition; infinite if there is none.
+inline double nearest_square(const BlockedRaster& blocked, Vec2 point, int cells = 1000) {
   const mapping::GridGeometry& grid = blocked.geometry;
+  const Cell own = grid.cell_at(point);
   double nearest = std::numeric_limits<double>::infinity();
-  for (int row = 0; row < grid.rows; ++row) {
-    for (int column = 0; column < grid.columns; ++column) {
+  for (int row = std::max(0, own.row - cells); row < grid.rows && row <= own.row + cells; ++row) {
+    for (int column = std::max(0, own.column - cells);
+         column < grid.columns && column <= own.column + cells; ++column) {
       if (blocked[{column, row}] == 0) continue;
       const Vec2 away = grid.centre_of({column, row}) - point;
       const double half = 0.5 * grid.resolution;

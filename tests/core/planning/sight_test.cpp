@@ -84,5 +84,18 @@ TEST(Shortened, PullsAPathStraightAndKeepsItsEnds) {
   EXPECT_TRUE(test::is_clear(blocked, shorter.points));
 }
 
+TEST(FarthestInSight, StopsAtTheCornerThatHidesTheRest) {
+  const BlockedRaster blocked = drawn({"....",  //
+                                       ".##.",  //
+                                       "...."});
+  PathProgress progress({{3.5, 0.5}, {0.5, 0.5}, {0.5, 2.5}, {3.5, 2.5}});
+  const Vec2 robot{1.5, 0.5};
+  progress.advance(robot, 9.0);
+  EXPECT_EQ(farthest_in_sight(blocked, progress, robot, 0.75), (Vec2{0.75, 0.5}));
+  // Of places a cell apart, from the farthest: (0.5, 2.25) and so on; the first in sight.
+  EXPECT_EQ(farthest_in_sight(blocked, progress, robot, 2.75), (Vec2{0.5, 1.25}));
+  EXPECT_EQ(farthest_in_sight(blocked, progress, {2.5, 1.5}, 2.75), (Vec2{0.5, 2.25}));
+}
+
 }  // namespace
 }  // namespace eyebridge::planning

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "eyebridge/planning/path.hpp"
+#include "eyebridge/planning/path_progress.hpp"
 
 namespace eyebridge::planning {
 
@@ -20,5 +21,11 @@ bool is_free_line(const BlockedRaster& blocked, Vec2 a, Vec2 b);
 /// at most 256 before it; both ends stay. Never longer than `path`, whose own lines are taken as
 /// free. `expanded` stays.
 Path shortened(const BlockedRaster& blocked, const Path& path);
+
+/// The farthest place ahead on a path, at most `distance` metres, that a robot at `position`,
+/// metres, sees, to within a cell; if it sees none, the one `distance` ahead. What lies behind a
+/// corner is no goal for DynamicWindow: `blocked` is widened by the robot's radius.
+Vec2 farthest_in_sight(const BlockedRaster& blocked, const PathProgress& progress, Vec2 position,
+                       double distance);
 
 }  // namespace eyebridge::planning
