@@ -31,7 +31,7 @@ void compare(DStarLite& planner, Vec2 start, Vec2 goal, int& found) {
 TEST(DStarLite, EqualsAstarAfterEachOfManyRandomChanges) {
   Random random(31);
   int found = 0;
-  for (int trial = 0; trial < 60; ++trial) {
+  for (int trial = 0; trial < 50; ++trial) {
     const int side = 4 + static_cast<int>(random.uniform() * 20);
     const BlockedRaster blocked = test::random_grid(side, side, 0.4 * random.uniform(), random);
     const mapping::GridGeometry& grid = blocked.geometry;
@@ -49,7 +49,7 @@ TEST(DStarLite, EqualsAstarAfterEachOfManyRandomChanges) {
       if (random.chance(0.5)) robot = test::random_cell(grid, random);
     }
   }
-  EXPECT_GT(found, 600);
+  EXPECT_GT(found, 500);
 }
 
 TEST(DStarLite, LeadsARobotThatSeesOnlyItsSurroundings) {

@@ -46,11 +46,11 @@ TEST(RrtStar, IsWithinATwelfthOfTheShortestWayForTwentySeeds) {
 TEST(RrtStar, ComesNearerToTheShortestWithMoreSamples) {
   const BlockedRaster blocked = walled_room();
   double excess[2] = {};
-  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
     for (int i = 0; i < 2; ++i) {
       Random random(seed);
       RrtStarSettings settings;
-      settings.samples = i == 0 ? 2000 : 20000;
+      settings.samples = i == 0 ? 1000 : 8000;
       const Planned path = rrt_star(blocked, kStart, kGoal, random, settings);
       ASSERT_TRUE(path) << seed;
       excess[i] += path->length - kShortest;
@@ -62,12 +62,12 @@ TEST(RrtStar, ComesNearerToTheShortestWithMoreSamples) {
 TEST(RrtStar, MissesBlockedCellsOfRandomGrids) {
   Random random(51);
   int found = 0;
-  for (int trial = 0; trial < 100; ++trial) {
+  for (int trial = 0; trial < 50; ++trial) {
     const BlockedRaster blocked = test::random_grid(20, 20, 0.15, random, 0.1);
     const Vec2 start = blocked.geometry.centre_of({1, 1});
     const Vec2 goal = blocked.geometry.centre_of({18, 17});
     RrtStarSettings settings;
-    settings.samples = 1500;
+    settings.samples = 1200;
     settings.step = 0.3;
     const Planned path = rrt_star(blocked, start, goal, random, settings);
     const Planned exists = theta_star(blocked, start, goal);
@@ -83,7 +83,7 @@ TEST(RrtStar, MissesBlockedCellsOfRandomGrids) {
     EXPECT_TRUE(test::is_clear(blocked, path->points)) << trial;
     EXPECT_GE(path->length, norm(goal - start));
   }
-  EXPECT_GT(found, 50);
+  EXPECT_GT(found, 25);
 }
 
 TEST(RrtStar, GivesTheSamePathForTheSameSeed) {

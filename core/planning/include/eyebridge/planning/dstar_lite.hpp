@@ -10,7 +10,8 @@ namespace eyebridge::planning {
 /// what an earlier plan found out is kept, and only what the changes touch is searched again.
 ///
 /// Koenig and Likhachev, "D* Lite", AAAI (2002), the optimised version. Paths are exactly as long
-/// as astar()'s, over the same steps. Not thread-safe; needs about 40 bytes a cell.
+/// as astar()'s, over the same steps. Not thread-safe; needs 22 bytes a cell, and
+/// 24 more for each that a search has open.
 class DStarLite {
  public:
   /// A plan to `goal`, metres, over a copy of `blocked`. Plans say it if the goal is outside.

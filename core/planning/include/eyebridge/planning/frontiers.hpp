@@ -39,7 +39,8 @@ struct ExplorationSettings {
   std::size_t smallest = 1;  ///< Frontiers of fewer cells are left alone.
 };
 
-/// The frontier that a robot at `position`, metres, reaches first, over free cells only.
+/// The frontier that a robot at `position`, metres, reaches first, over free cells only; with a
+/// radius, over those alone where it touches nothing occupied, so that some may stay out of reach.
 /// Unreachable: there is none left, and it is done. StartBlocked: it stands in no free cell, or
 /// too near an occupied one.
 tl::expected<Exploration, NoPath> nearest_frontier(const KnowledgeRaster& known, Vec2 position,
