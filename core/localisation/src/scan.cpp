@@ -1,0 +1,44 @@
+#include "eyebridge/localisation/scan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "eyebridge/base/units.hpp"
+
+namespace eyebridge::localisation {
+
+Scan Scan::thinned(std::size_t count) const {
+  Scan out;
+  out.origin = origin;
+  const std::size_t kept = std::min(count, hits.size());
+  out.hits.reserve(kept);
+  for (std::size_t i = 0; i < kept; ++i) out.hits.push_back(hits[i * hits.size() / kept]);
+  return out;
+}
+
+Scan scan_of(std::span<const double> ranges, double field_of_view, const robot::LidarModel& lidar) {
+  if (lidar.tilt != 0.0) {
+    throw std::invalid_argument("scan: expected a lidar that looks ahead, found a tilted one");
+  }
+  constexpr double kNearlyAll = 1e-9;  // radians; what a full circle may lack
+  const bool circle = field_of_view >= 2 * kPi - kNearlyAll;
+  const auto count = static_cast<double>(ranges.size());
+  const double gaps = circle ? count : std::max(count - 1, 1.0);
+  const double start = ranges.size() > 1 ? field_of_view / 2 : 0.0;
+  Scan out;
+  out.origin = lidar.pose_in_robot.position();
+  out.hits.reserve(ranges.size());
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    const double range = ranges[i];
+    if (!(range > 0.0)) continue;
+    const double bearing = start - static_cast<double>(i) * field_of_view / gaps;
+    const Heading heading = Heading::from_angle(lidar.pose_in_robot.theta + bearing);
+    const bool miss = range >= lidar.max_range;
+    const Vec2 end = out.origin + std::min(range, lidar.max_range) * heading.forward();
+    (miss ? out.misses : out.hits).push_back(end);
+  }
+  return out;
+}
+
+}  // namespace eyebridge::localisation
