@@ -13,27 +13,12 @@ constexpr double kNoTravel = 1e-4;  // metres
 
 double square_of(double value) { return value * value; }
 
-/// Deviations of the three parts of one step.
-struct StepSigmas {
-  double first_turn;
-  double travel;
-  double second_turn;
-};
-
-StepSigmas sigmas_of(const OdometryStep& step, const OdometryNoise& noise) {
-  const double travel = square_of(step.travel);
-  const double first = square_of(step.first_turn);
-  const double second = square_of(step.second_turn);
-  const double turn_floor = square_of(noise.least_turn_sigma);
-  return {
-      std::sqrt(noise.turn_by_turn * first + noise.turn_by_travel * travel + turn_floor),
-      std::sqrt(noise.travel_by_travel * travel + noise.travel_by_turn * (first + second) +
-                square_of(noise.least_travel_sigma)),
-      std::sqrt(noise.turn_by_turn * second + noise.turn_by_travel * travel + turn_floor),
-  };
+StepVariances roots_of(const StepVariances& v) {
+  return {std::sqrt(v.first_turn), std::sqrt(v.travel), std::sqrt(v.second_turn)};
 }
 
-Pose drawn(const Pose& pose, const OdometryStep& step, const StepSigmas& sigmas, Random& random) {
+Pose drawn(const Pose& pose, const OdometryStep& step, const StepVariances& sigmas,
+           Random& random) {
   OdometryStep real;
   real.first_turn = step.first_turn + sigmas.first_turn * random.gaussian();
   real.travel = step.travel + sigmas.travel * random.gaussian();
@@ -51,8 +36,8 @@ struct DriveVariances {
   double least_turn_sigma;
 };
 
-DriveVariances variances_of(const robot::DriveError& error, const robot::DriveModel& drive,
-                            double travel, double tick) {
+DriveVariances drive_variances(const robot::DriveError& error, const robot::DriveModel& drive,
+                               double travel, double tick) {
   if (!(travel > 0.0 && tick > 0.0 && drive.wheel_base > 0.0 && drive.ticks_per_revolution > 0.0)) {
     throw std::invalid_argument("motion noise: lengths and ticks must be positive");
   }
@@ -119,9 +104,22 @@ Pose OdometryStep::applied_to(const Pose& pose) const {
   return {place.x, place.y, wrap_angle(course + second_turn)};
 }
 
+StepVariances variances_of(const OdometryStep& step, const OdometryNoise& noise) {
+  const double travel = square_of(step.travel);
+  const double first = square_of(step.first_turn);
+  const double second = square_of(step.second_turn);
+  const double turn_floor = square_of(noise.least_turn_sigma);
+  return {
+      noise.turn_by_turn * first + noise.turn_by_travel * travel + turn_floor,
+      noise.travel_by_travel * travel + noise.travel_by_turn * (first + second) +
+          square_of(noise.least_travel_sigma),
+      noise.turn_by_turn * second + noise.turn_by_travel * travel + turn_floor,
+  };
+}
+
 OdometryNoise odometry_noise(const robot::DriveError& error, const robot::DriveModel& drive,
                              double travel, double tick) {
-  const DriveVariances v = variances_of(error, drive, travel, tick);
+  const DriveVariances v = drive_variances(error, drive, travel, tick);
   OdometryNoise noise;
   noise.turn_by_turn = v.turn_by_turn;
   noise.turn_by_travel = v.turn_by_travel / 2;  // shared by the two turns
@@ -134,12 +132,12 @@ OdometryNoise odometry_noise(const robot::DriveError& error, const robot::DriveM
 
 Pose sample_motion(const Pose& pose, const OdometryStep& step, const OdometryNoise& noise,
                    Random& random) {
-  return drawn(pose, step, sigmas_of(step, noise), random);
+  return drawn(pose, step, roots_of(variances_of(step, noise)), random);
 }
 
 void sample_motion(Particles& particles, const OdometryStep& step, const OdometryNoise& noise,
                    Random& random) {
-  const StepSigmas sigmas = sigmas_of(step, noise);
+  const StepVariances sigmas = roots_of(variances_of(step, noise));
   for (std::size_t i = 0; i < particles.size(); ++i) {
     const Pose pose = drawn(particles.pose(i), step, sigmas, random);
     particles.x[i] = pose.x;
@@ -163,7 +161,7 @@ double VelocityNoise::spin_variance(const Twist& twist) const {
 
 VelocityNoise velocity_noise(const robot::DriveError& error, const robot::DriveModel& drive,
                              double travel, double tick) {
-  const DriveVariances v = variances_of(error, drive, travel, tick);
+  const DriveVariances v = drive_variances(error, drive, travel, tick);
   return {v.travel_by_travel, v.travel_by_turn, v.turn_by_travel, v.turn_by_turn, 0.0, 0.0};
 }
 

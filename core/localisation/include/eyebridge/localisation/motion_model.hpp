@@ -49,6 +49,14 @@ struct OdometryNoise {
   double least_turn_sigma = 0.0;    ///< Likewise of each turn, radians.
 };
 
+/// Variances of the three parts of one step: radians squared and metres squared.
+struct StepVariances {
+  double first_turn = 0.0;
+  double travel = 0.0;
+  double second_turn = 0.0;
+};
+StepVariances variances_of(const OdometryStep& step, const OdometryNoise& noise);
+
 /// The noise of odometry of a robot whose drive errs like `error`, for steps of `travel` metres
 /// that the simulation made in steps of `tick` metres, both > 0. Independent errors of n steps grow
 /// as the root of n, systematic ones (of unequal wheels) as n; the latter are taken for random.
