@@ -41,4 +41,29 @@ Scan scan_of(std::span<const double> ranges, double field_of_view, const robot::
   return out;
 }
 
+mapping::Raster<std::uint8_t> walls_seen(const Scan& scan, double resolution, double gap,
+                                         double margin) {
+  Vec2 low = scan.origin;
+  Vec2 high = scan.origin;
+  for (const Vec2 hit : scan.hits) {
+    low = {std::min(low.x, hit.x), std::min(low.y, hit.y)};
+    high = {std::max(high.x, hit.x), std::max(high.y, hit.y)};
+  }
+  // A cell more, which rounding may need.
+  const double border = margin + resolution;
+  mapping::Raster<std::uint8_t> out(
+      mapping::GridGeometry::covering(low - Vec2{border, border}, high.x - low.x + 2 * border,
+                                      high.y - low.y + 2 * border, resolution));
+  for (std::size_t i = 0; i < scan.hits.size(); ++i) {
+    const Vec2 from = scan.hits[i];
+    const Vec2 way = scan.hits[(i + 1) % scan.hits.size()] - from;
+    const double length = norm(way);
+    const double steps = length <= gap ? std::ceil(2 * length / resolution) : 0.0;
+    for (double k = 0; k <= steps; ++k) {
+      out[out.geometry.cell_at(from + (k / std::max(steps, 1.0)) * way)] = 1;
+    }
+  }
+  return out;
+}
+
 }  // namespace eyebridge::localisation

@@ -59,5 +59,20 @@ TEST(Scan, ThinsOutEvenly) {
   EXPECT_TRUE(Scan{}.thinned(3).hits.empty());
 }
 
+TEST(WallsSeen, JoinsHitsThatAreNearEachOther) {
+  Scan scan;
+  scan.hits = {{1, 0}, {1, 0.3}, {2, 0.3}};
+  const auto walls = walls_seen(scan, 0.1, 0.5, 0.2);
+  const auto seen = [&](Vec2 place) { return walls[walls.geometry.cell_at(place)] != 0; };
+  for (const Vec2 place : {Vec2{1, 0}, Vec2{1, 0.1}, Vec2{1, 0.2}, Vec2{1, 0.3}, Vec2{2, 0.3}}) {
+    EXPECT_TRUE(seen(place)) << place.x << ", " << place.y;
+  }
+  EXPECT_FALSE(seen({1.5, 0.3}));
+  EXPECT_FALSE(seen({1.5, 0.15}));
+  EXPECT_FALSE(seen({0, 0}));
+  EXPECT_TRUE(walls.geometry.contains(walls.geometry.cell_at({2.15, -0.15})));
+  EXPECT_FALSE(walls_seen({}, 0.1, 0.5, 0.2).cells.empty());
+}
+
 }  // namespace
 }  // namespace eyebridge::localisation

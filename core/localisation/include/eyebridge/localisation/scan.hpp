@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "eyebridge/base/pose.hpp"
+#include "eyebridge/mapping/raster.hpp"
 #include "eyebridge/robot/robot_model.hpp"
 
 namespace eyebridge::localisation {
@@ -24,5 +26,11 @@ struct Scan {
 /// is not a positive number is left out. Throws std::invalid_argument for a scanner that is tilted:
 /// it sees the floor.
 Scan scan_of(std::span<const double> ranges, double field_of_view, const robot::LidarModel& lidar);
+
+/// What `scan` saw, in the frame of its robot, as a map to fit the next one into: cells of
+/// `resolution` metres, > 0, that hits lie in, and those on the lines between a hit and the next
+/// one, if it is at most `gap` metres away. With a margin of `margin` metres.
+mapping::Raster<std::uint8_t> walls_seen(const Scan& scan, double resolution, double gap,
+                                         double margin);
 
 }  // namespace eyebridge::localisation
