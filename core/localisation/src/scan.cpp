@@ -41,6 +41,23 @@ Scan scan_of(std::span<const double> ranges, double field_of_view, const robot::
   return out;
 }
 
+Scan scan_of(std::span<const double> ranges, std::span<const robot::RangeSensorModel> sensors) {
+  if (ranges.size() != sensors.size()) {
+    throw std::invalid_argument("scan: expected as many ranges as sensors");
+  }
+  Scan out;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    const robot::RangeSensorModel& sensor = sensors[i];
+    if (!(ranges[i] > 0.0)) continue;
+    const bool miss = ranges[i] >= sensor.max_range || ranges[i] == sensor.out_of_range;
+    const Vec2 place = sensor.pose_in_robot.position();
+    const Vec2 forward = Heading::from_angle(sensor.pose_in_robot.theta).forward();
+    (miss ? out.misses : out.hits)
+        .push_back(place + std::min(ranges[i], sensor.max_range) * forward);
+  }
+  return out;
+}
+
 mapping::Raster<std::uint8_t> walls_seen(const Scan& scan, double resolution, double gap,
                                          double margin) {
   Vec2 low = scan.origin;

@@ -16,6 +16,7 @@ constexpr double kCell = 0.05;
 inline MonteCarlo lost_in_the_flat(const robot::RobotModel& model, std::uint64_t seed) {
   const auto walls = walls_in(flat(), kCell);
   MonteCarloSettings settings;
+  settings.most_particles = 8000;
   // A stop every 0.1 m, a step of the simulation every 3 mm.
   settings.motion = odometry_noise(model.drive_error, model.drive, 0.1, 0.003);
   return {std::make_shared<const LikelihoodField>(walls, BeamSettings{0.06, 0.9, 0.1, 10.0}),

@@ -27,26 +27,26 @@ TEST(MonteCarlo, SpreadsOverAllThatIsFree) {
   }
   EXPECT_NEAR(static_cast<double>(north) / static_cast<double>(all.size()), 0.5, 0.02);
   EXPECT_NEAR(static_cast<double>(west) / static_cast<double>(all.size()), 0.5, 0.06);
-  EXPECT_NEAR(filter.effective_particles(), static_cast<double>(all.size()), 1e-6 * 20000);
+  EXPECT_NEAR(filter.effective_particles(), static_cast<double>(all.size()), 1e-6 * 8000);
 }
 
 TEST(MonteCarlo, FindsOutWhereItIsAndThenNeedsFewParticles) {
   const robot::RobotModel model = scanner("realistic");
   int found = 0;
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     const std::vector<Stop> stops = tour_of(model, seed);
     MonteCarlo filter = lost_in_the_flat(model, seed);
     follow(filter, stops);
     found += knows(filter, stops.back().truth) ? 1 : 0;
     EXPECT_LT(filter.particles().size(), filter.settings().most_particles / 4);
   }
-  EXPECT_GE(found, 4);
+  EXPECT_EQ(found, 2);
 }
 
 TEST(MonteCarlo, GivesTheSameBitsForTheSameSeed) {
   const robot::RobotModel model = scanner("realistic");
   std::vector<Stop> stops = tour_of(model, 3);
-  stops.resize(20);
+  stops.resize(10);
   const auto run = [&](std::uint64_t seed) {
     MonteCarlo filter = lost_in_the_flat(model, seed);
     follow(filter, stops);

@@ -50,6 +50,22 @@ TEST(Scan, IsRefusedFromAScannerThatLooksAtTheFloor) {
   EXPECT_THROW((void)scan_of({}, kPi, lidar), std::invalid_argument);
 }
 
+TEST(Scan, IsMadeOfDistanceSensorsToo) {
+  std::vector<robot::RangeSensorModel> sensors(4);
+  sensors[0].pose_in_robot = {0.05, 0, 0};
+  sensors[1].pose_in_robot = {0, 0.04, kPi / 2};
+  sensors[1].max_range = 2.0;
+  sensors[2].out_of_range = 0.5;
+  const std::vector<double> ranges = {1.0, 3.0, 0.5, -1.0};
+  const Scan scan = scan_of(ranges, sensors);
+  ASSERT_EQ(scan.hits.size(), 1U);
+  ASSERT_EQ(scan.misses.size(), 2U);
+  EXPECT_NEAR(norm(scan.hits[0] - Vec2{1.05, 0}), 0, 1e-12);
+  EXPECT_NEAR(norm(scan.misses[0] - Vec2{0, 2.04}), 0, 1e-12);
+  sensors.pop_back();
+  EXPECT_THROW((void)scan_of(ranges, sensors), std::invalid_argument);
+}
+
 TEST(Scan, ThinsOutEvenly) {
   Scan scan;
   for (int i = 0; i < 10; ++i) scan.hits.push_back({static_cast<double>(i), 0});

@@ -64,8 +64,9 @@ class MonteCarlo {
 
   /// The robot moved, as its odometry says, from `before` to `after`.
   void predict(const Pose& before, const Pose& after);
-  /// The robot sees `scan`. Resamples when too few particles are effective, or when scans have
-  /// fitted badly of late. A scan without hits changes nothing.
+  /// The robot sees `scan`; the time is that of its hits: Scan::thinned() to some 60. Resamples
+  /// when too few particles are effective, or when scans have fitted badly of late. A scan without
+  /// hits changes nothing.
   void correct(const Scan& scan);
 
   /// Of the particles, in bins that touch, that have most of the belief.

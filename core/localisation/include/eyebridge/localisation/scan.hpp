@@ -27,6 +27,12 @@ struct Scan {
 /// it sees the floor.
 Scan scan_of(std::span<const double> ranges, double field_of_view, const robot::LidarModel& lidar);
 
+/// The scan that `ranges` of Simulation::read_ranges() are, for a robot with these distance sensors
+/// (PSDs), each at its own place; the origin is the robot's centre. A reading out of a sensor's
+/// reach is a miss; one that is not a positive number is left out. Throws std::invalid_argument
+/// unless there are as many ranges as sensors.
+Scan scan_of(std::span<const double> ranges, std::span<const robot::RangeSensorModel> sensors);
+
 /// What `scan` saw, in the frame of its robot, as a map to fit the next one into: cells of
 /// `resolution` metres, > 0, that hits lie in, and those on the lines between a hit and the next
 /// one, if it is at most `gap` metres away. With a margin of `margin` metres.

@@ -40,7 +40,8 @@ struct ScanMatch {
 /// wall, outliers weighed down (A. Fitzgibbon, "Robust registration of 2D and 3D point sets", Image
 /// and Vision Computing 21 (2003) 1145; interpolation as in S. Kohlbrecher, O. von Stryk, J. Meyer
 /// and U. Klingauf, "A flexible and scalable SLAM system", SSRR 2011). The covariance is that of
-/// these least squares, from their residuals. Same calls, same bits. Immutable; any thread.
+/// these least squares, from their residuals; the map counts as exact. Same calls, same bits.
+/// Immutable; any thread.
 class ScanMatcher {
  public:
   /// On a map in which `occupied` != 0 is what beams meet; one without any matches nothing. Throws
