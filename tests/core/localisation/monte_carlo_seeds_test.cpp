@@ -27,5 +27,21 @@ TEST(MonteCarloSeeds, NinetyFiveOfAHundredLostRobotsKnowWhereTheyAreAfterATour) 
   EXPECT_GE(found, 95);
 }
 
+TEST(MonteCarloSeeds, NineOfTenRobotsThatSomebodyCarriedAwayAreFoundAgain) {
+  const robot::RobotModel model = scanner("realistic");
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const std::vector<Stop> stops = tour_of(model, seed);
+    MonteCarlo filter = lost_in_the_flat(model, seed);
+    filter.start_at(stops[0].truth, 0.05, 0.05);
+    follow(filter, {stops.begin(), stops.begin() + 30});
+    // From the 30th stop to the 60th in no time; odometry does not notice.
+    follow(filter, stops, 60);
+    found += knows(filter, stops.back().truth) ? 1 : 0;
+  }
+  std::cout << found << " of 20 are found again\n";
+  EXPECT_GE(found, 18);
+}
+
 }  // namespace
 }  // namespace eyebridge::localisation
