@@ -92,6 +92,26 @@ TEST(LogOf, AgreesWithLibmOverTheWholeRange) {
   EXPECT_EQ(log_of(1.0), 0.0);
 }
 
+TEST(ExpOf, AgreesWithLibmWithinFourUlp) {
+  std::mt19937_64 gen(4);
+  std::uniform_real_distribution<double> exponent(-680.0, 680.0);
+  for (int i = 0; i < 200'000; ++i) {
+    const double x = exponent(gen) / (i % 2 == 0 ? 1.0 : 1e3);
+    ASSERT_NEAR(exp_of(x), std::exp(x), 4 * ulp(std::exp(x))) << x;
+  }
+  EXPECT_EQ(exp_of(0.0), 1.0);
+}
+
+TEST(ExpOf, EndsInNothingAndInfinity) {
+  EXPECT_EQ(exp_of(-800.0), 0.0);
+  EXPECT_EQ(exp_of(-std::numeric_limits<double>::infinity()), 0.0);
+  EXPECT_NEAR(exp_of(-740.0), std::exp(-740.0), 1e-322);
+  EXPECT_EQ(exp_of(800.0), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(exp_of(std::numeric_limits<double>::infinity()),
+            std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(std::isnan(exp_of(std::numeric_limits<double>::quiet_NaN())));
+}
+
 TEST(WrapAngle, BringsEveryAngleIntoTheHalfOpenTurn) {
   EXPECT_DOUBLE_EQ(wrap_angle(kPi), kPi);
   EXPECT_DOUBLE_EQ(wrap_angle(-kPi), kPi);

@@ -1,0 +1,47 @@
+#include <algorithm>
+#include <iostream>
+
+#include <gtest/gtest.h>
+
+#include "lost_robot.hpp"
+
+namespace eyebridge::localisation {
+namespace {
+
+using namespace testing;
+
+TEST(MonteCarloSeeds, NinetyFiveOfAHundredLostRobotsKnowWhereTheyAreAfterATour) {
+  const robot::RobotModel model = scanner("realistic");
+  int found = 0;
+  double worst = 0.0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const std::vector<Stop> stops = tour_of(model, seed);
+    MonteCarlo filter = lost_in_the_flat(model, seed);
+    follow(filter, stops);
+    if (!knows(filter, stops.back().truth)) continue;
+    ++found;
+    worst = std::max(worst, distance(filter.estimate().estimate.pose, stops.back().truth));
+  }
+  std::cout << found << " of 100 know where they are, the worst of them to " << 1000 * worst
+            << " mm\n";
+  EXPECT_GE(found, 95);
+}
+
+TEST(MonteCarloSeeds, NineOfTenRobotsThatSomebodyCarriedAwayAreFoundAgain) {
+  const robot::RobotModel model = scanner("realistic");
+  int found = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const std::vector<Stop> stops = tour_of(model, seed);
+    MonteCarlo filter = lost_in_the_flat(model, seed);
+    filter.start_at(stops[0].truth, 0.05, 0.05);
+    follow(filter, {stops.begin(), stops.begin() + 30});
+    // From the 30th stop to the 60th in no time; odometry does not notice.
+    follow(filter, stops, 60);
+    found += knows(filter, stops.back().truth) ? 1 : 0;
+  }
+  std::cout << found << " of 20 are found again\n";
+  EXPECT_GE(found, 18);
+}
+
+}  // namespace
+}  // namespace eyebridge::localisation
