@@ -11,7 +11,8 @@ namespace eyebridge::robot {
 namespace {
 
 constexpr double kWholeTurn = 2 * kPi;
-constexpr double kNoMore = 9.0;  // standard deviations: 1e-19 is left
+constexpr double kNoMore = 9.0;    // standard deviations: 1e-19 is left
+constexpr double kMostTurns = 64;  // so far out, a heading is anywhere
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 double sigma_of(const GaussianError& error, double value) {
@@ -27,7 +28,8 @@ double gauss_below(double x, double mean, double sigma) { return normal_below((x
 /// `sum(k)` for all whole turns k by which `sigma` may throw a heading round.
 template <class Sum>
 void each_turn(double sigma, Sum&& sum) {
-  const auto most = static_cast<int>(std::ceil(kNoMore * sigma / kWholeTurn)) + 1;
+  const double wanted = std::ceil(kNoMore * sigma / kWholeTurn) + 1;
+  const int most = static_cast<int>(wanted < kMostTurns ? wanted : kMostTurns);
   for (int k = -most; k <= most; ++k) sum(kWholeTurn * k);
 }
 
