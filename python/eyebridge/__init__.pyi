@@ -225,11 +225,10 @@ class VectorEnv:
     ) -> None:
         """World i has scenario i modulo their number. `observation`: words of psd, lidar, lidar:N, bumper, compass,
         gyroscope, accelerometer, speed, odometry, pose. `action`: linear and angular speed, or the duty of both motors.
-        `period`: between two actions;
-        `time_limit` truncates. `reward` and `terminated` get what the step came to, one row a world (observations,
-        actions, poses, distances, collisions, times, rewards, seeds), and give N values; without them the way driven is
-        the reward, and a collision the end. `start`: where the scenario says, or at a free place by the seed. `threads`: 0
-        is one a core. Raises ValueError."""
+        `period`: between two actions; `time_limit` truncates. `reward` and `terminated` get what the step came to, one row
+        a world (observations, actions, poses, distances, collisions, times, rewards, seeds), and give N values; without
+        them the way driven is the reward, and a collision the end. `start`: where the scenario says, or at a free place by
+        the seed. `threads`: 0 is one a core. Raises ValueError."""
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[NDArray[numpy.float64], dict[str, Any]]:
