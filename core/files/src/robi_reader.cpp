@@ -6,6 +6,7 @@
 
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/files/readers.hpp"
+#include "eyebridge/robot/lidar_presets.hpp"
 #include "robot_builder.hpp"
 #include "text.hpp"
 
@@ -13,10 +14,10 @@ namespace eyebridge::files {
 namespace {
 
 constexpr double kMaxSize = 10000;  // millimetres: no robot or mounting is larger
-constexpr std::array<std::string_view, 22> kRobiKeywords = {
-    "name",   "diameter",  "speed",     "turn",  "model",    "axis",    "axel",  "psd",
-    "camera", "wheel",     "drive",     "mass",  "collider", "fisheye", "lidar", "ir",
-    "bump",   "psd_range", "psd_table", "accel", "error",    "kicker"};
+constexpr std::array<std::string_view, 23> kRobiKeywords = {
+    "name",   "diameter",  "speed",     "turn",  "model",    "axis",    "axel",    "psd",
+    "camera", "wheel",     "drive",     "mass",  "collider", "fisheye", "lidar",   "ir",
+    "bump",   "psd_range", "psd_table", "accel", "error",    "kicker",  "psd_kind"};
 
 class RobiReader {
  public:
@@ -196,12 +197,29 @@ class RobiReader {
   }
 
   void read_lidar(const Statement& s) {
+    if (s.size() > 1 && !s.is_number(1)) {
+      read_named_lidar(s);
+      return;
+    }
     s.expect_arguments({2, 3}, "lidar points tilt [range]");
     robot::LidarModel lidar;
     lidar.points = s.integer(1, "the number of points", 1, 36000);
     lidar.tilt = deg_to_rad(s.number(2, "the tilt", -90, 90));
     if (s.size() == 4) lidar.max_range = s.millimetres(3, "the range", 1, 1e6);
     model().lidar = lidar;
+  }
+
+  /// "lidar LMS200 [tilt]"
+  void read_named_lidar(const Statement& s) {
+    for (const std::string_view name : robot::kLidarPresets) {
+      if (lower(name) != lower(s.text(1))) continue;
+      s.expect_arguments({1, 2}, "lidar " + std::string(name) + " [tilt]");
+      model().lidar = robot::lidar_preset(name);
+      if (s.size() == 3) model().lidar->tilt = deg_to_rad(s.number(2, "the tilt", -90, 90));
+      return;
+    }
+    s.fail(1, in_quotes(s.text(1)) + " found: expected the number of points, or " +
+                  one_of(robot::kLidarPresets));
   }
 
   void read_drive(const Statement& s) {

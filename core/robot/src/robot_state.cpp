@@ -128,7 +128,9 @@ RobotDevices::RobotDevices(const RobotModel& robot_model,
       ranges(ray_devices(robot_model.range_sensors, seed, robot, NoiseSource::Range)),
       proximities(ray_devices(robot_model.proximity_sensors, seed, robot, NoiseSource::Proximity)),
       compass(noise_stream(seed, robot, NoiseSource::Compass, 0)),
-      lidar(noise_stream(seed, robot, NoiseSource::Lidar, 0)) {
+      lidar(noise_stream(seed, robot, NoiseSource::Lidar, 0)),
+      gyroscope(noise_stream(seed, robot, NoiseSource::Gyroscope, 0)),
+      accelerometer(noise_stream(seed, robot, NoiseSource::Accelerometer, 0)) {
   for (std::size_t i = 0; i < model.bumpers.size(); ++i) {
     bumpers.push_back(noise_stream(seed, robot, NoiseSource::Bumper, i));
   }

@@ -74,6 +74,7 @@ struct RobotState {
   Odometry odometry;
   std::array<std::int64_t, 2> seen_ticks{};  ///< By odometry, where it sees whole ticks only.
   Twist driven;
+  Twist driven_before;  ///< In the step before the last.
   Twist measured;
   DriveError error;
   Random noise;
@@ -106,6 +107,10 @@ struct RobotDevices {
   std::vector<Random> bumpers;
   Random compass;
   Random lidar;
+  Random gyroscope;
+  Random accelerometer;
+  double gyroscope_stray = 0.0;         ///< Of its bias, radians per second,
+  std::uint64_t gyroscope_strayed = 0;  ///< after so many steps of the simulation.
   ScanShape scan;
   std::vector<Vec2> scan_directions;
   std::array<double, kServoCount> servos;

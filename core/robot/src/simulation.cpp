@@ -33,6 +33,7 @@ void check(const RobotModel& model) {
   check(!model.kicker || (model.kicker->speed >= 0.0 && model.kicker->servo < kServoCount),
         "robot: a kicker needs a servo and a speed that is not negative");
   check(drive.motor_time_constant >= 0.0, "robot: the motor time constant must not be negative");
+  std::for_each(model.range_sensors.begin(), model.range_sensors.end(), check_range_sensor);
 }
 
 /// In whole steps, at least one; a time-out beyond what can be counted never comes.
@@ -75,6 +76,7 @@ RobotIndex Simulation::add_robot(const RobotModel& model, const Pose& pose) {
   impl_->devices.emplace_back(
       model, like_last ? last : std::make_shared<const RangeLayout>(model.range_sensors), seed,
       robot);
+  impl_->devices.back().gyroscope_strayed = impl_->steps;
   return robot;
 }
 
@@ -85,6 +87,7 @@ const RobotModel& Simulation::model(RobotIndex robot) const {
 
 void Simulation::set_errors(RobotIndex robot, const RobotModel& like) {
   RobotDevices& devices = impl_->devices_of(robot);
+  impl_->stray_gyroscope(robot);
   copy_errors(like, devices.model);
   devices.perfect_ranges = all_perfect(devices.model.range_sensors);
   const SimulationSettings& settings = impl_->settings;
@@ -112,6 +115,7 @@ void Simulation::set_pose(RobotIndex robot, const Pose& pose) {
   for (Wheel& wheel : state.wheels) wheel.halt();
   state.controller.hold({});
   state.driven = {};
+  state.driven_before = {};
   state.measured = {};
   state.clear_stall();
 }

@@ -8,6 +8,7 @@ namespace eyebridge::python {
 void bind_scenario(pybind11::module_& module);
 void bind_camera(pybind11::module_& module);
 void bind_robot(pybind11::module_& module);
+void bind_likelihood(pybind11::module_& module);
 void bind_simulation(pybind11::module_& module);
 void bind_batch(pybind11::module_& module);
 

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "eyebridge/base/units.hpp"
+#include "eyebridge/robot/lidar_presets.hpp"
 #include "reading.hpp"
 
 namespace eyebridge::files {
@@ -177,6 +178,66 @@ TEST(Robi, EveryMistakeIsNamedWithItsPlace) {
   EXPECT_THAT(robi_error(""), testing::HasSubstr("no keyword of a robot description"));
   EXPECT_THAT(robi_error("once upon a time"),
               testing::HasSubstr("no keyword of a robot description"));
+}
+
+TEST(Robi, GivesDistanceSensorsTheirKinds) {
+  const auto robot = robi_of(
+      "psd_kind infrared 100 800\npsd_kind ray:3\npsd_kind Ultrasound:2 30 25 50 4000\n"
+      "psd_kind ultrasound:7 20 90\npsd_range 20 900\ndiameter 99\n"
+      "psd A 1 0 0 0 0\npsd B 2 0 0 0 0\npsd C 3 0 0 0 0\npsd D 7 0 0 0 0\n");
+  const auto& psds = robot.range_sensors;
+  EXPECT_EQ(psds[0].kind, robot::RangeKind::Infrared);
+  EXPECT_EQ(psds[0].min_range, 0.1);
+  EXPECT_EQ(psds[0].max_range, 0.8);
+  EXPECT_EQ(psds[1].kind, robot::RangeKind::Ultrasound);
+  EXPECT_EQ(psds[1].ultrasound, (robot::UltrasoundModel{deg_to_rad(30), deg_to_rad(25)}));
+  EXPECT_EQ(psds[1].min_range, 0.05);
+  EXPECT_EQ(psds[1].max_range, 4.0);
+  EXPECT_EQ(psds[2].kind, robot::RangeKind::Ray) << "the later line";
+  EXPECT_EQ(psds[3].kind, robot::RangeKind::Ultrasound);
+  EXPECT_EQ(psds[3].ultrasound.critical_angle, deg_to_rad(90));
+  EXPECT_EQ(psds[3].max_range, 0.8) << "as the first line says of all";
+  EXPECT_TRUE(robi_warnings.empty());
+}
+
+TEST(Robi, MistakesAboutKindsHaveTheirPlace) {
+  const std::string psds = "diameter 99\npsd A 1 0 0 0 0\npsd B 4 0 0 0 0\n";
+  const std::pair<const char*, const char*> cases[] = {
+      {"psd_kind", "r.robi:4:9: line ends: expected ray, ultrasound or infrared"},
+      {"psd_kind sonar",
+       "r.robi:4:10: unknown kind of psd 'sonar': expected ray, ultrasound or infrared"},
+      {"psd_kind infrard 1 2", "r.robi:4:10: unknown kind of psd 'infrard': expected 'infrared'?"},
+      {"psd_kind ray:0", "r.robi:4:10: '0' found: expected the number of a psd, 1 or more"},
+      {"psd_kind ray:", "r.robi:4:10: '' found: expected the number of a psd, 1 or more"},
+      {"psd_kind ray:3", "r.robi:4:10: robot 'S4' has no psd 3: expected one of 1, 4"},
+      {"psd_kind ultrasound 181 25",
+       "r.robi:4:21: the width of the beam is 181: expected 0 to 180"},
+      {"psd_kind ultrasound 30 91", "r.robi:4:24: the critical angle is 91: expected 0 to 90"},
+      {"psd_kind infrared 800 100", "r.robi:4:23: the longest range is not above the shortest"},
+  };
+  for (const auto& [line, expected] : cases) EXPECT_EQ(robi_error(psds + line), expected) << line;
+  EXPECT_EQ(robi_error("diameter 99\npsd_kind ray:1\n"),
+            "r.robi:2:10: robot 'S4' has no psd 1: expected a psd line, it has none");
+  EXPECT_THAT(robi_error(psds + "psd_kind ultrasound 30"),
+              testing::HasSubstr("psd_kind ultrasound[:ID] beam_deg critical_deg min_mm max_mm"));
+}
+
+TEST(Robi, ALidarMayBeOneThatIsSold) {
+  const auto robot = robi_of("diameter 99\nlidar lms200 -5\nerror lidar bias=4\n");
+  ASSERT_TRUE(robot.lidar);
+  EXPECT_EQ(robot.lidar->points, 361);
+  EXPECT_EQ(robot.lidar->field_of_view, kPi);
+  EXPECT_EQ(robot.lidar->max_range, 8.0);
+  EXPECT_EQ(robot.lidar->tilt, deg_to_rad(-5));
+  EXPECT_EQ(robot.lidar->error, (robot::LidarError{{0.004, 0.005, 0.0}, 0.0}));
+  for (const std::string_view name : robot::kLidarPresets) {
+    EXPECT_EQ(robi_of("diameter 99\nlidar " + std::string(name)).lidar, robot::lidar_preset(name));
+  }
+  EXPECT_EQ(robi_error("diameter 99\nlidar many 0\n"),
+            "r.robi:2:7: 'many' found: expected the number of points, or LMS200, LMS200-1, "
+            "URG-04LX or RPLIDAR-A1");
+  EXPECT_THAT(robi_error("diameter 99\nlidar LMS200 0 8000\n"),
+              testing::HasSubstr("lidar LMS200 [tilt]"));
 }
 
 }  // namespace

@@ -13,18 +13,49 @@ namespace eyebridge::robot {
 // Definition structs: every field has a usable default, every one names its unit. The defaults are
 // those of an S4-sized EyeBot; readers of .robi and eyesim.p overwrite what their file says.
 
-/// A distance sensor (PSD): one ray.
+/// By what a distance sensor measures.
+enum class RangeKind {
+  Ray,         ///< Along one ray, exactly: what EyeSim calls a PSD.
+  Ultrasound,  ///< The first echo out of a cone.
+  Infrared,    ///< Along one ray, by triangulation: near things read as if they were far.
+};
+
+/// What an ultrasound sensor hears.
+struct UltrasoundModel {
+  double beam_width = deg_to_rad(30);  ///< Whole opening angle of its cone, radians, 0 … pi.
+  /// Surfaces that a ray of the cone meets at a larger angle of incidence (to their normal),
+  /// radians, mirror the sound away. 0 … pi/2; pi/2 is a rough surface, which is always heard.
+  double critical_angle = deg_to_rad(25);
+
+  friend bool operator==(const UltrasoundModel&, const UltrasoundModel&) = default;
+};
+
+/// The curve of a triangulating infrared sensor. Its signal is one over (range + `offset`) from
+/// `min_range` of the sensor on; nearer things lower it again, on a straight line, to `contact` of
+/// the greatest one where they touch. Who takes that signal for one of the long branch reads a
+/// nearer thing as a farther one.
+struct InfraredModel {
+  double offset = 0.0042;  ///< Metres.
+  double contact = 0.3;    ///< Share of the greatest signal, 0 … 1.
+
+  friend bool operator==(const InfraredModel&, const InfraredModel&) = default;
+};
+
+/// A distance sensor (PSD).
 struct RangeSensorModel {
   int id = 1;                   ///< As programs ask for it: PSDGet(id).
   std::string name;             ///< "PSD_FRONT"
   Pose pose_in_robot;           ///< Metres, radians; the ray leaves along theta.
   double height = 0.03;         ///< Metres above the floor.
-  double min_range = 0.0;       ///< Nearer surfaces read as `out_of_range`, metres.
+  double min_range = 0.0;       ///< Nearer surfaces read as `out_of_range`, or farther (Infrared).
   double max_range = 9.999;     ///< Farther surfaces read as `out_of_range`, metres.
   double out_of_range = 9.999;  ///< Metres: EyeSim's 9999 mm.
   RangeError error{};
   int semantics = 0;   ///< As classic programs ask for it, PSDInit(-205); 0: by name only.
   RangeTable table{};  ///< What `error.quantised` rounds to; empty: the sensor has no table.
+  RangeKind kind = RangeKind::Ray;
+  UltrasoundModel ultrasound{};  ///< Of that kind.
+  InfraredModel infrared{};      ///< Of that kind.
 
   friend bool operator==(const RangeSensorModel&, const RangeSensorModel&) = default;
 };
@@ -124,6 +155,8 @@ struct RobotModel {
   std::optional<CameraModel> camera;
   std::optional<KickerModel> kicker;
   CompassError compass_error;
+  GyroscopeError gyroscope_error;
+  AccelerometerError accelerometer_error;
   RadioError radio_error;
 
   [[nodiscard]] double radius() const { return diameter / 2; }

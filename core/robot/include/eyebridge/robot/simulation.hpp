@@ -132,6 +132,10 @@ class Simulation {
   /// What read_range() would give without the sensor's error. Draws nothing: asking for it does not
   /// change a run.
   [[nodiscard]] double true_range(RobotIndex robot, std::size_t sensor) const;
+  /// How many other ultrasound sensors an ultrasound sensor may hear where robots stand now: those
+  /// of its own robot whose cones overlap with its own, for they look at the same walls, and those
+  /// of others that it looks at, nothing being between, and that look at it. 0 for other kinds.
+  [[nodiscard]] unsigned cross_talkers(RobotIndex robot, std::size_t sensor) const;
   [[nodiscard]] bool read_proximity(RobotIndex robot, std::size_t sensor);
   [[nodiscard]] bool read_bumper(RobotIndex robot, std::size_t bumper);
   /// Ranges of a scan of `points` rays over `field_of_view` radians centred on the front, from the
@@ -146,6 +150,15 @@ class Simulation {
   void read_lidar(RobotIndex robot, double field_of_view, double tilt, std::span<double> ranges);
   /// Heading in the world, radians counter-clockwise from +x, with the model's error.
   [[nodiscard]] double read_compass(RobotIndex robot);
+
+  /// Rate of turn, radians per second counter-clockwise, of the last step, with the model's error.
+  /// Its bias strays with the time of the simulation, however often it is asked.
+  [[nodiscard]] double read_gyroscope(RobotIndex robot);
+  /// Acceleration of the robot's centre in its own frame (x forward, y left), metres per second
+  /// squared, with the model's error: how its speed changed in the last step, and what holds it on
+  /// its curve. The floor is level: gravity is not in it. A collision is one step long, and larger
+  /// than a real device can say.
+  [[nodiscard]] Vec2 read_accelerometer(RobotIndex robot);
 
   /// What the noise of the robot's camera is seeded with: of the run's seed, as the devices'
   /// streams are, and shared with none of them.

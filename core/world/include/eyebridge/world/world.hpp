@@ -106,6 +106,12 @@ class World {
   void cast_sweep(Vec2 origin, std::span<const Vec2> directions, double gap, double max_range,
                   BodyId ignore, std::span<double> ranges) const;
 
+  /// How squarely a ray along the unit vector `direction` that ended at `place` (its origin + range
+  /// * direction, metres) met what it met there, other than `ignore`: the cosine of the angle of
+  /// incidence, 1 head on, 0 along the surface. Of surfaces that meet there the largest one. 0
+  /// where there is nothing within a micrometre.
+  [[nodiscard]] double incidence_cosine(Vec2 place, Vec2 direction, BodyId ignore) const;
+
   /// Appends the contacts of `id` as unit vectors from its centre in the world: walls and bodies
   /// nearer than `reach` metres to its rim. What stopped it counts even with `reach` 0. Walls come
   /// first, then bodies in order of id; each direction once.
