@@ -117,7 +117,7 @@ void Simulation::Impl::step_robot(RobotIndex robot) {
     return;
   }
   RobotState& state = states[robot];
-  if (state.chassis) {
+  if (state.chassis) [[unlikely]] {
     step_chassis(state);
     return;
   }
