@@ -28,8 +28,10 @@ double Simulation::read_gyroscope(RobotIndex robot) {
 Vec2 Simulation::read_accelerometer(RobotIndex robot) {
   const RobotState& state = impl_->at(robot);
   const double dt = impl_->settings.step;
-  const Vec2 felt{(state.driven.linear - state.driven_before.linear) / dt,
-                  state.driven.linear * state.driven.angular};
+  const double turn = state.driven.angular;
+  const Vec2 felt{
+      (state.driven.linear - state.driven_before.linear) / dt - state.driven_left * turn,
+      (state.driven_left - state.driven_left_before) / dt + state.driven.linear * turn};
   RobotDevices& devices = impl_->devices_of(robot);
   const AccelerometerError& error = devices.model.accelerometer_error;
   if (error.perfect()) return felt;

@@ -49,6 +49,8 @@ struct Simulation::Impl {
   void stray_gyroscope(RobotIndex robot);
   /// One step of one robot: from command to pose.
   void step_robot(RobotIndex robot);
+  /// The same of one that has a chassis.
+  void step_chassis(RobotState& state);
   /// What became of a plan.
   void finish_step(RobotIndex robot, RobotState& state, const world::MoveResult& result);
   /// Keeps account of stalls after a move that an obstacle `held`, or not.

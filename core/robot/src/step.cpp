@@ -118,6 +118,10 @@ void Simulation::Impl::step_robot(RobotIndex robot) {
     return;
   }
   RobotState& state = states[robot];
+  if (state.chassis) [[unlikely]] {
+    step_chassis(state);
+    return;
+  }
   if (!state.steady) {
     if (nothing_to_do(state)) return;
     make_plan(state);

@@ -88,6 +88,45 @@ TEST(Robi, AckermannTakesItsDrivenWheels) {
   EXPECT_EQ(robot.drive.wheel_diameter, 0.04);
   EXPECT_EQ(robot.drive.wheel_base, 0.089);
   EXPECT_EQ(robot.diameter, 0.178);  // no collider: twice the wheel base
+  EXPECT_EQ(robot.drive.rear_axle, -0.094);
+  EXPECT_NEAR(robot.drive.axle_distance, 0.16, 1e-15);
+  // As far as EyeSim's cars steer, and what that makes of the top speed.
+  EXPECT_EQ(robot.drive.max_steering, deg_to_rad(45));
+  EXPECT_EQ(robot.drive.steering_servo, 0u);
+  EXPECT_NEAR(robot.drive.max_angular, robot.drive.max_linear / 0.16, 1e-12);
+  EXPECT_TRUE(robi_warnings.empty());
+}
+
+TEST(Robi, SteeringSaysHowFarByWhichServoAndHowFast) {
+  const std::string car = "drive ACKERMANN_DRIVE\naxles 200\nwheel 40 7200 640 50\n";
+  const auto limited = robi_of(car + "steering 30\n");
+  EXPECT_EQ(limited.drive.max_steering, deg_to_rad(30));
+  EXPECT_EQ(limited.drive.steering_speed, 0.0);
+  EXPECT_EQ(limited.drive.axle_distance, 0.2);
+  const auto all = robi_of(car + "steering 25 3 200\n");
+  EXPECT_EQ(all.drive.steering_servo, 2u);
+  EXPECT_EQ(all.drive.steering_speed, deg_to_rad(200));
+  EXPECT_TRUE(robi_warnings.empty());
+  robi_of("drive ACKERMANN_DRIVE\nwheel 40 7200 640 50\n");
+  ASSERT_EQ(robi_warnings.size(), 1u);
+  EXPECT_THAT(robi_warnings[0].str(), testing::StartsWith("r.robi:1:1: warning: neither 'axel"));
+}
+
+TEST(Robi, KindsOfDriveTurnAsFastAsTheirWheelsCan) {
+  const std::string wheel = "diameter 300\nwheel 100 360 5000 200\n";
+  const double rim = 0.05 * 2 * kPi;
+  const auto square = robi_of(wheel + "drive OMNI_DRIVE MOTOR_FL QUAD_FL\n");
+  EXPECT_EQ(square.drive.kind, robot::DriveKind::Omni);
+  EXPECT_EQ(square.drive.axle_distance, 0.2);  // as nothing else is said
+  EXPECT_NEAR(square.drive.max_angular, rim / 0.2, 1e-12);
+  const auto longer = robi_of(wheel + "axles 300\ndrive OMNI_DRIVE\n");
+  EXPECT_NEAR(longer.drive.max_angular, rim / 0.25, 1e-12);
+  const auto three = robi_of(wheel + "drive SWEDISH_DRIVE\n");
+  EXPECT_EQ(three.drive.kind, robot::DriveKind::Swedish);
+  EXPECT_NEAR(three.drive.max_angular, rim / 0.1, 1e-12);
+  const auto synchro = robi_of(wheel + "drive SYNCHRO_DRIVE\n");
+  EXPECT_EQ(synchro.drive.kind, robot::DriveKind::Synchro);
+  EXPECT_EQ(synchro.drive.max_angular, robot::DriveModel{}.max_angular);
 }
 
 TEST(Robi, ReadsOurExtensionsAndAppliesThemToEarlierLines) {
@@ -165,7 +204,19 @@ TEST(Robi, EveryMistakeIsNamedWithItsPlace) {
       {"psd A 1.5 0 0 0 0", "r.robi:1:7: '1.5' found: expected the id, a whole number"},
       {"drive HOVERCRAFT",
        "r.robi:1:7: unknown drive 'HOVERCRAFT': expected DIFFERENTIAL_DRIVE, "
-       "ACKERMANN_DRIVE or OMNI_DRIVE"},
+       "ACKERMANN_DRIVE, OMNI_DRIVE, SWEDISH_DRIVE or SYNCHRO_DRIVE"},
+      {"drive OMNI_DRIVE\nsteering 30",
+       "r.robi:2:1: steering without front wheels: expected ACKERMANN_DRIVE"},
+      {"drive ACKERMANN_DRIVE\nsteering 90",
+       "r.robi:2:10: the most that the wheels turn is 90: expected 1 to 80"},
+      {"drive ACKERMANN_DRIVE\nsteering 30 17", "r.robi:2:13: the servo is 17: expected 1 to 16"},
+      {"drive ACKERMANN_DRIVE\nsteering 30 3\nkicker 3 1 30",
+       "r.robi:2:13: servo 3 kicks already: expected another one to steer"},
+      {"drive ACKERMANN_DRIVE\naxel drive 0 5\naxel turn 0 5",
+       "r.robi:3:13: the front axle is not before the rear one: expected 'axel turn' ahead of "
+       "'axel drive'"},
+      {"axel middle 0 5", "r.robi:1:6: 'middle' found: expected 'drive' or 'turn'"},
+      {"axles 0", "r.robi:1:7: the distance between the axles is 0: expected 1 to 10000"},
       {"error psi 1 2", "r.robi:1:7: unknown error model 'psi': expected 'psd'?"},
       {"error encoder rounded", "r.robi:1:15: 'rounded' found: expected quantised or miss"},
       {"diameter -5", "r.robi:1:10: the diameter is -5: expected 1 to 10000"},

@@ -134,6 +134,23 @@ TEST(Accelerometer, ReadsWhatHoldsTheRobotOnItsCurve) {
   }
 }
 
+TEST(Accelerometer, ReadsWhatHoldsARobotThatDrivesSidewaysOnItsCurve) {
+  RobotModel model;
+  model.drive.kind = DriveKind::Omni;
+  model.drive.axle_distance = 0.16;
+  Rig rig(model);
+  rig.sim.set_twist(rig.robot, {0.0, 0.2, 0.0});
+  rig.sim.step();
+  EXPECT_GT(rig.sim.read_accelerometer(rig.robot).y, 0.0) << "it speeds up to its left";
+  rig.sim.set_twist(rig.robot, {0.0, 0.2, 0.5});
+  rig.steps(150);
+  const HolonomicTwist body = rig.sim.body_twist(rig.robot);
+  ASSERT_NEAR(body.lateral, 0.2, 1e-9);
+  const Vec2 felt = rig.sim.read_accelerometer(rig.robot);
+  EXPECT_NEAR(felt.x, -0.2 * 0.5, 1e-9) << "the circle's centre is behind it";
+  EXPECT_NEAR(felt.y, 0.0, 1e-9);
+}
+
 TEST(Accelerometer, FeelsACollisionForOneStep) {
   Rig rig({}, {3.8, 2, 0});
   rig.sim.set_speed(rig.robot, {0.4, 0.0});

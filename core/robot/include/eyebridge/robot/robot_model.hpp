@@ -123,12 +123,25 @@ struct KickerModel {
   friend bool operator==(const KickerModel&, const KickerModel&) = default;
 };
 
-enum class DriveKind { Differential, Ackermann, Omni };
+/// How wheels make a robot move. Motors and encoders count from 0, programs from 1.
+enum class DriveKind {
+  Differential,  ///< Motor and encoder 0 left, 1 right.
+  Ackermann,     ///< As a car: motor 0 drives both rear wheels through a differential gear, a servo
+                 ///< steers the front ones. Encoders: rear wheels, 0 left, 1 right.
+  Omni,          ///< Four mecanum wheels: 0 front left, 1 front right, 2 back left, 3 back right.
+  Swedish,       ///< Three omnidirectional wheels about the centre, 120 degrees apart: 0 left front
+                 ///< (at 60 degrees), 1 right front, 2 back. 0 and 1 drive it forward, 2 takes the
+                 ///< back to the right: 0 backward, 1 and 2 forward turn it to the left.
+  Synchro,  ///< All wheels roll by motor 0 and are steered by motor 1, together; the body keeps
+            ///< its heading. Odometry's heading is where the wheels point.
+};
 
-/// Two driven wheels (or what stands for them) and the controller over them.
+/// Driven wheels and the controller over them.
 struct DriveModel {
   DriveKind kind = DriveKind::Differential;
-  double wheel_base = 0.09;              ///< Distance between the two wheels, metres.
+  /// Distance between left and right wheels, metres (Ackermann: the rear ones). Swedish: twice the
+  /// distance of a wheel from the centre.
+  double wheel_base = 0.09;
   double wheel_diameter = 0.054;         ///< Metres.
   double ticks_per_revolution = 1100;    ///< Encoder ticks a wheel turn.
   double max_wheel_speed = 62.83;        ///< Radians per second of the wheel.
@@ -137,7 +150,24 @@ struct DriveModel {
   double linear_acceleration = 1.0;      ///< Metres per second squared; 0 = no ramp.
   double angular_acceleration = 10.0;    ///< Radians per second squared; 0 = no ramp.
   double motor_time_constant = 0.0;  ///< Seconds until a wheel has 63 % of its speed; 0 = at once.
+  double axle_distance = 0.12;       ///< From rear to front axle, metres. Ackermann, Omni.
+  double rear_axle = 0.0;            ///< x of the rear axle in the robot, metres. Ackermann.
+  /// Most that the middle of the front wheels turns to either side, radians, < pi/2. Ackermann.
+  double max_steering = deg_to_rad(45);
+  double steering_speed =
+      0.0;  ///< Of the front wheels, radians per second; 0 = at once. Ackermann.
+  unsigned steering_servo = 0;  ///< Index: programs call it servo + 1. Ackermann.
 
+  /// How many motors there are, and how many encoders.
+  [[nodiscard]] unsigned motor_count() const;
+  [[nodiscard]] unsigned encoder_count() const;
+  /// Sharpest curve, 1 / metres: tan(max_steering) / axle_distance of an Ackermann drive; the
+  /// others know no limit: infinite.
+  [[nodiscard]] double max_curvature() const;
+  /// Whether servo number `servo` (an index) turns the front wheels.
+  [[nodiscard]] bool steers(unsigned servo) const {
+    return kind == DriveKind::Ackermann && servo == steering_servo;
+  }
   friend bool operator==(const DriveModel&, const DriveModel&) = default;
 };
 

@@ -93,9 +93,18 @@ class Simulation {
   /// Moves a robot by hand, at rest; odometry does not notice. The running command goes on.
   void set_pose(RobotIndex robot, const Pose& pose);
   [[nodiscard]] Twist twist(RobotIndex robot) const;  ///< As driven in the last step.
+  /// The same of the robot's centre with its sideways part, which only some drives have.
+  [[nodiscard]] HolonomicTwist body_twist(RobotIndex robot) const;
+  /// Where the front wheels of an Ackermann drive, or all of a synchro one, point: radians from the
+  /// robot's front, counter-clockwise. 0 for all others.
+  [[nodiscard]] double steering(RobotIndex robot) const;
 
   // v-omega driving. Speeds and accelerations are clamped to the model's limits.
   void set_speed(RobotIndex robot, const Twist& twist);  ///< Until the next command.
+  /// The same for drives that can go sideways: `twist` in the robot's frame. Too much of it for a
+  /// wheel is scaled down as a whole. Differential and Ackermann drives leave the sideways part
+  /// out. Synchro ones have no turn: they steer their wheels there, the shorter way, and drive.
+  void set_twist(RobotIndex robot, const HolonomicTwist& twist);
   /// Replaces whatever is under way; the ramp starts from the speed the robot has. A goal of zero
   /// length, or with speed 0, is done at once and stops the robot. Ends exactly by odometry. A
   /// turn only slows down the way the robot had before, a straight the turn: neither is undone.
@@ -113,11 +122,17 @@ class Simulation {
   void set_odometry(RobotIndex robot, const Pose& pose);
   [[nodiscard]] Twist measured_twist(RobotIndex robot) const;
 
-  // Wheels: motor 0 is left, 1 is right. Using one takes the robot out of v-omega control.
+  // Wheels: which is which, and how many, is in DriveKind (differential: 0 left, 1 right). Using
+  // one, or the steering, takes the robot out of v-omega control.
   /// `duty` -1 … 1 of the model's top wheel speed; beyond, it is clamped without an error.
   void set_motor_duty(RobotIndex robot, unsigned motor, double duty);
   /// PID-controlled wheel speed, encoder ticks per second; clamped to the model's top speed.
   void set_motor_speed(RobotIndex robot, unsigned motor, double ticks_per_second);
+  /// The same in radians per second of the wheel.
+  void set_wheel(RobotIndex robot, unsigned motor, double radians_per_second);
+  /// Turns the front wheels of an Ackermann drive, radians, left is positive; clamped. So does the
+  /// model's steering servo. Throws std::out_of_range for other drives.
+  void set_steering(RobotIndex robot, double angle);
   /// Gains as the IO7 board takes them, 0 … 255 each (clamped); 4, 1, 1 by default.
   void set_motor_pid(RobotIndex robot, unsigned motor, int p, int i, int d);
   [[nodiscard]] std::int64_t encoder_ticks(RobotIndex robot, unsigned motor) const;
@@ -165,8 +180,9 @@ class Simulation {
   [[nodiscard]] std::uint64_t camera_noise_seed(RobotIndex robot) const;
 
   /// Turns a servo at once. `position` 0 … 1, clamped without an error; 0.5 is the middle and the
-  /// start. Servo 0 is pan (1 = left), 1 is tilt (1 = up); that of the model's kicker kicks. Throws
-  /// std::out_of_range unless `servo` < kServoCount.
+  /// start. Servo 0 is pan (1 = left), 1 is tilt (1 = up); that of the model's kicker kicks, the
+  /// steering one of an Ackermann drive steers (0 = left, as EyeSim's). Throws std::out_of_range
+  /// unless `servo` < kServoCount.
   void set_servo(RobotIndex robot, unsigned servo, double position);
   /// Where a servo stands, 0 … 1. Throws as set_servo() does.
   [[nodiscard]] double servo(RobotIndex robot, unsigned servo) const;
