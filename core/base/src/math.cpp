@@ -1,5 +1,7 @@
 #include "eyebridge/base/math.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "eyebridge/base/units.hpp"
@@ -62,6 +64,17 @@ double atan_small(double t) {
   const double high = (term(17) + term(19) * z) + term(21) * z2;
   return t * (low + (middle + high * z4) * z4);
 }
+
+/// 1/13!, 1/12!, … 1/0!: terms of e^r for |r| <= ln(2) / 2.
+constexpr std::array<double, 14> kExpTerms = [] {
+  std::array<double, 14> terms{};
+  double factorial = 1.0;  // exact
+  for (std::size_t n = 0; n < terms.size(); ++n) {
+    terms[terms.size() - 1 - n] = 1.0 / factorial;
+    factorial *= static_cast<double>(n + 1);
+  }
+  return terms;
+}();
 
 }  // namespace
 
@@ -135,6 +148,19 @@ double log_of(double x) {
   constexpr double kLn2High = 6.93147180369123816490e-01;
   constexpr double kLn2Low = 1.90821492927058770002e-10;
   return exponent * kLn2High + (2.0 * t * sum + exponent * kLn2Low);
+}
+
+double exp_of(double x) {
+  if (std::isnan(x)) return x;
+  // Beyond these the result is 0 or infinite anyway, and the exponent below would not fit.
+  const double bounded = std::min(std::max(x, -746.0), 710.0);
+  constexpr double kLn2High = 6.93147180369123816490e-01;
+  constexpr double kLn2Low = 1.90821492927058770002e-10;
+  const double k = std::nearbyint(bounded * (1.0 / (kLn2High + kLn2Low)));
+  const double r = (bounded - k * kLn2High) - k * kLn2Low;  // |r| <= ln(2) / 2
+  double sum = 0.0;
+  for (const double term : kExpTerms) sum = sum * r + term;
+  return std::ldexp(sum, static_cast<int>(k));  // exact, but for subnormal results
 }
 
 double wrap_angle(double angle) {

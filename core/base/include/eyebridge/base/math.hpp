@@ -23,6 +23,10 @@ double arc_tan2(double y, double x);
 /// Natural logarithm of `x`; `x` is finite and > 0.
 double log_of(double x);
 
+/// e to the power of `x`; 0 below -746, infinite above 710, NaN for NaN. Within 4 ulp, where the
+/// result is not subnormal.
+double exp_of(double x);
+
 /// `angle`, radians, brought into (-pi, pi]. NaN for an angle that is not finite.
 double wrap_angle(double angle);
 
