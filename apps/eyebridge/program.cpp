@@ -63,7 +63,14 @@ void offer_python_packages() {
   setenv("PYTHONPATH", folders.c_str(), 1);
 }
 
-/// Becomes the program words[0], python3 from PATH.
+/// The Python that our compiled modules are for; in a virtual environment its own.
+std::string python_of_modules() {
+  const char* const environment = std::getenv("VIRTUAL_ENV");
+  const bool is_own = environment != nullptr && *environment != '\0';
+  return !is_own && access(EYEBRIDGE_PYTHON, X_OK) == 0 ? EYEBRIDGE_PYTHON : "python3";
+}
+
+/// Becomes the program words[0]; python3 is that of PATH.
 [[noreturn]] void become_words(std::vector<std::string> words) {
   offer_python_packages();
   std::vector<char*> argv;
@@ -71,7 +78,7 @@ void offer_python_packages() {
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   // Not execvp for a program itself: it would hand what the kernel refuses to sh.
-  if (words.front() == "python3") {
+  if (words.front().find('/') == std::string::npos) {
     execvp(argv.front(), argv.data());
   } else {
     execv(argv.front(), argv.data());
@@ -114,7 +121,7 @@ void become(const fs::path& program, const std::vector<std::string>& arguments) 
 
 void become_control(const fs::path& program, const std::vector<std::string>& arguments) {
   // -P: a folder `eyebridge` where the user is is not our package.
-  std::vector<std::string> words{"python3", "-P", "-m", "eyebridge.control", program.string()};
+  std::vector<std::string> words{python_of_modules(), "-P", "-m", "eyebridge.control", program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   become_words(std::move(words));
 }

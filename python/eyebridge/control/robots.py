@@ -2,6 +2,7 @@
 
 import difflib
 import math
+from collections import Counter
 
 # What calls cost, seconds of the robot's time: what keeps a loop that only polls from standing still in virtual time.
 READ_COST = 0.001
@@ -39,9 +40,10 @@ class Reading(float):
 class Sensor:
     """A device of a robot by its name."""
 
-    def __init__(self, robot, kind, id, name, pose, reach):
+    def __init__(self, robot, kind, index, id, name, pose, reach):
         self.robot = robot
         self.kind = kind  # "psd", "ir", "bumper", "lidar", "compass"
+        self.index = index  # among those of its kind, from 0
         self.id = id
         self.name = name
         self.pose = pose  # in the robot: x, y (metres), theta (radians)
@@ -83,8 +85,10 @@ class Robot:
         self._wheels = {}  # what it was told before start()
         self._twist = None
         self._sensors = {}
+        counts = Counter()
         for kind, id, name, pose, reach in world.sensors(index):
-            sensor = Sensor(self, kind, id, name, pose, reach)
+            sensor = Sensor(self, kind, counts[kind], id, name, pose, reach)
+            counts[kind] += 1
             for each in {plain(name), kind if kind in ("lidar", "compass") else f"{kind} {id}"} - {""}:
                 self._sensors.setdefault(each, sensor)
 

@@ -103,6 +103,6 @@ class BeliefSpace(Space):
         """Takes one reading of `sensor`, made at `pose`."""
         mapper = self._mappers(robot.index)
         if sensor.kind == "lidar":
-            mapper.insert_lidar(self.grid, pose, reading)
+            mapper.insert_lidar(self.grid, pose, reading, robot._world.field_of_view(robot.index))
         else:
-            mapper.insert_range(self.grid, pose, sensor.id, reading)
+            mapper.insert_range(self.grid, pose, sensor.index, reading)

@@ -15,4 +15,5 @@ PYBIND11_MODULE(_core, module) {
   eyebridge::python::bind_robot(module);
   eyebridge::python::bind_simulation(module);
   eyebridge::python::bind_batch(module);
+  eyebridge::python::bind_mapping(module);
 }

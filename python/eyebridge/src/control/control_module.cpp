@@ -13,12 +13,17 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "control_world.hpp"
-#include "eyebridge/base/config_error.hpp"
+#include "eyebridge/mapping/ground_truth.hpp"
+#include "eyebridge/mapping/occupancy_grid.hpp"
+#include "eyebridge/mapping/robot_mapper.hpp"
 
 namespace eyebridge::python {
 namespace {
 
 namespace py = pybind11;
+using mapping::OccupancyGrid;
+using mapping::RobotMapper;
+using mapping::truth_of;
 
 /// The value, or RuntimeError with what the device said.
 template <class T>
@@ -66,7 +71,7 @@ py::object read_sensor(ControlWorld& world, std::size_t index, const std::string
   hal::Lidar& lidar = need(robot.lidar(), "lidar", 1);
   py::array_t<double> ranges(lidar.points());
   need(lidar.read({ranges.mutable_data(), static_cast<std::size_t>(ranges.size())}));
-  return std::move(ranges);
+  return ranges;
 }
 
 /// Bearings of the rays of a scan in the robot, as they come: from the left-most one, clockwise.
@@ -76,9 +81,8 @@ py::array_t<double> lidar_bearings(ControlWorld& world, std::size_t index) {
   const double first = shape.points == 1 ? 0.0 : shape.field_of_view / 2;
   // A full circle does not show its first ray again.
   const bool is_circle = shape.field_of_view >= 2 * std::numbers::pi - 1e-9;
-  const double gap = shape.points == 1 ? 0.0
-                                       : shape.field_of_view /
-                                             (is_circle ? shape.points : shape.points - 1);
+  const double gap =
+      shape.points == 1 ? 0.0 : shape.field_of_view / (is_circle ? shape.points : shape.points - 1);
   for (int i = 0; i < shape.points; ++i) bearings.mutable_at(i) = first - i * gap;
   return bearings;
 }
@@ -101,19 +105,15 @@ hal::Drive& drive_of(ControlWorld& world, std::size_t index) {
   return need(world.robot(index).drive(), "drive", 1);
 }
 
-py::array_t<double> walls(const ControlWorld& world) {
-  const auto& all = world.scene().model->walls;
-  py::array_t<double> rows({static_cast<py::ssize_t>(all.size()), py::ssize_t{5}});
-  auto row = rows.mutable_unchecked<2>();
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto at = static_cast<py::ssize_t>(i);
-    row(at, 0) = all[i].a.x;
-    row(at, 1) = all[i].a.y;
-    row(at, 2) = all[i].b.x;
-    row(at, 3) = all[i].b.y;
-    row(at, 4) = all[i].thickness;
-  }
-  return rows;
+/// Nothing is known of it: the floor, and a cell around.
+std::shared_ptr<OccupancyGrid> belief(const ControlWorld& world, double resolution) {
+  return std::make_shared<OccupancyGrid>(
+      truth_of(*world.scene().model, {.resolution = resolution}).geometry());
+}
+
+std::shared_ptr<OccupancyGrid> truth_grid(const ControlWorld& world, double resolution) {
+  return std::make_shared<OccupancyGrid>(
+      truth_of(*world.scene().model, {.resolution = resolution}));
 }
 
 }  // namespace
@@ -122,8 +122,10 @@ py::array_t<double> walls(const ControlWorld& world) {
 PYBIND11_MODULE(_control, module) {
   using namespace eyebridge::python;
   using World = ControlWorld;
+  using eyebridge::mapping::RobotMapper;
   using Release = py::call_guard<py::gil_scoped_release>;
   module.doc() = "The world of a control file; use it as `eyebridge.control`.";
+  py::module_::import("eyebridge._core");  // has the classes of grids
   py::class_<World>(module, "World")
       .def(py::init<const std::filesystem::path&>(), py::arg("file"))
       .def("step", &World::step, Release())
@@ -133,25 +135,25 @@ PYBIND11_MODULE(_control, module) {
       .def_property_readonly("is_closed", &World::is_closed)
       .def_property_readonly("state_hash", &World::hash)
       .def_property_readonly("collisions", &World::collisions)
-      .def_property_readonly("walls", &walls)
       .def_property_readonly("size",
                              [](const World& world) {
                                const auto& model = *world.scene().model;
                                return py::make_tuple(model.width, model.height);
                              })
-      .def("setting", [](const World& world,
-                         const std::string& key) { return world.config().text(key); })
-      .def("number", [](const World& world,
-                        const std::string& key) { return world.config().number(key); })
-      .def("is_set", [](const World& world,
-                        const std::string& key) { return world.config().is_set(key); })
+      .def("setting",
+           [](const World& world, const std::string& key) { return world.config().text(key); })
+      .def("number",
+           [](const World& world, const std::string& key) { return world.config().number(key); })
+      .def("is_set",
+           [](const World& world, const std::string& key) { return world.config().is_set(key); })
       .def("open_windows", &World::open_windows, py::arg("folder"), Release())
       .def("finish", &World::finish, py::arg("how"), Release())
       .def("model_name",
            [](const World& world, std::size_t index) { return world.model(index).name; })
-      .def("radius", [](const World& world, std::size_t index) { return world.model(index).radius(); })
-      .def("wheel_base",
-           [](const World& world, std::size_t index) { return world.model(index).drive.wheel_base; })
+      .def("radius",
+           [](const World& world, std::size_t index) { return world.model(index).radius(); })
+      .def("wheel_base", [](const World& world,
+                            std::size_t index) { return world.model(index).drive.wheel_base; })
       .def("wheel_diameter",
            [](const World& world, std::size_t index) {
              return world.model(index).drive.wheel_diameter;
@@ -159,6 +161,14 @@ PYBIND11_MODULE(_control, module) {
       .def("sensors", &sensors)
       .def("read", &read_sensor)
       .def("lidar_bearings", &lidar_bearings)
+      .def("field_of_view",
+           [](World& world, std::size_t index) {
+             return need(world.robot(index).lidar(), "lidar", 1).shape().field_of_view;
+           })
+      .def("belief", &belief, py::arg("resolution"))
+      .def("truth_grid", &truth_grid, py::arg("resolution"))
+      .def("mapper",
+           [](const World& world, std::size_t index) { return RobotMapper(world.model(index)); })
       .def("set_wheel", &set_wheel)
       .def("wheel_angle", &wheel_angle)
       .def("set_twist",
