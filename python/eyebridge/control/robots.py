@@ -23,8 +23,8 @@ def find(kind, name, known):
     if wanted in known:
         return known[wanted]
     near = difflib.get_close_matches(wanted, known, 1)
-    hint = f"; did you mean {near[0]!r}?" if near else ""
-    raise LookupError(f"no {kind} {str(name)!r}{hint} There are: {', '.join(known) or 'none'}")
+    hint = f"; most like it: {near[0]}" if near else ""
+    raise LookupError(f"found no {kind} {str(name)!r}, expected one of: {', '.join(known) or '(there is none)'}{hint}")
 
 
 class Reading(float):
@@ -141,7 +141,7 @@ class Robot:
 
     def sensor(self, name):
         """The device of that name: "PSD_FRONT", "psd 1", "lidar", "compass", "bumper 1", "ir 1"."""
-        return find(f"sensor of {self.name}:", name, self._sensors)
+        return find(f"sensor of {self.name}", name, self._sensors)
 
     def read(self, name):
         """sensor(name).read()"""

@@ -157,8 +157,8 @@ class Run:
 
 def main(arguments):
     """`arguments`: the control file, and what it finds in sys.argv. The exit code."""
-    path = arguments[0]
-    sys.argv[:] = arguments
+    path = os.path.normpath(arguments[0])
+    sys.argv[:] = [path, *arguments[1:]]
     try:
         world = _control.World(path)
     except ConfigError as error:

@@ -25,7 +25,7 @@ class Space:
 
     def robot(self, name):
         """x, y, theta of a robot in this space; LookupError where it was never put."""
-        return find("robot in this space:", self._robots(name).name, {plain(n): p for n, p in self.poses.items()})
+        return find("robot in this space", self._robots(name).name, {plain(n): p for n, p in self.poses.items()})
 
     def probability(self, x, y):
         """Of something at (x, y), 0 … 1; 0.5 where nothing is known."""
