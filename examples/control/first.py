@@ -5,17 +5,22 @@ eyebridge run examples/control/first.py --world worlds/maze-8.maz --time-limit 2
 
 
 def run(robot, keep_going, belief_space, map_space, interact):
-    robot("Robot 1").start()
+    one = robot("Robot 1")
+    one.start()
     belief_space.set_robot("Robot 1")
-    robot("Robot 1").set_wheel("left", 8)
-    robot("Robot 1").set_wheel("right", 8)
     while keep_going():
-        belief_space.set_robot("Robot 1")
-        readings = belief_space.update("Robot 1")
-        if readings["PSD_FRONT"] < 0.15:
-            robot("Robot 1").set_wheel("left", 4)
-            robot("Robot 1").set_wheel("right", -4)
-        else:
-            robot("Robot 1").set_wheel("left", 8)
-            robot("Robot 1").set_wheel("right", 8)
-    interact.print(f"saw {belief_space.grid.agreement(map_space.grid)['observed']} cells")
+        seen = belief_space.update("Robot 1")
+        if seen["PSD_FRONT"] > 0.2:
+            # Ahead, in the middle between the walls at its sides.
+            turn = 10 * (min(seen["PSD_RIGHT"], 0.3) - min(seen["PSD_LEFT"], 0.3))
+            one.set_wheel("left", 8 + turn)
+            one.set_wheel("right", 8 - turn)
+            continue
+        # A wall: to the side with more room, until there is room ahead.
+        turn = 4 if seen["PSD_LEFT"] < seen["PSD_RIGHT"] else -4
+        one.set_wheel("left", turn)
+        one.set_wheel("right", -turn)
+        while keep_going() and one.read("PSD_FRONT") < 0.3:
+            pass
+    found = belief_space.grid.agreement(map_space.grid)
+    interact.print(f"{found['observed']} cells are known, {found['share']:.1%} of them rightly")

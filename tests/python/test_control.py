@@ -155,8 +155,16 @@ class Spaces(ControlTest):
             interact.print(f"{belief_space.probability(1.0, 1.0):.1f}")
         """)
 
+    def test_a_robot_that_was_put_moves_with_its_wheels(self):
+        self.says(["3.0 4.3 1.6"], """
+            belief_space.set_robot(1, 3.0, 4.0, 1.5708)
+            robot(1).start().set_twist(0.3)
+            interact.wait(1)
+            interact.print("{:.1f} {:.1f} {:.1f}".format(*belief_space.robot(1)))
+        """)
+
     def test_a_robot_is_where_it_was_put_or_by_its_wheels(self):
-        self.says(["1.00 1.00", "0.25 0.75 0.50", "found no robot in this space 'Robot 1', expected one of: (there is none)"], """
+        self.says(["1.00 1.00", "0.25 0.75 0.50", "Robot 1 is not in this space; expected set_robot('Robot 1') before"], """
             belief_space.set_robot("Robot 1")
             interact.print("{:.2f} {:.2f}".format(*belief_space.robot("Robot 1")))
             belief_space.set_robot("Robot 1", 0.25, 0.75, 0.5)

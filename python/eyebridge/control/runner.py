@@ -15,6 +15,7 @@ from .spaces import BeliefSpace, MapSpace
 from .turns import Turns
 
 GRACE = 2.0  # seconds of the world from when keep_going is false until routines that go on are ended
+SHOWN_EVERY = 50_000_000  # nanoseconds of the world, of which windows show the two spaces
 RESOLUTION = 0.05  # metres, of both spaces
 PARAMETERS = ("robot", "keep_going", "belief_space", "map_space", "interact")
 
@@ -59,6 +60,7 @@ class Run:
         self._is_fast = world.setting("fast") == "true"
         self._limit = world.number("time_limit") if world.is_set("time_limit") else None
         self._asked = False
+        self._shown = {}  # space -> what its window shows
         self.turns = Turns(world.step, round(world.step_length * 1e9), self._hang_limit)
         self.keep_going = KeepGoing(self.turns)
         self.interact = Interact(self.turns, not self._is_fast)
@@ -109,10 +111,21 @@ class Run:
         self._robot_of[self.turns.add(robot.name, lambda: function(*self._arguments()))] = robot
 
     def _before_step(self):
+        if self.world.has_windows and self.turns.now % SHOWN_EVERY < self.turns.step_length:
+            self._show(self.world.show_belief, self.belief_space)
+            self._show(self.world.show_map, self.map_space)
         if self._limit is not None and self.turns.now >= self._limit * 1e9:
             self._ask(f"the time limit of {self._limit:g} s")
         if self.world.is_closed:
             self._ask("its windows are closed")
+
+    def _show(self, show, space):
+        """A space in its window, when it has changed."""
+        poses = space.poses
+        now = space.grid.revision, poses
+        if self._shown.get(space) != now:
+            self._shown[space] = now
+            show(space.grid, [(robot.index + 1, *pose) for robot, pose in poses.items()])
 
     def _ask(self, why):
         if self._asked:

@@ -1,6 +1,8 @@
 """belief_space and map_space: what robots believe of the floor, and what is really there; both answer alike."""
 
-from .robots import COMMAND_COST, READ_COST, find, finite, plain
+import math
+
+from .robots import COMMAND_COST, READ_COST, finite
 
 
 class Space:
@@ -10,22 +12,45 @@ class Space:
         self.grid = grid  # eyebridge.OccupancyGrid
         self._turns = turns
         self._robots = robots
-        self.poses = {}  # of the robots in this space, by name: x, y, theta
+        self._anchors = {}  # robot -> its pose here when it was put, and by its wheels then
 
     def set_robot(self, name, x=None, y=None, theta=None):
-        """Puts a robot into this space: at a pose, or where it is by its wheels now."""
+        """Puts a robot into this space: at a pose, or where it is by its wheels. From there it moves as its wheels do."""
         robot = self._robots(name)
         self._turns.spend(COMMAND_COST)
         if x is None and y is None and theta is None:
-            self.poses[robot.name] = robot._pose()
+            self._anchors[robot] = robot._pose(), robot._pose()
         elif x is None or y is None:
             raise TypeError(f"set_robot({robot.name!r}): expected x, y and theta, or none of them")
         else:
-            self.poses[robot.name] = finite("x", x), finite("y", y), finite("theta", theta or 0.0)
+            self._anchors[robot] = (finite("x", x), finite("y", y), finite("theta", theta or 0.0)), robot._pose()
 
     def robot(self, name):
-        """x, y, theta of a robot in this space; LookupError where it was never put."""
-        return find("robot in this space", self._robots(name).name, {plain(n): p for n, p in self.poses.items()})
+        """x, y, theta of a robot in this space now; LookupError where it was never put."""
+        robot = self._robots(name)
+        self._turns.spend(READ_COST)
+        if robot not in self._anchors:
+            raise LookupError(f"{robot.name} is not in this space; expected set_robot({robot.name!r}) before")
+        return self._pose_of(robot)
+
+    @property
+    def poses(self):
+        """Of all robots in this space now: robot -> x, y, theta."""
+        return {robot: self._pose_of(robot) for robot in self._anchors}
+
+    def _pose_of(self, robot):
+        """Where it was put, and what its wheels did since; where they say, if it never was."""
+        now = robot._pose()
+        if robot not in self._anchors:
+            return now
+        (x, y, theta), then = self._anchors[robot]
+        turn = theta - then[2]
+        dx, dy = now[0] - then[0], now[1] - then[1]
+        return (
+            x + dx * math.cos(turn) - dy * math.sin(turn),
+            y + dx * math.sin(turn) + dy * math.cos(turn),
+            math.remainder(theta + now[2] - then[2], math.tau),
+        )
 
     def probability(self, x, y):
         """Of something at (x, y), 0 … 1; 0.5 where nothing is known."""
@@ -88,7 +113,6 @@ class BeliefSpace(Space):
         """Reads sensors of a robot (all that measure distances, if none are named) and takes what they say from where the
         robot is in this space; a robot that was never put here is where its wheels say. The readings, by sensor."""
         robot = self._robots(name)
-        pose = self.poses.get(robot.name)
         readings = {}
         for sensor in [robot.sensor(each) for each in sensors] or robot.sensors:
             if sensor.kind not in ("psd", "lidar"):
@@ -96,7 +120,7 @@ class BeliefSpace(Space):
                     raise ValueError(f"{sensor!r} measures no distance: expected a PSD, ultrasound, infrared or lidar")
                 continue
             readings[sensor.name or f"{sensor.kind} {sensor.id}"] = reading = sensor.read()
-            self.add(robot, sensor, reading, pose if pose is not None else robot._pose())
+            self.add(robot, sensor, reading, self._pose_of(robot))
         return readings
 
     def add(self, robot, sensor, reading, pose):

@@ -73,7 +73,7 @@ class Turns:
         self.here = threading.local()
         self.now = 0  # of the world, nanoseconds
         self._step = step
-        self._step_length = step_length
+        self.step_length = step_length
         self._hang_limit = hang_limit
         self._routines = []
         self._back = threading.Semaphore(0)
@@ -107,7 +107,7 @@ class Turns:
             raise Stopped
         routine.now = max(routine.now, self.now) + round(seconds * NANOSECONDS)
         self._check(routine)
-        while routine.now >= self.now + self._step_length:
+        while routine.now >= self.now + self.step_length:
             self.came_back(routine)
             routine.wait_for_turn()
             if routine.is_astray:
@@ -156,10 +156,10 @@ class Turns:
                 return
             before_step()
             self._step()
-            self.now += self._step_length
+            self.now += self.step_length
 
     def _give_turn(self, routine, tell_astray):
-        is_due = routine.now < self.now + self._step_length or self._is_late(routine)
+        is_due = routine.now < self.now + self.step_length or self._is_late(routine)
         if routine.is_over or routine.is_astray or routine.is_outside or not is_due:
             return
         routine.let_run()

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <pybind11/numpy.h>
@@ -15,6 +16,7 @@
 #include "control_world.hpp"
 #include "eyebridge/mapping/ground_truth.hpp"
 #include "eyebridge/mapping/occupancy_grid.hpp"
+#include "eyebridge/mapping/picture.hpp"
 #include "eyebridge/mapping/robot_mapper.hpp"
 
 namespace eyebridge::python {
@@ -116,6 +118,19 @@ std::shared_ptr<OccupancyGrid> truth_grid(const ControlWorld& world, double reso
       truth_of(*world.scene().model, {.resolution = resolution}));
 }
 
+using MapPose = std::tuple<int, double, double, double>;
+
+/// Shows a grid and the robots in it in the window's dock.
+void show(robios::MapBoard& board, const OccupancyGrid& grid, const std::vector<MapPose>& robots,
+          const ControlWorld& world) {
+  robios::MapLook look{mapping::picture_of(grid, mapping::PictureKind::Probabilities), {}};
+  for (const auto& [number, x, y, theta] : robots) {
+    const double radius = world.model(static_cast<std::size_t>(number - 1)).radius();
+    look.robots.push_back({number, {x, y, theta}, radius});
+  }
+  board.show(std::move(look));
+}
+
 }  // namespace
 }  // namespace eyebridge::python
 
@@ -146,6 +161,15 @@ PYBIND11_MODULE(_control, module) {
            [](const World& world, const std::string& key) { return world.config().number(key); })
       .def("is_set",
            [](const World& world, const std::string& key) { return world.config().is_set(key); })
+      .def_property_readonly("has_windows", &World::has_windows)
+      .def("show_belief",
+           [](World& world, const OccupancyGrid& grid, const std::vector<MapPose>& robots) {
+             show(world.belief_board(), grid, robots, world);
+           })
+      .def("show_map",
+           [](World& world, const OccupancyGrid& grid, const std::vector<MapPose>& robots) {
+             show(world.map_board(), grid, robots, world);
+           })
       .def("open_windows", &World::open_windows, py::arg("folder"), Release())
       .def("finish", &World::finish, py::arg("how"), Release())
       .def("model_name",

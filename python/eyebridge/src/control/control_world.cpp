@@ -85,6 +85,8 @@ bool ControlWorld::open_windows(const std::filesystem::path& folder) {
   hal::Environment& environment = world_->environment();
   if (environment.starts_paused()) environment.time().pause();
   windows_->open_environment(environment, nullptr);
+  windows_->open_map({"Belief", &belief_board_});
+  windows_->open_map({"Map", &map_board_});
   return true;
 }
 

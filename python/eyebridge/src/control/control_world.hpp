@@ -13,6 +13,7 @@
 #include "eyebridge/hal/config.hpp"
 #include "eyebridge/hal/environment.hpp"
 #include "eyebridge/hal/shared_world.hpp"
+#include "windows/map_board.hpp"
 
 namespace eyebridge::robios {
 class Windows;
@@ -60,6 +61,10 @@ class ControlWorld {
   /// to us and there is a display. False where there are none. Throws ConfigError where `gui` is
   /// on and they cannot be.
   bool open_windows(const std::filesystem::path& folder);
+  /// Where windows take the two maps from that they show beside the world.
+  [[nodiscard]] robios::MapBoard& belief_board() { return belief_board_; }
+  [[nodiscard]] robios::MapBoard& map_board() { return map_board_; }
+  [[nodiscard]] bool has_windows() const { return windows_ != nullptr; }
   /// A person has closed the last window. Any thread.
   [[nodiscard]] bool is_closed() const { return is_closed_; }
   /// The control file has ended, `how` in words: motors stop, the run's report is written, and
@@ -93,6 +98,8 @@ class ControlWorld {
   std::vector<std::unique_ptr<hal::Backend>> robots_;
   hal::WorldLook first_look_;
   std::vector<std::shared_ptr<const robot::RobotModel>> models_;
+  robios::MapBoard belief_board_;
+  robios::MapBoard map_board_;
   robios::Windows* windows_ = nullptr;
   std::atomic<bool> is_closed_ = false;
 };
