@@ -119,6 +119,13 @@ void GuiWindows::open_environment(hal::Environment& environment, robios::Crew* c
   });
 }
 
+void GuiWindows::open_map(const robios::MapStart& start) {
+  post([this, start] {
+    if (environments_.empty()) return;
+    environments_.back()->show_map(QString::fromStdString(start.title), *start.board);
+  });
+}
+
 void GuiWindows::edit(const std::string& path) {
   post([this, file = QString::fromStdString(path)] { open_editor(file); });
 }

@@ -31,6 +31,7 @@ class GuiWindows final : public robios::Windows {
   void open_panel(const robios::PanelStart& start) override;
   void open_hand_view(const robios::HandStart& start) override;
   void open_environment(hal::Environment& environment, robios::Crew* crew) override;
+  void open_map(const robios::MapStart& start) override;
   void edit(const std::string& path) override;
   void finish(const std::string& how) override;
 

@@ -77,6 +77,18 @@ void EnvironmentWindow::make_docks(robios::Crew* crew) {
   errors_->on_trouble = [this](const QString& text) { trouble_->setText(text); };
 }
 
+MapView& EnvironmentWindow::show_map(const QString& title, const robios::MapBoard& board) {
+  auto* const dock = new QDockWidget(title, this);
+  dock->setObjectName("map " + title);
+  auto* const map = new MapView(board, this);
+  dock->setWidget(map);
+  addDockWidget(Qt::RightDockWidgetArea, dock);
+  restoreDockWidget(dock);  // where it was left, if it was
+  dock->show();
+  maps_.push_back(map);
+  return *map;
+}
+
 void EnvironmentWindow::make_status() {
   time_ = new QLabel(this);
   time_->setObjectName("time");
@@ -105,7 +117,10 @@ void EnvironmentWindow::refresh() {
   if (frames_ % kFramesPerReading == 0) {
     readings_->show_robot(view_->look(), view_->mirror(), view_->chosen());
   }
-  if (frames_ % kFramesPerScene == 0) scene_->refresh(view_->look(), view_->chosen());
+  if (frames_ % kFramesPerScene == 0) {
+    scene_->refresh(view_->look(), view_->chosen());
+    for (MapView* const map : maps_) map->refresh();
+  }
   ++frames_;
   add_to_film();
   show_time();

@@ -5,11 +5,13 @@
 #include <QTimer>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "environment/add_robot_panel.hpp"
 #include "environment/error_panel.hpp"
 #include "environment/event_log.hpp"
 #include "environment/film.hpp"
+#include "environment/map_view.hpp"
 #include "environment/readings.hpp"
 #include "environment/scene_view.hpp"
 #include "environment/world_view.hpp"
@@ -41,6 +43,8 @@ class EnvironmentWindow final : public QMainWindow {
   /// written, which the status bar tells.
   bool start_film(const QString& path);
   void stop_film();
+  /// Shows a map beside the world from now on; `board` is lent.
+  MapView& show_map(const QString& title, const robios::MapBoard& board);
   [[nodiscard]] SceneView& scene() { return *scene_; }
 
  protected:
@@ -74,6 +78,7 @@ class EnvironmentWindow final : public QMainWindow {
   EventLog* events_ = nullptr;
   SceneView* scene_ = nullptr;
   QDockWidget* scene_dock_ = nullptr;
+  std::vector<MapView*> maps_;
   ErrorPanel* errors_ = nullptr;
   AddRobotPanel* adding_ = nullptr;
   std::optional<Film> film_;

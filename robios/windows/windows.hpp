@@ -20,6 +20,7 @@ class HandGuide;
 namespace robios {
 
 class Keys;
+class MapBoard;
 class Screen;
 
 /// What a robot's panel shows, and where what a person does there goes. All lent.
@@ -37,6 +38,12 @@ struct HandStart {
   const hal::HandGuide* guide = nullptr;
   /// That the program was given: shown where the guide has no camera of its own.
   const camera::LatestFrame* frames = nullptr;
+};
+
+/// A map that a program has. All lent.
+struct MapStart {
+  std::string title;
+  const MapBoard* board = nullptr;
 };
 
 /// Who lets robots into a world while its programs run: a run of several. Any thread but those of
@@ -68,6 +75,8 @@ class Windows {
   virtual void open_hand_view(const HandStart& start) = 0;
   /// Shows a world, lent like all; called once for each. `crew` is null where nobody can be added.
   virtual void open_environment(hal::Environment& environment, Crew* crew) = 0;
+  /// Shows a map beside the world that was opened last.
+  virtual void open_map(const MapStart& start) = 0;
   /// Opens a file to be edited: a world, maze or simulation (.wld, .maz, .sim), or a program.
   /// Without a name, a new world.
   virtual void edit(const std::string& path) = 0;
@@ -77,7 +86,7 @@ class Windows {
 };
 
 /// Both sides are of one version, or they do not talk.
-inline constexpr int kWindowsVersion = 4;
+inline constexpr int kWindowsVersion = 5;
 
 /// What the plug-in exports as `eyebridge_open_windows`: null, and `why`, where windows cannot be.
 /// They live as long as the process.

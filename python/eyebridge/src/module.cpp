@@ -16,4 +16,5 @@ PYBIND11_MODULE(_core, module) {
   eyebridge::python::bind_likelihood(module);
   eyebridge::python::bind_simulation(module);
   eyebridge::python::bind_batch(module);
+  eyebridge::python::bind_mapping(module);
 }
