@@ -101,6 +101,13 @@ void GuiWindows::open_panel(const robios::PanelStart& start) {
   if (!comes) start.keys->set_window(false);
 }
 
+void GuiWindows::close_panel(const robios::Screen& screen) {
+  post([this, &screen] {
+    // Not closed: that of the last window would end the program.
+    std::erase_if(panels_, [&](const auto& panel) { return panel->shows(screen); });
+  });
+}
+
 void GuiWindows::open_hand_view(const robios::HandStart& start) {
   post([this, start] {
     hand_views_.push_back(std::make_unique<HandWindow>(start));

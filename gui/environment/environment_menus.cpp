@@ -94,15 +94,13 @@ void EnvironmentWindow::make_time_menu() {
 
 void EnvironmentWindow::make_robot_menu() {
   QMenu& menu = *menuBar()->addMenu(tr("&Robot"));
-  add_action(menu, tr("&Next"), Qt::Key_N, [this] {
-    const std::size_t count = view_->look().robots.size();
-    if (count > 0) view_->choose(view_->chosen() ? (*view_->chosen() + 1) % count : 0);
-  });
+  add_action(menu, tr("&Next"), Qt::Key_N, [this] { view_->choose_next(); });
   QAction* const adding = adding_dock_->toggleViewAction();
   adding->setShortcut(Qt::Key_A);
   menu.addAction(adding);
   drive_ = add_switch(menu, tr("&Drive with the arrow keys"), Qt::Key_K, false,
                       [this](bool drives) { view_->set_driving(drives); });
+  make_removal(menu);
 }
 
 void EnvironmentWindow::make_view_menu() {
@@ -116,7 +114,8 @@ void EnvironmentWindow::make_view_menu() {
   add_action(menu, tr("Zoom &out"), QKeySequence::ZoomOut, [this] { view_->zoom(1 / kZoom); });
   follow_ = add_switch(menu, tr("F&ollow robot"), Qt::Key_O, false,
                        [this](bool follows) { view_->follow(follows); });
-  add_action(menu, tr("Centre on &robot"), Qt::Key_R, [this] { view_->centre_on_robot(); });
+  centre_ =
+      add_action(menu, tr("Centre on &robot"), Qt::Key_R, [this] { view_->centre_on_robot(); });
   measure_ = add_switch(menu, tr("&Measure"), Qt::Key_M, false, [this](bool measures) {
     if (measures) adding_->stop_placing();
     view_->set_tool(measures ? Tool::Tape : Tool::Hand);

@@ -60,6 +60,7 @@ struct RobotState {
   bool held_before =
       false;  ///< In the last step, from its start; the wheels stood at the start of this one.
   bool by_motors = false;
+  bool has_left = false;  ///< The world: it makes no steps.
   unsigned stalled = kStallNone;
   std::uint32_t stalled_steps = 0;
   StepPlan plan;  ///< Of the last step.

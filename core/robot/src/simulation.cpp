@@ -89,6 +89,17 @@ RobotIndex Simulation::add_robot(const RobotModel& model, const Pose& pose) {
   return robot;
 }
 
+void Simulation::remove_robot(RobotIndex robot) {
+  RobotState& state = impl_->command(robot);
+  stop(robot);
+  state.driven = {};
+  state.measured = {};
+  state.has_left = true;
+  impl_->world.remove(state.body);
+}
+
+bool Simulation::is_there(RobotIndex robot) const { return !impl_->at(robot).has_left; }
+
 std::size_t Simulation::robot_count() const { return impl_->states.size(); }
 const RobotModel& Simulation::model(RobotIndex robot) const {
   return impl_->devices_of(robot).model;
@@ -120,6 +131,7 @@ Pose Simulation::pose(RobotIndex robot) const { return impl_->world.pose(body(ro
 
 void Simulation::set_pose(RobotIndex robot, const Pose& pose) {
   RobotState& state = impl_->command(robot);
+  if (state.has_left) return;
   impl_->world.set_pose(state.body, pose);
   state.halt();
   state.controller.hold({});

@@ -123,6 +123,7 @@ void Simulation::Impl::step_robot(RobotIndex robot) {
     return;
   }
   if (!state.steady) {
+    if (state.has_left) return;
     if (nothing_to_do(state)) return;
     make_plan(state);
   }

@@ -75,6 +75,13 @@ class Simulation {
   /// Adds a robot at `pose`. Throws std::invalid_argument when it would stand in something, or when
   /// its model cannot be (a wheel of diameter 0, a negative speed).
   RobotIndex add_robot(const RobotModel& model, const Pose& pose);
+  /// Takes a robot out of the world, for good: its motors stop and its body is gone. Indices of
+  /// others stay and its own is not used again; what it is asked for is as it was when it left, and
+  /// commands move nothing.
+  void remove_robot(RobotIndex robot);
+  /// False once it was removed.
+  [[nodiscard]] bool is_there(RobotIndex robot) const;
+  /// With those that were removed.
   [[nodiscard]] std::size_t robot_count() const;
   [[nodiscard]] const RobotModel& model(RobotIndex robot) const;
   [[nodiscard]] world::BodyId body(RobotIndex robot) const;
@@ -90,7 +97,8 @@ class Simulation {
 
   // Truth.
   [[nodiscard]] Pose pose(RobotIndex robot) const;
-  /// Moves a robot by hand, at rest; odometry does not notice. The running command goes on.
+  /// Moves a robot by hand, at rest; odometry does not notice. The running command goes on. One
+  /// that was removed stays away.
   void set_pose(RobotIndex robot, const Pose& pose);
   [[nodiscard]] Twist twist(RobotIndex robot) const;  ///< As driven in the last step.
   /// The same of the robot's centre with its sideways part, which only some drives have.
