@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "bench_worlds.hpp"
+#include "eyebridge/robot/sensor_likelihood.hpp"
 #include "eyebridge/robot/simulation.hpp"
 
 namespace eyebridge {
@@ -97,6 +98,37 @@ void psd_reading(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations());
 }
 BENCHMARK(psd_reading);
+
+/// A cone of 30 degrees (31 rays) and its first echo, beside psd_reading's one ray.
+void sonar_reading(benchmark::State& state) {
+  RobotModel model = sensing_robot();
+  for (robot::RangeSensorModel& sensor : model.range_sensors) {
+    sensor.kind = robot::RangeKind::Ultrasound;
+    sensor.max_range = 4.0;
+  }
+  Simulation sim = maze_with(100, model);
+  RobotIndex robot = 0;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(sim.read_range(robot, 1));
+    robot = (robot + 1) % 100;
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(sonar_reading);
+
+/// P(reading | distance) of a PSD with errors, known to a millimetre.
+void range_likelihood(benchmark::State& state) {
+  robot::RangeSensorModel psd;
+  psd.error = {{0.0, 0.003, 0.01}, 0.002};
+  double distance = 0.5;
+  for (auto _ : state) {
+    const robot::RangeReadings readings(psd, distance);
+    benchmark::DoNotOptimize(readings.probability(1.0, 0.001));
+    distance = distance < 1.5 ? distance + 0.001 : 0.5;
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+BENCHMARK(range_likelihood);
 
 void lidar_scan(benchmark::State& state) {
   Simulation sim = maze_with(static_cast<int>(state.range(0)), sensing_robot());
