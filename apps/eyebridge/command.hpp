@@ -18,6 +18,7 @@ enum ExitCode : int {
 
 void add_run(CLI::App& root, int& code);
 void add_add(CLI::App& root, int& code);
+void add_remove(CLI::App& root, int& code);
 void add_record(CLI::App& root, int& code);
 void add_sweep(CLI::App& root, int& code);
 void add_probe(CLI::App& root, int& code);

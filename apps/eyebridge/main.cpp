@@ -19,6 +19,7 @@ int run(int argc, char** argv) {
       "eyebridge COMMAND --help says more.");
   add_run(app, code);
   add_add(app, code);
+  add_remove(app, code);
   add_record(app, code);
   add_sweep(app, code);
   add_probe(app, code);

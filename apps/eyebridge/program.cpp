@@ -63,6 +63,33 @@ void offer_python_packages() {
   setenv("PYTHONPATH", folders.c_str(), 1);
 }
 
+/// The Python that our compiled modules are for; in a virtual environment its own.
+std::string python_of_modules() {
+  const char* const environment = std::getenv("VIRTUAL_ENV");
+  const bool is_own = environment != nullptr && *environment != '\0';
+  return !is_own && access(EYEBRIDGE_PYTHON, X_OK) == 0 ? EYEBRIDGE_PYTHON : "python3";
+}
+
+/// Becomes the program words[0]; python3 is that of PATH.
+[[noreturn]] void become_words(std::vector<std::string> words) {
+  offer_python_packages();
+  std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  // Not execvp for a program itself: it would hand what the kernel refuses to sh.
+  if (words.front().find('/') == std::string::npos) {
+    execvp(argv.front(), argv.data());
+  } else {
+    execv(argv.front(), argv.data());
+  }
+  const int error = errno;
+  const char* reason = error == ENOEXEC
+                           ? "neither a program for this machine nor a script that starts with #!"
+                           : std::strerror(error);
+  throw ConfigError({words.front()}, std::string("cannot be started: ") + reason);
+}
+
 }  // namespace
 
 bool is_python(const fs::path& program) { return program.extension() == ".py"; }
@@ -83,29 +110,20 @@ fs::path find_program(const std::string& name) {
 }
 
 void become(const fs::path& program, const std::vector<std::string>& arguments) {
-  offer_python_packages();
   std::vector<std::string> words;
   // Through our package, so that it is ours even beside another eye.py, and its time from the
   // start.
   if (is_python(program)) words = {"python3", (own_files().python / "eye").string()};
   words.push_back(program.string());
   words.insert(words.end(), arguments.begin(), arguments.end());
+  become_words(std::move(words));
+}
 
-  std::vector<char*> argv;
-  argv.reserve(words.size() + 1);
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  // Not execvp for the program itself: it would hand what the kernel refuses to sh.
-  if (is_python(program)) {
-    execvp(argv.front(), argv.data());
-  } else {
-    execv(argv.front(), argv.data());
-  }
-  const int error = errno;
-  const char* reason = error == ENOEXEC
-                           ? "neither a program for this machine nor a script that starts with #!"
-                           : std::strerror(error);
-  throw ConfigError({words.front()}, std::string("cannot be started: ") + reason);
+void become_control(const fs::path& program, const std::vector<std::string>& arguments) {
+  // -P: a folder `eyebridge` where the user is is not our package.
+  std::vector<std::string> words{python_of_modules(), "-P", "-m", "eyebridge.control", program.string()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  become_words(std::move(words));
 }
 
 }  // namespace eyebridge::apps

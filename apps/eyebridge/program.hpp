@@ -14,6 +14,10 @@ std::filesystem::path find_program(const std::string& name);
 /// True for a program that python3 runs.
 bool is_python(const std::filesystem::path& program);
 
+/// Becomes python3 with eyebridge.control, which runs the control file `program`. As become().
+[[noreturn]] void become_control(const std::filesystem::path& program,
+                                 const std::vector<std::string>& arguments);
+
 /// Becomes `program` with `arguments`; a .py is run by python3, and Python finds our packages
 /// (PYTHONPATH). Throws ConfigError when the system refuses; returns never.
 [[noreturn]] void become(const std::filesystem::path& program,

@@ -9,6 +9,7 @@
 
 #include "check_settings.hpp"
 #include "command.hpp"
+#include "control_file.hpp"
 #include "eyebridge/hal/shared_world.hpp"
 #include "own_files.hpp"
 #include "program.hpp"
@@ -51,6 +52,13 @@ void run_words(const std::string& command, const SettingFlags& flags,
   const auto program = find_program(name);
   const hal::Config config = hand_on(flags, program);
   check_settings(config);
+  if (is_control_file(program)) {
+    if (command != "run") {
+      throw ConfigError({program.string()}, "found a control file, expected a robot program: " +
+                                                command + " takes no control files");
+    }
+    become_control(program, {words.begin() + 1, words.end()});
+  }
   if (is_python(program) && hal::programs_wanted(config) > 1) {
     // A binary sees to that itself.
     std::vector<std::string> all{program.string()};

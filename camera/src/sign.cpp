@@ -91,6 +91,16 @@ void draw_arrow(Painter& painter, Arrow arrow) {
 
 }  // namespace
 
+Arrow arrow_for(double along, double turn) {
+  if (along == 0.0 && turn == 0.0) return Arrow::None;
+  if (turn == 0.0) return along > 0.0 ? Arrow::Forward : Arrow::Backward;
+  const bool counter_clockwise = turn > 0.0;
+  if (along == 0.0) return counter_clockwise ? Arrow::TurnLeft : Arrow::TurnRight;
+  if (along > 0.0) return counter_clockwise ? Arrow::CurveLeft : Arrow::CurveRight;
+  // Backward, a heading that turns counter-clockwise takes the robot to its right.
+  return counter_clockwise ? Arrow::BackRight : Arrow::BackLeft;
+}
+
 Frame draw_sign(const Sign& sign, int longest_side) {
   Painter painter(longest_side);
   draw_arrow(painter, sign.arrow);

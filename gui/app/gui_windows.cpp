@@ -101,6 +101,13 @@ void GuiWindows::open_panel(const robios::PanelStart& start) {
   if (!comes) start.keys->set_window(false);
 }
 
+void GuiWindows::close_panel(const robios::Screen& screen) {
+  post([this, &screen] {
+    // Not closed: that of the last window would end the program.
+    std::erase_if(panels_, [&](const auto& panel) { return panel->shows(screen); });
+  });
+}
+
 void GuiWindows::open_hand_view(const robios::HandStart& start) {
   post([this, start] {
     hand_views_.push_back(std::make_unique<HandWindow>(start));
@@ -116,6 +123,13 @@ void GuiWindows::open_environment(hal::Environment& environment, robios::Crew* c
     if (window->pos().isNull()) window->move(kPanelWidth, kCascade);
     window->on_edit = [this](const QString& file) { open_editor(file); };
     show(*window);
+  });
+}
+
+void GuiWindows::open_map(const robios::MapStart& start) {
+  post([this, start] {
+    if (environments_.empty()) return;
+    environments_.back()->show_map(QString::fromStdString(start.title), *start.board);
   });
 }
 

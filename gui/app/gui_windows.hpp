@@ -29,8 +29,10 @@ class GuiWindows final : public robios::Windows {
   ~GuiWindows() override;
 
   void open_panel(const robios::PanelStart& start) override;
+  void close_panel(const robios::Screen& screen) override;
   void open_hand_view(const robios::HandStart& start) override;
   void open_environment(hal::Environment& environment, robios::Crew* crew) override;
+  void open_map(const robios::MapStart& start) override;
   void edit(const std::string& path) override;
   void finish(const std::string& how) override;
 

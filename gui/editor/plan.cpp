@@ -117,13 +117,7 @@ Plan empty_plan(double width, double height) {
   Plan plan;
   plan.width = width;
   plan.height = height;
-  const Vec2 corners[] = {{0, 0}, {width, 0}, {width, height}, {0, height}};
-  for (std::size_t i = 0; i < 4; ++i) {
-    world::Wall wall;
-    wall.a = corners[i];
-    wall.b = corners[(i + 1) % 4];
-    plan.walls.push_back(wall);
-  }
+  plan.walls = world::walls_around(width, height);
   return plan;
 }
 

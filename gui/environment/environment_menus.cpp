@@ -9,6 +9,7 @@
 #include <exception>
 
 #include "environment/environment_window.hpp"
+#include "parts/save_picture.hpp"
 
 namespace eyebridge::gui {
 
@@ -93,15 +94,13 @@ void EnvironmentWindow::make_time_menu() {
 
 void EnvironmentWindow::make_robot_menu() {
   QMenu& menu = *menuBar()->addMenu(tr("&Robot"));
-  add_action(menu, tr("&Next"), Qt::Key_N, [this] {
-    const std::size_t count = view_->look().robots.size();
-    if (count > 0) view_->choose(view_->chosen() ? (*view_->chosen() + 1) % count : 0);
-  });
+  add_action(menu, tr("&Next"), Qt::Key_N, [this] { view_->choose_next(); });
   QAction* const adding = adding_dock_->toggleViewAction();
   adding->setShortcut(Qt::Key_A);
   menu.addAction(adding);
   drive_ = add_switch(menu, tr("&Drive with the arrow keys"), Qt::Key_K, false,
                       [this](bool drives) { view_->set_driving(drives); });
+  make_removal(menu);
 }
 
 void EnvironmentWindow::make_view_menu() {
@@ -115,7 +114,8 @@ void EnvironmentWindow::make_view_menu() {
   add_action(menu, tr("Zoom &out"), QKeySequence::ZoomOut, [this] { view_->zoom(1 / kZoom); });
   follow_ = add_switch(menu, tr("F&ollow robot"), Qt::Key_O, false,
                        [this](bool follows) { view_->follow(follows); });
-  add_action(menu, tr("Centre on &robot"), Qt::Key_R, [this] { view_->centre_on_robot(); });
+  centre_ =
+      add_action(menu, tr("Centre on &robot"), Qt::Key_R, [this] { view_->centre_on_robot(); });
   measure_ = add_switch(menu, tr("&Measure"), Qt::Key_M, false, [this](bool measures) {
     if (measures) adding_->stop_placing();
     view_->set_tool(measures ? Tool::Tape : Tool::Hand);
@@ -163,14 +163,15 @@ void EnvironmentWindow::make_scene_menu(QMenu& menu) {
   add(tr("The robot's &camera"), QKeySequence("Ctrl+3"), SceneView::From::RobotsCamera);
 }
 
-bool EnvironmentWindow::save_picture(const QString& path) { return view_->grab().save(path); }
+bool EnvironmentWindow::save_picture(const QString& path) {
+  return gui::save_picture(view_->grab().toImage(), path);
+}
 
 void EnvironmentWindow::ask_for_picture() {
-  const QString path = QFileDialog::getSaveFileName(this, tr("Save picture"), "environment.png",
-                                                    tr("Pictures (*.png *.jpg)"));
-  if (path.isEmpty()) return;
-  trouble_->setText(save_picture(path) ? tr("Saved %1").arg(path)
-                                       : tr("%1 cannot be written").arg(path));
+  ask_where_to_save(*this, tr("Save picture"), "environment.png", [this](const QString& path) {
+    trouble_->setText(save_picture(path) ? tr("Saved %1").arg(path)
+                                         : tr("%1 cannot be written").arg(path));
+  });
 }
 
 void EnvironmentWindow::ask_for_file() {

@@ -20,10 +20,13 @@ constexpr int kFramesPerScene = 3;     // 20 pictures a second, each some millis
 
 EnvironmentWindow::EnvironmentWindow(hal::Environment& environment, const QString& program,
                                      robios::Crew* crew)
-    : environment_(environment), program_(program), view_(new WorldView(environment, this)) {
+    : environment_(environment),
+      crew_(crew),
+      program_(program),
+      view_(new WorldView(environment, this)) {
   setWindowTitle(tr("%1 – environment").arg(program));
   setCentralWidget(view_);
-  make_docks(crew);
+  make_docks();
   make_status();
   make_file_menu();
   make_time_menu();
@@ -42,7 +45,7 @@ EnvironmentWindow::~EnvironmentWindow() {
   if (isVisible()) keep_layout();
 }
 
-void EnvironmentWindow::make_docks(robios::Crew* crew) {
+void EnvironmentWindow::make_docks() {
   const auto add = [this](const QString& title, const char* name, Qt::DockWidgetArea area,
                           QWidget* widget) {
     auto* dock = new QDockWidget(title, this);
@@ -61,7 +64,7 @@ void EnvironmentWindow::make_docks(robios::Crew* crew) {
   scene_dock_ = add(tr("3D"), "scene", Qt::RightDockWidgetArea, scene_);
   scene_dock_->hide();
   add(tr("Errors"), "errors", Qt::RightDockWidgetArea, errors_)->hide();
-  adding_ = new AddRobotPanel(crew, this);
+  adding_ = new AddRobotPanel(crew_, this);
   adding_dock_ = add(tr("Add robot"), "add_robot", Qt::RightDockWidgetArea, adding_);
   adding_dock_->hide();
   adding_->on_placing = [this](bool places) {
@@ -73,8 +76,21 @@ void EnvironmentWindow::make_docks(robios::Crew* crew) {
     events_->add(text);
   };
   view_->on_place = [this](const Pose& pose) { adding_->add(pose); };
+  view_->on_menu = [this](QPoint place) { show_robot_menu(place); };
   view_->on_look = [this](const hal::WorldLook& look) { events_->add(look); };
   errors_->on_trouble = [this](const QString& text) { trouble_->setText(text); };
+}
+
+MapView& EnvironmentWindow::show_map(const QString& title, const robios::MapBoard& board) {
+  auto* const dock = new QDockWidget(title, this);
+  dock->setObjectName("map " + title);
+  auto* const map = new MapView(board, this);
+  dock->setWidget(map);
+  addDockWidget(Qt::RightDockWidgetArea, dock);
+  restoreDockWidget(dock);  // where it was left, if it was
+  dock->show();
+  maps_.push_back(map);
+  return *map;
 }
 
 void EnvironmentWindow::make_status() {
@@ -98,6 +114,7 @@ void EnvironmentWindow::refresh() {
   view_->refresh();
   errors_->follow(view_->look());
   adding_->follow(view_->look());
+  remove_->setEnabled(crew_ != nullptr && view_->chosen().has_value());
   // The other side may be paused by another window, or have ended.
   if (pause_->isChecked() != environment_.time().is_paused()) {
     pause_->setChecked(environment_.time().is_paused());
@@ -105,7 +122,10 @@ void EnvironmentWindow::refresh() {
   if (frames_ % kFramesPerReading == 0) {
     readings_->show_robot(view_->look(), view_->mirror(), view_->chosen());
   }
-  if (frames_ % kFramesPerScene == 0) scene_->refresh(view_->look(), view_->chosen());
+  if (frames_ % kFramesPerScene == 0) {
+    scene_->refresh(view_->look(), view_->chosen());
+    for (MapView* const map : maps_) map->refresh();
+  }
   ++frames_;
   add_to_film();
   show_time();

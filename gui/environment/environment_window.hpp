@@ -5,11 +5,13 @@
 #include <QTimer>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "environment/add_robot_panel.hpp"
 #include "environment/error_panel.hpp"
 #include "environment/event_log.hpp"
 #include "environment/film.hpp"
+#include "environment/map_view.hpp"
 #include "environment/readings.hpp"
 #include "environment/scene_view.hpp"
 #include "environment/world_view.hpp"
@@ -24,7 +26,7 @@ namespace eyebridge::gui {
 class EnvironmentWindow final : public QMainWindow {
   Q_OBJECT
  public:
-  /// `environment` and `crew` are lent; null where nobody can be added.
+  /// `environment` and `crew` are lent; null where nobody can be added or removed.
   EnvironmentWindow(hal::Environment& environment, const QString& program,
                     robios::Crew* crew = nullptr);
   ~EnvironmentWindow() override;
@@ -41,7 +43,11 @@ class EnvironmentWindow final : public QMainWindow {
   /// written, which the status bar tells.
   bool start_film(const QString& path);
   void stop_film();
+  /// Shows a map beside the world from now on; `board` is lent.
+  MapView& show_map(const QString& title, const robios::MapBoard& board);
   [[nodiscard]] SceneView& scene() { return *scene_; }
+  /// Asks whether the chosen robot shall be removed; yes removes it.
+  void ask_to_remove();
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -55,9 +61,12 @@ class EnvironmentWindow final : public QMainWindow {
   void make_file_menu();
   void make_time_menu();
   void make_robot_menu();
+  void make_removal(QMenu& menu);
+  void show_robot_menu(QPoint place);
+  void remove_robot(std::size_t index);
   void make_view_menu();
   void make_scene_menu(QMenu& menu);
-  void make_docks(robios::Crew* crew);
+  void make_docks();
   void make_status();
   void refresh();
   void add_to_film();
@@ -68,17 +77,21 @@ class EnvironmentWindow final : public QMainWindow {
   void ask_for_file();
 
   hal::Environment& environment_;
+  robios::Crew* const crew_;
   const QString program_;
   WorldView* view_;
   Readings* readings_ = nullptr;
   EventLog* events_ = nullptr;
   SceneView* scene_ = nullptr;
   QDockWidget* scene_dock_ = nullptr;
+  std::vector<MapView*> maps_;
   ErrorPanel* errors_ = nullptr;
   AddRobotPanel* adding_ = nullptr;
   std::optional<Film> film_;
   QAction* film_switch_ = nullptr;
   QAction* drive_ = nullptr;
+  QAction* remove_ = nullptr;
+  QAction* centre_ = nullptr;
   QAction* measure_ = nullptr;
   QDockWidget* adding_dock_ = nullptr;
   QAction* pause_ = nullptr;

@@ -45,14 +45,20 @@ void ErrorPanel::follow(const hal::WorldLook& look) {
   while (models_.size() < look.robots.size()) {
     models_.push_back(look.robots[models_.size()].model);
     choices_.push_back(for_all_);
-    target_->addItem(tr("Robot %1").arg(models_.size()));
+    target_->addItem(tr("Robot %1").arg(models_.size()), static_cast<uint>(models_.size() - 1));
     if (!(for_all_ == Choice{})) give(models_.size() - 1);
+  }
+  for (std::size_t i = 0; i < look.robots.size(); ++i) {
+    if (look.robots[i].is_there || !models_[i]) continue;
+    models_[i].reset();
+    const int row = target_->findData(static_cast<uint>(i));
+    if (row >= 0) target_->removeItem(row);
   }
 }
 
 ErrorPanel::Choice& ErrorPanel::choice_of_target() {
-  const int target = target_->currentIndex();
-  return target < 1 ? for_all_ : choices_.at(static_cast<std::size_t>(target - 1));
+  const QVariant robot = target_->currentData();
+  return robot.isValid() ? choices_.at(robot.toUInt()) : for_all_;
 }
 
 void ErrorPanel::show_choice() {
@@ -70,8 +76,8 @@ void ErrorPanel::choose() {
   choice_of_target() = choice;
   percent_->setText(tr("%1 %").arg(choice.percent));
   if (on_trouble) on_trouble({});
-  if (const int target = target_->currentIndex(); target > 0) {
-    give(static_cast<std::size_t>(target - 1));
+  if (const QVariant robot = target_->currentData(); robot.isValid()) {
+    give(robot.toUInt());
     return;
   }
   for (std::size_t robot = 0; robot < choices_.size(); ++robot) {
@@ -81,6 +87,7 @@ void ErrorPanel::choose() {
 }
 
 void ErrorPanel::give(std::size_t robot) {
+  if (!models_[robot]) return;
   const Choice& choice = choices_[robot];
   robot::RobotModel model = *models_[robot];
   if (choice.kind > 0) {

@@ -41,7 +41,8 @@ class ErrorPanel final : public QWidget {
   void give(std::size_t robot);
 
   hal::Environment& environment_;
-  std::vector<std::shared_ptr<const robot::RobotModel>> models_;  ///< As the robots came.
+  std::vector<std::shared_ptr<const robot::RobotModel>>
+      models_;  ///< As the robots came; null once removed.
   Choice for_all_;
   std::vector<Choice> choices_;  ///< Of each robot.
   QComboBox* target_;            ///< First all, then each robot.

@@ -37,7 +37,12 @@ void Mirror::follow(const hal::WorldLook& look) {
     if (body.id < world_->world().object_count()) world_->world().set_pose(body.id, body.pose);
   }
   for (std::size_t i = 0; i < look.robots.size(); ++i) {
-    world_->set_pose(static_cast<robot::RobotIndex>(i), look.robots[i].pose);
+    const auto robot = static_cast<robot::RobotIndex>(i);
+    if (look.robots[i].is_there) {
+      world_->set_pose(robot, look.robots[i].pose);
+    } else if (world_->is_there(robot)) {
+      world_->remove_robot(robot);
+    }
   }
 }
 

@@ -20,7 +20,7 @@ struct SensorRay {
 /// and nobody waits. One thread.
 class Mirror {
  public:
-  /// Puts everything where `look` saw it; robots that are new are added.
+  /// Puts everything where `look` saw it; robots that are new are added, removed ones removed.
   void follow(const hal::WorldLook& look);
 
   /// Of the robot with this index, in the order of its model. Without error.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "eyebridge/base/config_error.hpp"
+#include "parts/frame_image.hpp"
 
 namespace eyebridge::gui {
 namespace {
@@ -93,10 +94,7 @@ void SceneView::draw() {
       return source_->next(clock_.now() + std::chrono::seconds(1));
     });
     if (frame) {
-      const camera::Frame& seen = **frame;
-      picture_ =
-          QImage(seen.bytes.data(), seen.width, seen.height, seen.stride, QImage::Format_RGB888)
-              .copy();
+      picture_ = image_of(**frame);
       ++count_;
     } else {
       trouble_ = QString::fromStdString(frame.error().what);

@@ -17,6 +17,10 @@ void Trails::add(const hal::WorldLook& look) {
   last_time_ = look.scene.time;
   for (std::size_t i = 0; i < look.robots.size(); ++i) {
     std::deque<Point>& trail = robots_[i];
+    if (!look.robots[i].is_there) {
+      trail.clear();
+      continue;
+    }
     const Vec2 place = look.robots[i].pose.position();
     const double way = trail.empty() ? jump * 2 : norm(place - trail.back().place);
     if (way < kNearest) continue;

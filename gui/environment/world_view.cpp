@@ -45,7 +45,12 @@ void WorldView::refresh() {
   if (on_look) on_look(look_);
   mirror_.follow(look_);
   trails_.add(look_);
-  if (chosen_ && *chosen_ >= look_.robots.size()) chosen_.reset();
+  if (chosen_ && (*chosen_ >= look_.robots.size() || !look_.robots[*chosen_].is_there)) {
+    driver_.release_all();
+    chosen_.reset();
+    follows_ = false;
+  }
+  if (grip_ && grip_->robot && !look_.robots[*grip_->robot].is_there) grip_.reset();
   if (follows_ && chosen_ && !grip_) view_.centre_on(look_.robots[*chosen_].pose.position());
   update();
 }
@@ -92,6 +97,14 @@ void WorldView::choose(std::optional<std::size_t> robot) {
   update();
 }
 
+void WorldView::choose_next() {
+  const std::size_t count = look_.robots.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t next = chosen_ ? (*chosen_ + 1 + i) % count : i;
+    if (look_.robots[next].is_there) return choose(next);
+  }
+}
+
 void WorldView::centre_on_robot() {
   if (!chosen_ || *chosen_ >= look_.robots.size()) return;
   change_view([&](Viewport& view) { view.centre_on(look_.robots[*chosen_].pose.position()); });
@@ -127,6 +140,7 @@ void WorldView::paintEvent(QPaintEvent* /*event*/) {
   paint_bodies(painter, view_, look_, chosen_);
   if (layers_.bumpers) {
     for (std::size_t i = 0; i < look_.robots.size(); ++i) {
+      if (!look_.robots[i].is_there) continue;
       paint_bumpers(painter, view_, look_.robots[i], mirror_.bumpers(i));
     }
   }
@@ -138,6 +152,7 @@ void WorldView::paint_robots_layers(QPainter& painter) {
   constexpr double kConeLength = 1.0;  // metres
   for (std::size_t i = 0; i < look_.robots.size(); ++i) {
     const hal::RobotLook& robot = look_.robots[i];
+    if (!robot.is_there) continue;
     if (layers_.camera) paint_camera_cone(painter, view_, robot, kConeLength, chosen_ == i);
     if (layers_.lidar) {
       const QColor colour(170, 110, 205);
@@ -240,7 +255,7 @@ void WorldView::set_driving(bool drives) {
   drives_ = drives;
   if (drives) {
     setFocus();
-    if (!chosen_ && !look_.robots.empty()) choose(0);
+    if (!chosen_) choose_next();
   } else if (driver_.any()) {
     driver_.release_all();
     drive();
@@ -272,6 +287,14 @@ void WorldView::focusOutEvent(QFocusEvent* event) {
   if (!driver_.any()) return;  // nobody would tell us that the key was released
   driver_.release_all();
   drive();
+}
+
+void WorldView::contextMenuEvent(QContextMenuEvent* event) {
+  const Vec2 place = view_.to_world(event->pos());
+  const auto grip = grip_at(look_, place, kSlack / view_.pixels_per_metre());
+  if (!grip || !grip->robot) return;
+  choose(grip->robot);
+  if (on_menu) on_menu(event->globalPos());
 }
 
 void WorldView::wheelEvent(QWheelEvent* event) {

@@ -61,9 +61,11 @@ class WorldView final : public QWidget {
   void zoom(double factor);
   /// The view goes with the chosen robot.
   void follow(bool follows);
-  /// The one that a person points at, by its index: its readings are wanted.
+  /// The one that a person points at, by its index: its readings are wanted. It is there.
   [[nodiscard]] std::optional<std::size_t> chosen() const { return chosen_; }
   void choose(std::optional<std::size_t> robot);
+  /// Chooses the one after that which is there.
+  void choose_next();
   /// The chosen robot is in the middle.
   void centre_on_robot();
   void set_tool(Tool tool);
@@ -73,6 +75,9 @@ class WorldView final : public QWidget {
 
   /// Told of each look at the world, also of those that a person's doings bring.
   std::function<void(const hal::WorldLook&)> on_look;
+  /// Told that a person asks with the right button, at this place of the display, what can be done
+  /// with the chosen robot, which she pressed.
+  std::function<void(QPoint)> on_menu;
   /// Told of a place that was shown.
   std::function<void(const Pose&)> on_place;
   /// Told where the pointer is, in the world; and why something could not be done.
@@ -91,6 +96,7 @@ class WorldView final : public QWidget {
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
   void focusOutEvent(QFocusEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
   void tell_trouble(const QString& text) const;

@@ -56,7 +56,7 @@ void DirectionSign::paintEvent(QPaintEvent* /*event*/) {
   painter.scale(0.45 * room, 0.45 * room);
   painter.setPen(QPen(ink, 0.22, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
   painter.setBrush(ink);
-  paint_arrow(painter, words_.way);
+  paint_arrow(painter, words_.arrow);
   painter.restore();
   painter.setPen(ink);
   const auto write = [&](const QString& text, const QRect& place) {

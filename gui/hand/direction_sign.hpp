@@ -34,6 +34,6 @@ class DirectionSign final : public QWidget {
 };
 
 /// The arrow alone, in a square of edge 2 about (0, 0), up being straight ahead.
-void paint_arrow(QPainter& painter, Way way);
+void paint_arrow(QPainter& painter, camera::Arrow arrow);
 
 }  // namespace eyebridge::gui

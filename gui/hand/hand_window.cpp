@@ -10,7 +10,7 @@
 #include <QStatusBar>
 
 #include "hand/uncertainty.hpp"
-#include "panel/save_picture.hpp"
+#include "parts/save_picture.hpp"
 
 namespace eyebridge::gui {
 namespace {
@@ -108,7 +108,7 @@ void HandWindow::show_place(const hal::HandLook& look) {
 
 void HandWindow::tell_end(const QString& how) {
   timer_.stop();
-  sign_->show_words({Way::Stand, tr("The run has ended"), how, {}});
+  sign_->show_words({camera::Arrow::None, tr("The run has ended"), how, {}});
 }
 
 bool HandWindow::save_window(const QString& path) {

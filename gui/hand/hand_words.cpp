@@ -8,44 +8,34 @@
 namespace eyebridge::gui {
 namespace {
 
+using camera::Arrow;
 using Kind = hal::Instruction::Kind;
 
 struct HandTexts {
   Q_DECLARE_TR_FUNCTIONS(eyebridge::gui::HandWindow)
 };
 
-/// Forward and left are positive.
-Way way_of(double along, double turn) {
-  if (along == 0.0 && turn == 0.0) return Way::Stand;
-  if (turn == 0.0) return along > 0.0 ? Way::Forward : Way::Backward;
-  const bool to_the_left = turn > 0.0;
-  if (along == 0.0) return to_the_left ? Way::TurnLeft : Way::TurnRight;
-  if (along > 0.0) return to_the_left ? Way::CurveLeft : Way::CurveRight;
-  // Backward, a heading that turns left takes the robot to its right.
-  return to_the_left ? Way::BackRight : Way::BackLeft;
-}
-
-QString name_of(Way way) {
-  switch (way) {
-    case Way::Stand:
+QString name_of(Arrow arrow) {
+  switch (arrow) {
+    case Arrow::None:
       return HandTexts::tr("Stand still");
-    case Way::Forward:
+    case Arrow::Forward:
       return HandTexts::tr("Straight ahead");
-    case Way::Backward:
+    case Arrow::Backward:
       return HandTexts::tr("Backward");
-    case Way::TurnLeft:
+    case Arrow::TurnLeft:
       return HandTexts::tr("Turn left");
-    case Way::TurnRight:
+    case Arrow::TurnRight:
       return HandTexts::tr("Turn right");
-    case Way::CurveLeft:
+    case Arrow::CurveLeft:
       return HandTexts::tr("Ahead, to the left");
-    case Way::CurveRight:
+    case Arrow::CurveRight:
       return HandTexts::tr("Ahead, to the right");
-    case Way::BackLeft:
+    case Arrow::BackLeft:
       return HandTexts::tr("Backward, to the left");
-    case Way::BackRight:
+    case Arrow::BackRight:
       return HandTexts::tr("Backward, to the right");
-    case Way::Lost:
+    case Arrow::Lost:
       return HandTexts::tr("Lost");
   }
   return {};
@@ -78,21 +68,21 @@ QString speed_text(const Twist& speed) {
 HandWords words_for(const hal::Instruction& instruction) {
   switch (instruction.kind) {
     case Kind::Lost:
-      return {Way::Lost,
+      return {Arrow::Lost,
               HandTexts::tr("Show me a marker"),
               QString::fromStdString(instruction.reason),
               {}};
     case Kind::Stand:
-      return {Way::Stand, name_of(Way::Stand), {}, {}};
+      return {Arrow::None, name_of(Arrow::None), {}, {}};
     case Kind::Speed: {
-      const Way way = way_of(instruction.speed.linear, instruction.speed.angular);
-      if (way == Way::Stand) return {way, name_of(way), {}, {}};
-      return {way, speed_text(instruction.speed), name_of(way), {}};
+      const Arrow arrow = camera::arrow_for(instruction.speed.linear, instruction.speed.angular);
+      if (arrow == Arrow::None) return {arrow, name_of(arrow), {}, {}};
+      return {arrow, speed_text(instruction.speed), name_of(arrow), {}};
     }
     case Kind::Goal: {
-      const Way way = way_of(instruction.distance, instruction.angle);
-      if (way == Way::Stand) return {way, name_of(way), {}, {}};
-      return {way, amount_text(instruction.distance, instruction.angle), name_of(way),
+      const Arrow arrow = camera::arrow_for(instruction.distance, instruction.angle);
+      if (arrow == Arrow::None) return {arrow, name_of(arrow), {}, {}};
+      return {arrow, amount_text(instruction.distance, instruction.angle), name_of(arrow),
               speed_text(instruction.speed)};
     }
   }

@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <QPolygonF>
 
-#include "panel/frame_image.hpp"
+#include "parts/frame_image.hpp"
 
 namespace eyebridge::gui {
 

@@ -49,40 +49,40 @@ void paint_curve(QPainter& painter) {
 
 }  // namespace
 
-void paint_arrow(QPainter& painter, Way way) {
+void paint_arrow(QPainter& painter, camera::Arrow arrow) {
   painter.save();
-  switch (way) {
-    case Way::Stand:
+  switch (arrow) {
+    case camera::Arrow::None:
       painter.setPen(Qt::NoPen);
       painter.drawRect(QRectF(-0.7, -0.7, 1.4, 1.4));
       break;
-    case Way::Backward:
+    case camera::Arrow::Backward:
       painter.scale(1, -1);
       [[fallthrough]];
-    case Way::Forward:
+    case camera::Arrow::Forward:
       paint_straight(painter);
       break;
-    case Way::TurnRight:
+    case camera::Arrow::TurnRight:
       painter.scale(-1, 1);
       [[fallthrough]];
-    case Way::TurnLeft:
+    case camera::Arrow::TurnLeft:
       paint_turn(painter);
       break;
-    case Way::CurveRight:
+    case camera::Arrow::CurveRight:
       painter.scale(-1, 1);
       [[fallthrough]];
-    case Way::CurveLeft:
+    case camera::Arrow::CurveLeft:
       paint_curve(painter);
       break;
-    case Way::BackLeft:
+    case camera::Arrow::BackLeft:
       painter.scale(1, -1);
       paint_curve(painter);
       break;
-    case Way::BackRight:
+    case camera::Arrow::BackRight:
       painter.scale(-1, -1);
       paint_curve(painter);
       break;
-    case Way::Lost: {
+    case camera::Arrow::Lost: {
       QPainterPath mark;
       QFont font = painter.font();
       font.setBold(true);

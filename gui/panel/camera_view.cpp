@@ -3,8 +3,8 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "panel/frame_image.hpp"
 #include "panel/pixel_fit.hpp"
+#include "parts/frame_image.hpp"
 
 namespace eyebridge::gui {
 

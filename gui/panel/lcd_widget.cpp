@@ -4,8 +4,8 @@
 #include <QPainter>
 #include <cmath>
 
-#include "panel/frame_image.hpp"
 #include "panel/pixel_fit.hpp"
+#include "parts/frame_image.hpp"
 
 namespace eyebridge::gui {
 LcdWidget::LcdWidget(robios::Screen& screen, robios::Keys& keys, QWidget* parent)

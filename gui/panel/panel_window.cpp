@@ -11,8 +11,8 @@
 #include <algorithm>
 
 #include "keys.hpp"
-#include "panel/frame_image.hpp"
-#include "panel/save_picture.hpp"
+#include "parts/frame_image.hpp"
+#include "parts/save_picture.hpp"
 
 namespace eyebridge::gui {
 namespace {

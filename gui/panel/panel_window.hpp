@@ -29,6 +29,7 @@ class PanelWindow final : public QMainWindow {
   explicit PanelWindow(const robios::PanelStart& start);
   ~PanelWindow() override;
 
+  [[nodiscard]] bool shows(const robios::Screen& screen) const { return &screen_ == &screen; }
   /// The program has ended, `how` in words: the screen stays, the keys are dead.
   void tell_end(const QString& how);
   /// Writes the screen, pixel for pixel, as PNG or whatever the name says, and says so in the

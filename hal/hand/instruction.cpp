@@ -26,16 +26,6 @@ Way way_of(const Instruction& instruction) {
   return {};
 }
 
-Arrow arrow_of(const Way& way) {
-  if (way.along == 0.0 && way.turn == 0.0) return Arrow::None;
-  if (way.turn == 0.0) return way.along > 0.0 ? Arrow::Forward : Arrow::Backward;
-  const bool counter_clockwise = way.turn > 0.0;
-  if (way.along == 0.0) return counter_clockwise ? Arrow::TurnLeft : Arrow::TurnRight;
-  if (way.along > 0.0) return counter_clockwise ? Arrow::CurveLeft : Arrow::CurveRight;
-  // Backward, a heading that turns counter-clockwise takes the robot to its right.
-  return counter_clockwise ? Arrow::BackRight : Arrow::BackLeft;
-}
-
 const char* name_of(Arrow arrow) {
   switch (arrow) {
     case Arrow::None:
@@ -84,7 +74,7 @@ std::string in_words(const Instruction& instruction) {
     return fmt::format("lost: show me a marker ({})", instruction.reason);
   }
   const Way way = way_of(instruction);
-  std::string words = name_of(arrow_of(way));
+  std::string words = name_of(camera::arrow_for(way.along, way.turn));
   if (instruction.kind == Instruction::Kind::Stand) return words;
   if (instruction.kind == Instruction::Kind::Goal) words += " " + amount_of(way);
   return words + " at " + speed_of(instruction.speed);
@@ -95,7 +85,7 @@ camera::Sign as_sign(const Instruction& instruction) {
     return {Arrow::Lost, "lost", "show me a marker"};
   }
   const Way way = way_of(instruction);
-  const Arrow arrow = arrow_of(way);
+  const Arrow arrow = camera::arrow_for(way.along, way.turn);
   if (instruction.kind == Instruction::Kind::Stand) return {arrow, "stop", name_of(arrow)};
   if (instruction.kind == Instruction::Kind::Speed) {
     return {arrow, speed_of(instruction.speed), name_of(arrow)};

@@ -23,6 +23,10 @@ class SharedSim final : public SharedWorld {
   [[nodiscard]] const std::vector<Newcomer>& newcomers() const override { return newcomers_; }
   [[nodiscard]] robot::RobotModel model(const std::string& name) const override;
   Result<std::size_t> enter(const Newcomer& newcomer) override;
+  Result<void> leave(std::size_t robot) override { return world_->remove_robot(robot); }
+  [[nodiscard]] Result<void> can_leave(std::size_t robot) override {
+    return world_->check_there(robot);
+  }
   [[nodiscard]] Time now() override { return world_->now(); }
   void wait_until(Time time) override {
     if (wall_) wall_->wait_until(time);

@@ -1,5 +1,7 @@
 #include "sim/sim_backend.hpp"
 
+#include <initializer_list>
+#include <string>
 #include <utility>
 
 #include "eyebridge/base/units.hpp"
@@ -22,11 +24,13 @@ std::map<int, Device> make_devices(SimWorld& world, robot::RobotIndex robot,
   return out;
 }
 
-/// Devices 1 and 2: left and right, or pan and tilt.
+/// Devices 1 … `count`.
 template <class Device>
-std::map<int, Device> make_pair_of(SimWorld& world, robot::RobotIndex robot) {
+std::map<int, Device> make_row_of(SimWorld& world, robot::RobotIndex robot, unsigned count) {
   std::map<int, Device> out;
-  for (const unsigned i : {0U, 1U}) out.try_emplace(static_cast<int>(i) + 1, world, robot, i);
+  for (unsigned i = 0; i < count; ++i) {
+    out.try_emplace(static_cast<int>(i) + 1, world, robot, i);
+  }
   return out;
 }
 
@@ -35,6 +39,32 @@ std::vector<DeviceFacts> facts_about(const std::vector<Sensor>& sensors) {
   std::vector<DeviceFacts> out;
   for (const Sensor& sensor : sensors) out.push_back({sensor.id, sensor.name, sensor.semantics});
   return out;
+}
+
+constexpr unsigned kCameraServos = 2;  // pan and tilt
+
+/// What EyeSim's files call the wheels of a drive, with `prefix` before it.
+std::vector<DeviceFacts> facts_of_wheels(robot::DriveKind kind, const std::string& prefix,
+                                         double ticks_per_metre) {
+  const auto named = [&](std::initializer_list<const char*> names) {
+    std::vector<DeviceFacts> out;
+    for (const char* const name : names) {
+      out.push_back({static_cast<int>(out.size()) + 1, prefix + name, 0, ticks_per_metre});
+    }
+    return out;
+  };
+  switch (kind) {
+    case robot::DriveKind::Differential:
+    case robot::DriveKind::Ackermann:
+      break;
+    case robot::DriveKind::Omni:
+      return named({"_FL", "_FR", "_BL", "_BR"});
+    case robot::DriveKind::Swedish:
+      return named({"_LEFT", "_RIGHT", "_BACK"});
+    case robot::DriveKind::Synchro:
+      return named({"_DRIVE", "_TURN"});
+  }
+  return named({"_LEFT", "_RIGHT"});
 }
 
 }  // namespace
@@ -55,15 +85,21 @@ SimBackend::SimBackend(std::shared_ptr<SimWorld> world, std::shared_ptr<Clock> c
       proximity_sensors_(
           make_devices<SimProximity>(*world_, robot, world_->model(robot).proximity_sensors)),
       bumpers_(make_devices<SimBumper>(*world_, robot, world_->model(robot).bumpers)),
-      motors_(make_pair_of<SimMotor>(*world_, robot)),
-      encoders_(make_pair_of<SimEncoder>(*world_, robot)),
-      servos_(make_pair_of<SimServo>(*world_, robot)),
+      motors_(make_row_of<SimMotor>(*world_, robot, world_->model(robot).drive.motor_count())),
+      encoders_(
+          make_row_of<SimEncoder>(*world_, robot, world_->model(robot).drive.encoder_count())),
+      servos_(make_row_of<SimServo>(*world_, robot, kCameraServos)),
       digital_(*world_, robot),
       analog_(supply_voltage) {
   if (world_->model(robot).lidar) lidar_.emplace(*world_, robot);
   if (world_->model(robot).camera) view_.emplace(*world_, robot);
   if (const auto& kicker = world_->model(robot).kicker) {
     servos_.try_emplace(static_cast<int>(kicker->servo) + 1, *world_, robot, kicker->servo);
+  }
+  if (const robot::DriveModel drive = world_->model(robot).drive;
+      drive.kind == robot::DriveKind::Ackermann) {
+    const unsigned servo = drive.steering_servo;
+    servos_.try_emplace(static_cast<int>(servo) + 1, *world_, robot, servo);
   }
 }
 
@@ -85,11 +121,14 @@ std::vector<DeviceFacts> SimBackend::facts_of(std::string_view kind) {
   if (kind == "psd") return facts_about(model.range_sensors);
   if (kind == "proximity") return facts_about(model.proximity_sensors);
   if (kind == "bumper") return facts_about(model.bumpers);
+  // Two motors need no names: programs know left and right.
+  const bool many_motors = model.drive.motor_count() > 2;
+  if (kind == "motor" && many_motors) return facts_of_wheels(model.drive.kind, "MOTOR", 0.0);
   if (kind == "robot") return {{robot_id(), model.name}};
   if (kind != "encoder") return {};
   const double ticks_per_metre =
       model.drive.ticks_per_revolution / (kPi * model.drive.wheel_diameter);
-  return {{1, "QUAD_LEFT", 0, ticks_per_metre}, {2, "QUAD_RIGHT", 0, ticks_per_metre}};
+  return facts_of_wheels(model.drive.kind, "QUAD", ticks_per_metre);
 }
 
 void SimBackend::stop() noexcept {

@@ -30,8 +30,9 @@ enum class AtEnd {
 /// One robot of a simulated world.
 class SimBackend final : public Backend {
  public:
-  /// `clock` steps `world`. The robot has the devices of its model, a compass, two motors with
-  /// encoders (1 left, 2 right), two servos (1 pan, 2 tilt; and a kicker's), digital lines, and
+  /// `clock` steps `world`. The robot has the devices of its model, a compass, the motors and
+  /// encoders of its kind of drive (differential: 1 left, 2 right; the others as DriveKind has
+  /// them, from 1), servos (1 pan, 2 tilt; a kicker's, the steering's), digital lines, and
   /// analog inputs with a battery of `supply_voltage` volts. It has no I/O board and nothing of a
   /// computer. World, clock and environment may be shared with other robots.
   SimBackend(std::shared_ptr<SimWorld> world, std::shared_ptr<Clock> clock,

@@ -16,6 +16,7 @@ RobotLook look_at(const robot::Simulation& sim, robot::RobotIndex robot) {
   look.odometry = sim.odometry(robot);
   look.twist = sim.twist(robot);
   look.stalled = sim.stalled(robot);
+  look.is_there = sim.is_there(robot);
   if (sim.model(robot).camera) look.eye = camera::eye_of(sim, robot);
   return look;
 }
@@ -51,9 +52,8 @@ void SimEnvironment::look(WorldLook& look) {
 template <class Act>
 Result<void> SimEnvironment::with_robot(std::size_t index, Act act) {
   return world_.locked([&](robot::Simulation& sim) -> Result<void> {
-    if (index < sim.robot_count()) return act(sim, static_cast<robot::RobotIndex>(index));
-    return fail(Errc::OutOfRange, "no robot " + std::to_string(index + 1) + ", the world has " +
-                                      std::to_string(sim.robot_count()));
+    const auto robot = robot_there(sim, index);
+    return robot ? act(sim, *robot) : tl::unexpected(robot.error());
   });
 }
 

@@ -8,7 +8,7 @@ namespace eyebridge::hal {
 /// One motor of a simulated robot.
 class SimMotor final : public Motor, private SimDevice {
  public:
-  /// `index`: 0 is left, 1 is right.
+  /// `index`: which one it is, as robot::DriveKind says.
   SimMotor(SimWorld& world, robot::RobotIndex robot, unsigned index);
 
   Result<void> set_duty(double duty) override;
@@ -22,7 +22,7 @@ class SimMotor final : public Motor, private SimDevice {
 /// Its encoder. Counts wrap at 32 bits.
 class SimEncoder final : public Encoder, private SimDevice {
  public:
-  /// `index`: 0 is left, 1 is right.
+  /// `index`: which one it is, as robot::DriveKind says.
   SimEncoder(SimWorld& world, robot::RobotIndex robot, unsigned index);
 
   Result<int> read() override;

@@ -18,6 +18,16 @@ std::string name_of(world::BodyId body, std::optional<robot::RobotIndex> robot) 
 
 }  // namespace
 
+Result<robot::RobotIndex> robot_there(const robot::Simulation& simulation, std::size_t index) {
+  if (index >= simulation.robot_count()) {
+    return fail(Errc::OutOfRange,
+                fmt::format("no robot {}, the world has {}", index + 1, simulation.robot_count()));
+  }
+  const auto robot = static_cast<robot::RobotIndex>(index);
+  if (simulation.is_there(robot)) return robot;
+  return fail(Errc::OutOfRange, fmt::format("robot {} has been removed", index + 1));
+}
+
 SimWorld::SimWorld(files::Scenario scenario, const robot::SimulationSettings& settings,
                    LogSink& log)
     : directory_(scenario.directory.string()),
@@ -63,10 +73,24 @@ Result<robot::RobotIndex> SimWorld::add_robot(const robot::RobotModel& model, co
   }
 }
 
+Result<void> SimWorld::remove_robot(std::size_t index) {
+  const std::lock_guard lock(mutex_);
+  return robot_there(simulation_, index).map([&](robot::RobotIndex robot) {
+    traced_.erase(robot);
+    simulation_.remove_robot(robot);
+  });
+}
+
+Result<void> SimWorld::check_there(std::size_t index) {
+  const std::lock_guard lock(mutex_);
+  return robot_there(simulation_, index).map([](robot::RobotIndex) {});
+}
+
 std::string SimWorld::obstacle_at(Vec2 centre, double radius) const {
   const world::World& world = simulation_.world();
   const std::size_t objects = world.object_count();
   for (world::BodyId body = 0; body < world.body_count(); ++body) {
+    if (!world.is_there(body)) continue;
     if (norm(centre - world.position(body)) >= radius + world.radius(body)) continue;
     const auto robot = static_cast<robot::RobotIndex>(body - objects);
     return name_of(body, body < objects ? std::nullopt : std::optional(robot));

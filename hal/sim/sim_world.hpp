@@ -19,6 +19,9 @@
 
 namespace eyebridge::hal {
 
+/// Robot `index` of `simulation`; OutOfRange, in words, where it is not there.
+Result<robot::RobotIndex> robot_there(const robot::Simulation& simulation, std::size_t index);
+
 /// A scenario that runs: the simulation, the lock around it, and who is told of its steps.
 /// Any thread.
 class SimWorld {
@@ -53,6 +56,11 @@ class SimWorld {
 
   /// Adds a robot to the world as it is now. OutOfRange where it would stand in something.
   Result<robot::RobotIndex> add_robot(const robot::RobotModel& model, const Pose& pose);
+  /// Takes robot `index` out of the world, and tells nobody of it any more. OutOfRange for one that
+  /// is not there.
+  Result<void> remove_robot(std::size_t index);
+  /// OutOfRange, in words, where robot `index` is not there.
+  [[nodiscard]] Result<void> check_there(std::size_t index);
   /// The steps made so far, as time.
   [[nodiscard]] Time now();
   /// A copy: the simulation's own moves when a robot is added.

@@ -26,7 +26,8 @@ Result<robot::RobotIndex> SimWorldControl::robot_index(int id) const {
   if (id == 0) return robot_;
   const int count = robot_count();
   if (id < 0 || id > count) return tl::unexpected(unknown("robot", id, count));
-  return static_cast<robot::RobotIndex>(id - 1);
+  return world_.locked(
+      [id](auto& sim) { return robot_there(sim, static_cast<std::size_t>(id - 1)); });
 }
 
 Result<world::BodyId> SimWorldControl::object_index(int id) const {

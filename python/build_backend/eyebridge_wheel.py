@@ -67,11 +67,11 @@ def _build():
 
 def _files(build):
     """What goes into the wheel: pairs of a file and its name there."""
-    for package in ("eye", "eyebridge"):
+    for package in ("eye", "eyebridge", "eyebridge/control"):
         for path in sorted((ROOT / "python" / package).iterdir()):
             if path.suffix in PACKED:
                 yield path, f"{package}/{path.name}"
-    for path in sorted((build / "python" / "eyebridge").glob("_core*.so")):
+    for path in sorted((build / "python" / "eyebridge").glob("_co*.so")):  # _core, _control
         yield path, f"eyebridge/{path.name}"
     for name in LIBRARIES:
         path = (build / "lib" / name).resolve()

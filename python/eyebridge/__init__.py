@@ -14,14 +14,26 @@ bits. Any thread may call; calls on one simulation wait for each other, and let 
 ranges and failures: __init__.pyi; training: Episode and VectorEnv. For robot programs, which know nothing of a simulation, there is `eye`.
 """
 
-from ._core import Camera, ConfigError, Robot, Scenario, Simulation, default_scenario, load_scenario
+from ._core import (
+    Camera,
+    ConfigError,
+    OccupancyGrid,
+    Robot,
+    RobotMapper,
+    Scenario,
+    Simulation,
+    default_scenario,
+    load_scenario,
+)
 from .episode import Episode
 
 __all__ = [
     "Camera",
     "ConfigError",
     "Episode",
+    "OccupancyGrid",
     "Robot",
+    "RobotMapper",
     "Scenario",
     "Simulation",
     "VectorEnv",

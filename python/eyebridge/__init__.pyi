@@ -110,6 +110,27 @@ class Robot:
         the model's. Raises ValueError without a lidar and for values outside (1 … 36000 points)."""
     def compass(self) -> float:
         """Heading in the world, with its error."""
+    def gyroscope(self) -> float:
+        """Rate of turn in the last step, radians a second, with its error; the bias strays with time."""
+    def accelerometer(self) -> tuple[float, float]:
+        """Acceleration forward and to the left in the last step, m/s², with its errors; gravity is not in it."""
+    def psd_probability(
+        self, id: int, reading: ArrayLike, distance: ArrayLike, resolution: float = 0.001, cross_talkers: int | None = None
+    ) -> Any:
+        """P(reading | distance) of a distance sensor with its errors of now: of all readings within half a `resolution`.
+        Arrays of any shapes that go together, or numbers, which give a number; `distance` may be inf: nothing there.
+        `cross_talkers`: other ultrasound sensors in earshot; None is those of this moment. Raises IndexError for no such
+        sensor, ValueError for a resolution that is not above 0."""
+    def lidar_probability(self, reading: ArrayLike, distance: ArrayLike, resolution: float = 0.001) -> Any:
+        """The same of a ray of the lidar. Raises ValueError without one."""
+    def compass_probability(self, reading: ArrayLike, heading: ArrayLike, resolution: float = 0.01) -> Any:
+        """P(reading | heading), on the circle."""
+    def gyroscope_probability(
+        self, reading: ArrayLike, rate: ArrayLike, resolution: float = 0.001, elapsed: float = 0.0
+    ) -> Any:
+        """P(reading | rate of turn), `elapsed` seconds after the robot came into its world: so long its bias strayed."""
+    def accelerometer_probability(self, reading: ArrayLike, acceleration: ArrayLike, resolution: float = 0.01) -> Any:
+        """P(reading | acceleration) of one axis."""
     def camera(self, width: int = 320, height: int = 240, options: str = "") -> Camera:
         """Its camera; options are those of --camera render: "light=0.4&fiducials=on". Raises ValueError without one."""
 
@@ -202,12 +223,12 @@ class VectorEnv:
         autoreset: Literal["next_step", "same_step", "disabled"] = "next_step",
         threads: int = 0,
     ) -> None:
-        """World i has scenario i modulo their number. `observation`: words of psd, lidar, lidar:N, bumper, compass, speed,
-        odometry, pose. `action`: linear and angular speed, or the duty of both motors. `period`: between two actions;
-        `time_limit` truncates. `reward` and `terminated` get what the step came to, one row a world (observations,
-        actions, poses, distances, collisions, times, rewards, seeds), and give N values; without them the way driven is
-        the reward, and a collision the end. `start`: where the scenario says, or at a free place by the seed. `threads`: 0
-        is one a core. Raises ValueError."""
+        """World i has scenario i modulo their number. `observation`: words of psd, lidar, lidar:N, bumper, compass,
+        gyroscope, accelerometer, speed, odometry, pose. `action`: linear and angular speed, or the duty of both motors.
+        `period`: between two actions; `time_limit` truncates. `reward` and `terminated` get what the step came to, one row
+        a world (observations, actions, poses, distances, collisions, times, rewards, seeds), and give N values; without
+        them the way driven is the reward, and a collision the end. `start`: where the scenario says, or at a free place by
+        the seed. `threads`: 0 is one a core. Raises ValueError."""
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[NDArray[numpy.float64], dict[str, Any]]:

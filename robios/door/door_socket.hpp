@@ -14,6 +14,9 @@ namespace eyebridge::robios {
 /// What goes through a door at a time, either way.
 using Words = std::vector<std::string>;
 
+/// The first word of who wants a robot to leave; its number follows. Else a robot is to enter.
+inline constexpr const char* kRemove = "remove";
+
 /// Longest message, bytes.
 inline constexpr std::size_t kLongestMessage = 65536;
 

@@ -2,39 +2,41 @@
 
 #include <atomic>
 #include <cstddef>
+#include <functional>
 #include <future>
 #include <mutex>
 #include <utility>
 #include <vector>
 
-#include "eyebridge/hal/shared_world.hpp"
+#include "eyebridge/base/result.hpp"
 
 namespace eyebridge::robios {
 
-/// Robots that other threads want in a world of virtual time, until they are let in between two
-/// rounds.
+/// Robots that other threads want in a world of virtual time, or out of it, until that is done
+/// between two rounds.
 class Arrivals {
  public:
   using Answer = Result<std::size_t>;
+  /// Lets a robot in or out: its index.
+  using Act = std::function<Answer()>;
 
-  /// The index of `newcomer`, once it is in the world. Any thread but that of the rounds.
-  Answer ask(hal::Newcomer newcomer) {
+  /// What `act` says, which is called between two rounds. Any thread but that of the rounds.
+  Answer ask(Act act) {
     std::future<Answer> answer;
     {
       const std::lock_guard lock(mutex_);
       if (is_closed_) return too_late();
-      Request& request = waiting_.emplace_back(Request{std::move(newcomer), {}});
+      Request& request = waiting_.emplace_back(Request{std::move(act), {}});
       answer = request.answer.get_future();
       any_.store(true, std::memory_order_relaxed);
     }
     return answer.get();
   }
 
-  /// Lets in those who ask, by enter(newcomer), in the order in which they came.
-  template <class Enter>
-  void serve(Enter enter) {
+  /// Does what was asked for, in that order.
+  void serve() {
     if (!any_.load(std::memory_order_relaxed)) return;
-    for (Request& request : taken()) request.answer.set_value(enter(request.newcomer));
+    for (Request& request : taken()) request.answer.set_value(request.act());
   }
 
   /// The last robot has ended: nobody is let in any more.
@@ -43,14 +45,14 @@ class Arrivals {
       const std::lock_guard lock(mutex_);
       is_closed_ = true;
     }
-    serve([](const hal::Newcomer&) { return too_late(); });
+    for (Request& request : taken()) request.answer.set_value(too_late());
   }
 
   static Answer too_late() { return fail(Errc::Disconnected, "the run has ended"); }
 
  private:
   struct Request {
-    hal::Newcomer newcomer;
+    Act act;
     std::promise<Answer> answer;
   };
 

@@ -46,7 +46,17 @@ hal::Newcomer read_newcomer(const Words& words, const hal::SharedWorld& world) {
   return newcomer;
 }
 
-Door::Door(Add add) : add_(std::move(add)), door_(open_door()) {
+std::size_t read_leaver(const Words& words) {
+  if (words.size() != 2) throw ConfigError({kRemove}, "expected the number of a robot");
+  std::size_t number = 0;
+  const char* const end = words[1].data() + words[1].size();
+  const auto [stop, error] = std::from_chars(words[1].data(), end, number);
+  if (error == std::errc() && stop == end && number >= 1) return number - 1;
+  throw ConfigError({kRemove}, fmt::format("found {}, expected the number of a robot, from 1",
+                                           in_quotes(words[1])));
+}
+
+Door::Door(Act act) : act_(std::move(act)), door_(open_door()) {
   if (!door_.valid()) return;
   std::thread thread([this] { answer_all(); });
   pthread_setname_np(thread.native_handle(), "eb:door");
@@ -64,7 +74,7 @@ void Door::answer_all() {
 }
 
 Words Door::answer(const Words& words) {
-  const Result<std::size_t> index = add_(words);
+  const Result<std::size_t> index = act_(words);
   if (index) return {"ok", std::to_string(*index + 1)};
   return {"error", index.error().what};
 }

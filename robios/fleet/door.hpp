@@ -9,26 +9,26 @@
 
 namespace eyebridge::robios {
 
-/// Where other processes ask a run for one more robot (`eyebridge add`).
+/// Where other processes ask a run for one more robot, or one less (`eyebridge add`, `remove`).
 class Door {
  public:
-  /// Lets a robot in: its index.
-  using Add = std::function<Result<std::size_t>(const Words&)>;
+  /// Lets a robot in or out: its index.
+  using Act = std::function<Result<std::size_t>(const Words&)>;
 
   /// Answers from a thread of its own from now on; where the system refuses, it stays shut.
-  /// What `add` has is lent for the life of the process.
-  explicit Door(Add add);
+  /// What `act` has is lent for the life of the process.
+  explicit Door(Act act);
   [[nodiscard]] bool is_open() const { return door_.valid(); }
   /// Nobody finds it any more. Any thread.
   static void close() noexcept { close_door(); }
-  /// Returns when who was let in, or not, has been told so. When `add` lets nobody in any more.
+  /// Returns when who was let in or out, or not, has been told so. When `act` refuses all.
   void finish() { const std::lock_guard lock(answering_); }
 
  private:
   void answer_all();
   [[nodiscard]] Words answer(const Words& words);
 
-  const Add add_;
+  const Act act_;
   const UniqueFd door_;
   std::mutex answering_;  ///< Held from a question to its answer.
 };
@@ -36,5 +36,8 @@ class Door {
 /// Who `words` want: MODEL x y phi [PROGRAM [ARGUMENTS]], millimetres and degrees. Throws
 /// ConfigError.
 hal::Newcomer read_newcomer(const Words& words, const hal::SharedWorld& world);
+
+/// The index of the robot that `words` want out: kRemove and its number. Throws ConfigError.
+std::size_t read_leaver(const Words& words);
 
 }  // namespace eyebridge::robios

@@ -29,6 +29,10 @@ class FiberRobot final : public Robot {
  protected:
   [[nodiscard]] const Time* limit() const override { return &lockstep_.limit_of(index()); }
   AwaitedProcess* awaited() override { return &awaited_; }
+  void forget() override {
+    strands_.forget(index());
+    lockstep_.drop(index());
+  }
 
  private:
   Lockstep& lockstep_;

@@ -92,6 +92,36 @@ Result<std::size_t> Fleet::add(const Words& words) {
   }
 }
 
+Result<std::size_t> Fleet::answer(const Words& words) {
+  if (words.empty() || words.front() != kRemove) return add(words);
+  try {
+    return scheduler_->let_out(*this, read_leaver(words));
+  } catch (const ConfigError& error) {
+    return fail(Errc::OutOfRange, error.what());
+  }
+}
+
+Result<void> Fleet::remove(std::size_t index) {
+  return scheduler_->let_out(*this, index).map([](std::size_t) {});
+}
+
+Result<std::size_t> Fleet::leave(std::size_t index) {
+  const std::lock_guard lock(leaving_);
+  if (const auto possible = world_->can_leave(index); !possible) {
+    return tl::unexpected(possible.error());
+  }
+  const std::vector<Robot*> all = robots();
+  const auto found = std::ranges::find(all, index, &Robot::index);
+  if (found != all.end()) {
+    (*found)->remove();  // its results show the world with it
+    if (windows_ != nullptr && (*found)->screen() != nullptr) {
+      windows_->close_panel(*(*found)->screen());
+    }
+  }
+  log_.write(Severity::Info, fmt::format("robot {} is removed", index + 1));
+  return world_->leave(index).map([index] { return index; });
+}
+
 RobotProgram Fleet::program_of(const hal::Newcomer& newcomer) const {
   if (newcomer.program.empty()) return {};
   return programs_of({{newcomer.model.name, newcomer.program, newcomer.arguments}}, {}, scenario_)
@@ -143,7 +173,7 @@ int Fleet::run() {
   the_fleet = this;
   watch_signals([](int) { the_fleet->stop(); }, [] { the_fleet->scheduler_->look(); });
   const std::vector<Robot*> robots_at_start = robots();
-  door_.emplace([this](const Words& words) { return add(words); });
+  door_.emplace([this](const Words& words) { return answer(words); });
   if (!door_->is_open()) {
     log_.write(
         Severity::Info,

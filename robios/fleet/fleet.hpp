@@ -37,6 +37,8 @@ class Fleet final : public Crew {
   /// where it would stand in something. Any thread but those of programs, in virtual time.
   Result<std::size_t> add(hal::Newcomer newcomer);
   Result<std::size_t> add(const Words& words) override;
+  /// As add(): in virtual time between two rounds.
+  Result<void> remove(std::size_t index) override;
   [[nodiscard]] hal::SharedWorld& world() { return *world_; }
   /// end(), for a signal that ends the process then: run() does not return. Any thread.
   void stop();
@@ -55,10 +57,14 @@ class Fleet final : public Crew {
   void add_robots(const std::vector<std::string>& words);
   /// Gives robot `index` its program and session; null for one without a program.
   Robot* add_robot(std::size_t index, RobotProgram program);
+  /// What somebody at the door wants: a robot's index, who came or went.
+  Result<std::size_t> answer(const Words& words);
   /// What a newcomer runs.
   [[nodiscard]] RobotProgram program_of(const hal::Newcomer& newcomer) const;
   /// Lets a robot enter now.
   Result<std::size_t> enter(const hal::Newcomer& newcomer, RobotProgram program);
+  /// Ends robot `index` and takes it out of the world now: its index.
+  Result<std::size_t> leave(std::size_t index);
   /// When the scenario's next newcomer comes; nothing when all have.
   [[nodiscard]] std::optional<Time> next_entry() const;
   /// Lets that one enter. False when none runs a program then: it was refused, or has none.
@@ -78,6 +84,7 @@ class Fleet final : public Crew {
   std::optional<Door> door_;
   Windows* windows_ = nullptr;                  ///< Of the process; null for none.
   mutable std::mutex mutex_;                    ///< Who enters, and robots_.
+  std::mutex leaving_;                          ///< One robot at a time is removed.
   std::vector<std::unique_ptr<Robot>> robots_;  ///< Those with a program.
   std::atomic<bool> is_stopped_ = false;
 };

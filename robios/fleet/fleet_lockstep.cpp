@@ -61,12 +61,15 @@ struct Fleet::InLockstep final : Scheduler {
       fleet.let_next_in();
       lockstep.expect(fleet.newcomer_programs_.size() - fleet.entries_);
     }
-    arrivals.serve([&fleet](const hal::Newcomer& newcomer) {
+    arrivals.serve();
+  }
+  Result<std::size_t> let_in(Fleet& fleet, hal::Newcomer newcomer) override {
+    return arrivals.ask([&fleet, newcomer = std::move(newcomer)] {
       return fleet.enter(newcomer, fleet.program_of(newcomer));
     });
   }
-  Result<std::size_t> let_in(Fleet& /*fleet*/, hal::Newcomer newcomer) override {
-    return arrivals.ask(std::move(newcomer));
+  Result<std::size_t> let_out(Fleet& fleet, std::size_t index) override {
+    return arrivals.ask([&fleet, index] { return fleet.leave(index); });
   }
   void look() override {
     ProgramProcess* const process = awaited;

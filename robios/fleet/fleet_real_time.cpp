@@ -48,6 +48,13 @@ struct Fleet::InRealTime final : Scheduler {
     if (!index || !runs) barrier->leave(true, [] {});
     return index;
   }
+  Result<std::size_t> let_out(Fleet& fleet, std::size_t index) override {
+    // So that the run has not ended before the robot is out of the world.
+    if (!barrier->join()) return Arrivals::too_late();
+    auto left = fleet.leave(index);
+    barrier->leave(true, [] {});
+    return left;
+  }
   void look() override {}
 
   std::unique_ptr<Barrier> barrier;

@@ -29,6 +29,8 @@ struct Fleet::Scheduler {
   virtual void run(Fleet& fleet, const std::vector<Robot*>& robots) = 0;
   /// Fleet::add().
   virtual Result<std::size_t> let_in(Fleet& fleet, hal::Newcomer newcomer) = 0;
+  /// Fleet::remove(): its index again.
+  virtual Result<std::size_t> let_out(Fleet& fleet, std::size_t index) = 0;
   /// Called ten times a second from a thread of ours.
   virtual void look() = 0;
 };

@@ -14,6 +14,15 @@ void Lockstep::add(std::function<void()> body, Time start) {
   ++alive_;
 }
 
+void Lockstep::drop(std::size_t robot) {
+  Place& place = places_[robot];
+  if (place.strands.empty()) return;
+  place.strands.clear();
+  place.has_dropped = false;
+  turns_[robot] = {kNever};
+  --alive_;
+}
+
 Lockstep::Strand& Lockstep::add_strand(std::function<void()> body) {
   turns_[running_->robot].only = nullptr;
   return *places_[running_->robot].strands.emplace_back(

@@ -40,6 +40,8 @@ class Lockstep final : public hal::Turns {
   /// A robot whose main flow is `body`, which must not return, from `start` on. Before run(), or in
   /// its `step`.
   void add(std::function<void()> body, Time start);
+  /// `robot` has ended: none of its strands goes on. In run()'s `step`.
+  void drop(std::size_t robot);
   /// So many robots are still to be added by `step`: run() goes on for them.
   void expect(std::size_t robots) { expected_ = robots; }
   /// Another flow of the calling strand's robot, from now on; ends when `body` returns.

@@ -134,6 +134,7 @@ void ProgramProcess::make_end() noexcept {
       static_cast<void>(process_->ends_within(kEndPatience_s));
     }
   }
+  robot_->stop();
   process_->forget();
 }
 

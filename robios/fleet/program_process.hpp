@@ -47,7 +47,7 @@ class ProgramProcess {
 
   /// Asks the process to end, as a person would. Any thread.
   void ask_to_end() noexcept;
-  /// Sees to it that it does: within two seconds, then it is killed. Any thread.
+  /// Sees to it that it does: within two seconds, then it is killed; its robot stops. Any thread.
   void make_end() noexcept;
   /// Kills it: it has computed for too long. Any thread.
   void kill_hanging() noexcept;

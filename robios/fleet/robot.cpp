@@ -117,6 +117,16 @@ void Robot::end_stuck() {
   end(1);
 }
 
+void Robot::remove() {
+  if (end(0)) {
+    if (process_ != nullptr) process_->ask_to_end();
+    forget();
+  }
+  make_process_end();
+}
+
+const Screen* Robot::screen() const { return session_ != nullptr ? &session_->screen() : nullptr; }
+
 bool Robot::may_be_stopped() const {
   if (flow.calls == 0) return true;
   // Others hold the world for microseconds; a tenth of a second is for ever.

@@ -40,6 +40,11 @@ class Robot : public Runner {
   [[noreturn]] void fail(const std::string& how, int code);
   /// All flows of the robot wait for ever: tells so and ends it, from outside of them.
   void end_stuck();
+  /// A person takes it out of the run: ends it from outside of its flows, which go no further.
+  /// Returns when its process has ended, too, if it has one.
+  void remove();
+  /// Its panel's screen; null where a process has it.
+  [[nodiscard]] const Screen* screen() const;
   /// False when the calling flow was stopped while it had locked what others need. For signal
   /// handlers.
   [[nodiscard]] bool may_be_stopped() const;
@@ -63,6 +68,8 @@ class Robot : public Runner {
   [[nodiscard]] virtual const Time* limit() const { return nullptr; }
   virtual AwaitedProcess* awaited() { return nullptr; }
 
+  /// The program has been ended from outside; whoever schedules robots forgets it.
+  virtual void forget() = 0;
   /// Ends the session; false when another flow of the robot has done so before.
   bool end(int code);
 

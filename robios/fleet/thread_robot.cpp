@@ -58,8 +58,12 @@ void ThreadRobot::arrive() {
 }
 
 void ThreadRobot::leave(int code) {
-  if (end(code)) barrier_.leave(has_arrived_.exchange(true), [this] { world_.begin_time(); });
+  if (end(code)) forget();
   hold_thread();
+}
+
+void ThreadRobot::forget() {
+  barrier_.leave(has_arrived_.exchange(true), [this] { world_.begin_time(); });
 }
 
 // Not pthread_exit(): it unwinds the program's stack, through functions that may not throw.

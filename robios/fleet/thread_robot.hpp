@@ -69,6 +69,9 @@ class ThreadRobot final : public Robot {
   [[noreturn]] void hold_thread() override;
   void arrive() override;
 
+ protected:
+  void forget() override;
+
  private:
   Barrier& barrier_;
   hal::SharedWorld& world_;

@@ -158,9 +158,13 @@ int VWControl(int Vv, int Tv, int Vw, int Tw) {
 int VWControlOff(void) {
   return with_drive("VWControlOff", 1, [](hal::Drive&, Session& session) -> Result<int> {
     // A motor that is used takes the robot out of v-omega control.
-    for (const int id : {1, 2}) {
+    constexpr int kMostMotors = 4;
+    for (int id = 1; id <= kMostMotors; ++id) {
       hal::Motor* motor = session.backend().motor(id);
-      if (motor == nullptr) return fail(Errc::Unsupported, "this robot has no motors of its own");
+      if (motor == nullptr && id == 1) {
+        return fail(Errc::Unsupported, "this robot has no motors of its own");
+      }
+      if (motor == nullptr) continue;
       if (const auto stopped = motor->set_duty(0.0); !stopped) {
         return tl::unexpected(stopped.error());
       }

@@ -20,6 +20,7 @@ class HandGuide;
 namespace robios {
 
 class Keys;
+class MapBoard;
 class Screen;
 
 /// What a robot's panel shows, and where what a person does there goes. All lent.
@@ -39,8 +40,14 @@ struct HandStart {
   const camera::LatestFrame* frames = nullptr;
 };
 
-/// Who lets robots into a world while its programs run: a run of several. Any thread but those of
-/// programs.
+/// A map that a program has. All lent.
+struct MapStart {
+  std::string title;
+  const MapBoard* board = nullptr;
+};
+
+/// Who lets robots into a world, and out of it, while its programs run: a run of several. Any
+/// thread but those of programs.
 class Crew {
  public:
   virtual ~Crew() = default;
@@ -49,6 +56,10 @@ class Crew {
   /// millimetres and degrees. Its index, from 0; or why it cannot come. Returns when the run has
   /// let it in, which one that is paused does not.
   virtual Result<std::size_t> add(const std::vector<std::string>& words) = 0;
+  /// Takes robot `index` out of the run: its program ends as by Ctrl-C, with its results written,
+  /// its panel closes, its body leaves the world; the others keep their numbers and go on.
+  /// OutOfRange for one that is not there. Returns as add() does.
+  virtual Result<void> remove(std::size_t index) = 0;
 };
 
 /// What windows need of the process that they are in.
@@ -65,9 +76,13 @@ class Windows {
   virtual ~Windows() = default;
 
   virtual void open_panel(const PanelStart& start) = 0;
+  /// The robot of `screen` has been removed: its panel goes.
+  virtual void close_panel(const Screen& screen) = 0;
   virtual void open_hand_view(const HandStart& start) = 0;
   /// Shows a world, lent like all; called once for each. `crew` is null where nobody can be added.
   virtual void open_environment(hal::Environment& environment, Crew* crew) = 0;
+  /// Shows a map beside the world that was opened last.
+  virtual void open_map(const MapStart& start) = 0;
   /// Opens a file to be edited: a world, maze or simulation (.wld, .maz, .sim), or a program.
   /// Without a name, a new world.
   virtual void edit(const std::string& path) = 0;
@@ -77,7 +92,7 @@ class Windows {
 };
 
 /// Both sides are of one version, or they do not talk.
-inline constexpr int kWindowsVersion = 4;
+inline constexpr int kWindowsVersion = 5;
 
 /// What the plug-in exports as `eyebridge_open_windows`: null, and `why`, where windows cannot be.
 /// They live as long as the process.

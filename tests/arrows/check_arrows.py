@@ -49,7 +49,7 @@ ALLOWED = {
     "firmware-stubs/pins": [*CORE, "firmware-stubs/board"],
     "firmware-stubs/mps2": [*CORE, "firmware-stubs/board", "firmware-stubs/ports", "firmware-stubs/pins"],
     "gui": [*CORE, "hal", "camera", "robios"],
-    "python": [*CORE, "camera", "robios"],
+    "python": [*CORE, "hal", "camera", "robios"],
     "apps": [*CORE, "hal", "hal/replay", "camera", "robios", "bridges", *FIRMWARE],
     "examples": ["robios:eyebot.h", "robios:eyebot++.h"],
     "examples/training": [*CORE, "robios:eyebot.h"],

@@ -1,6 +1,7 @@
 #include "code_room.hpp"
 
 #include <QFile>
+#include <QMenu>
 #include <QPushButton>
 #include <QTextBlock>
 #include <QTextDocument>

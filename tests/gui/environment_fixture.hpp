@@ -56,15 +56,21 @@ class EnvironmentFixture : public ::testing::Test {
     return false;
   }
 
-  /// Keeps what it was asked for, and lets nobody in.
+  /// Keeps what it was asked for, and lets nobody in or out.
   struct AskedCrew final : robios::Crew {
     Result<std::size_t> add(const std::vector<std::string>& asked) override {
       const std::lock_guard lock(mutex);
       words = asked;
       return fail(Errc::OutOfRange, "the run has ended");
     }
+    Result<void> remove(std::size_t index) override {
+      const std::lock_guard lock(mutex);
+      removed.push_back(index);
+      return {};
+    }
     std::mutex mutex;
     std::vector<std::string> words;
+    std::vector<std::size_t> removed;
   };
 
   AskedCrew crew_;

@@ -83,30 +83,31 @@ class HandView : public ::testing::Test {
 
 TEST(HandWords, TellWayDistanceAndSpeed) {
   HandWords words = words_for(goal(0.42, 0.0, 0.2, 0.0));
-  EXPECT_EQ(words.way, Way::Forward);
+  EXPECT_EQ(words.arrow, camera::Arrow::Forward);
   EXPECT_EQ(words.headline, "420 mm");
   EXPECT_EQ(words.detail, "Straight ahead");
   EXPECT_EQ(words.speed, "200 mm/s");
   words = words_for(goal(0.0, deg_to_rad(-85), 0.0, deg_to_rad(45)));
-  EXPECT_EQ(words.way, Way::TurnRight);
+  EXPECT_EQ(words.arrow, camera::Arrow::TurnRight);
   EXPECT_EQ(words.headline, "85°");
   EXPECT_EQ(words.detail, "Turn right");
   EXPECT_EQ(words.speed, "45°/s");
   words = words_for(goal(0.3, deg_to_rad(30), 0.1, 0.0));
-  EXPECT_EQ(words.way, Way::CurveLeft);
+  EXPECT_EQ(words.arrow, camera::Arrow::CurveLeft);
   EXPECT_EQ(words.headline, "300 mm, 30°");
   words = words_for(goal(-0.3, deg_to_rad(30), 0.1, 0.0));
-  EXPECT_EQ(words.way, Way::BackRight) << "backward, a left turn of the heading goes to the right";
+  EXPECT_EQ(words.arrow, camera::Arrow::BackRight)
+      << "backward, a left turn of the heading goes to the right";
 
   hal::Instruction instruction;
   EXPECT_EQ(words_for(instruction).headline, "Stand still");
   instruction.kind = Kind::Speed;
   instruction.speed = {-0.15, 0.0};
-  EXPECT_EQ(words_for(instruction).way, Way::Backward);
+  EXPECT_EQ(words_for(instruction).arrow, camera::Arrow::Backward);
   EXPECT_EQ(words_for(instruction).headline, "150 mm/s");
   instruction.kind = Kind::Lost;
   instruction.reason = "the camera has seen no marker yet";
-  EXPECT_EQ(words_for(instruction).way, Way::Lost);
+  EXPECT_EQ(words_for(instruction).arrow, camera::Arrow::Lost);
   EXPECT_EQ(words_for(instruction).detail, "the camera has seen no marker yet");
 }
 

@@ -105,7 +105,9 @@ TEST_F(PanelDocks, APictureThatIsTooLargeIsShownByAWholeFraction) {
 
 TEST_F(PanelDocks, LookingAtTheCameraTakesNoPictureAndKeepsTimeStill) {
   const Time before = robot_->clock().now();
-  QTest::qWait(100);  // some refreshes
+  frames_.set(frame(4, 3, Time(0)));
+  const auto shows_it = [&] { return panel_->camera()->caption().contains("4 × 3"); };
+  ASSERT_TRUE(QTest::qWaitFor(shows_it, 30'000)) << panel_->camera()->caption().toStdString();
   EXPECT_EQ(robot_->clock().now(), before);
   for (const hal::NotedValue& value : notes_->values()) {
     EXPECT_EQ(value.cell.get().value().count, 0U) << value.kind << ": nobody has called it";

@@ -6,6 +6,7 @@
 #include "eyebridge/hal/registry.hpp"
 #include "eyebridge/hal/shared_world.hpp"
 #include "rigs.hpp"
+#include "shared/shared_sim.hpp"
 #include "sim/open_sim.hpp"
 
 namespace eyebridge::hal {
@@ -24,7 +25,14 @@ class SimEnvironmentTest : public ::testing::Test {
     return look_;
   }
 
+  struct NoTurns final : Turns {
+    [[nodiscard]] const Time& limit_of(std::size_t) const override { return never; }
+    void wait(std::size_t, Time) override {}
+    Time never = Time::max();
+  };
+
   KeepingLog log_;
+  NoTurns turns_;
   std::unique_ptr<Backend> backend_;
   Environment* environment_ = nullptr;
   WorldLook look_;
@@ -98,6 +106,30 @@ TEST_F(SimEnvironmentTest, TakesErrorsFromAModelWithTheSameDevices) {
   const auto refused = environment_->set_errors(0, erring);
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().code, Errc::OutOfRange);
+}
+
+TEST_F(SimEnvironmentTest, NobodyReachesARobotThatWasRemoved) {
+  const Config config = rig_config({{"fast", "true"}, {"robots", "2"}});
+  SharedSim shared(rig_scenario(1.0), config, &turns_, log_);
+  Environment& environment = shared.environment();
+  environment.look(look_);
+  ASSERT_TRUE(look_.robots.at(1).is_there);
+  const world::BodyId body = look_.robots[1].body;
+  ASSERT_TRUE(shared.can_leave(1));
+  ASSERT_TRUE(shared.leave(1));
+  environment.look(look_);
+  ASSERT_EQ(look_.robots.size(), 2U) << "numbers stay";
+  EXPECT_FALSE(look_.robots[1].is_there);
+  EXPECT_TRUE(look_.robots[0].is_there);
+  for (const world::BodyView& seen : look_.scene.bodies) EXPECT_NE(seen.id, body);
+  const Pose place{0.5, 0.5, 0.0};
+  EXPECT_EQ(environment.drive(1, {0.1, 0.0}).error().what, "robot 2 has been removed");
+  EXPECT_EQ(environment.set_errors(1, rig_model()).error().code, Errc::OutOfRange);
+  EXPECT_EQ(environment.control().robot_pose(2).error().code, Errc::OutOfRange);
+  EXPECT_EQ(environment.control().set_robot_pose(2, place).error().code, Errc::OutOfRange);
+  EXPECT_EQ(shared.can_leave(1).error().what, "robot 2 has been removed");
+  EXPECT_EQ(shared.leave(1).error().code, Errc::OutOfRange);
+  EXPECT_EQ(shared.leave(7).error().what, "no robot 8, the world has 2");
 }
 
 TEST_F(SimEnvironmentTest, KnowsWhereACameraLooks) {

@@ -78,6 +78,33 @@ TEST(Programs, MotorsAndServosAnswerByNumber) {
   EXPECT_THAT(r.out, HasSubstr("servo 0 1 1\n"));
 }
 
+TEST(Programs, MecanumWheelsDriveSidewaysByMotorCalls) {
+  const ProgramRun r = run_named("mecanum", {{"EYEBRIDGE_ROBOT", "Omni"}});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  // 40 % of 720 degrees a second are 0.8 turns of a wheel of 100 mm and 5000 ticks, in a second.
+  EXPECT_THAT(r.out, HasSubstr("left 0 251 0, odometry 0 251 0, encoders -4000 4000 4000 -4000\n"));
+  EXPECT_THAT(r.out,
+              HasSubstr("right 0 -251 0, odometry 0 -251 0, encoders 4000 -4000 -4000 4000\n"));
+  EXPECT_THAT(r.out, HasSubstr("diagonal 126 126 0, odometry 126 126 0, encoders 0 4000 4000 0\n"));
+  EXPECT_THAT(r.out, HasSubstr("ahead 251 0 0, odometry 251 0 0, encoders 4000 4000 4000 4000\n"));
+  // 126 mm at the wheels, 200 mm (half of 220 and 180) from what a turn takes.
+  EXPECT_THAT(r.out, HasSubstr("spin 0 0 36, odometry 0 0 36, encoders -2000 2000 -2000 2000\n"));
+  EXPECT_THAT(r.out, HasSubstr("no motor 1, no encoder 1\n"));
+  EXPECT_THAT(r.out, HasSubstr("curve 200 200 90\n"));
+}
+
+TEST(Programs, ACarDrivesArcsByVWAndSteersByItsServo) {
+  const ProgramRun r = run_named("car", {{"EYEBRIDGE_ROBOT", "Car"}});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("straight 200 0 0\n"));
+  // The rear axle's arc ends at (331, 191) mm; the centre is 80 mm before it at both ends.
+  EXPECT_THAT(r.out, HasSubstr("curve 291 260 60\n"));
+  EXPECT_THAT(r.out, HasSubstr("on the spot: stalled 3, waited 1, done -1\nturn 0 0 0\n"));
+  EXPECT_THAT(r.out, HasSubstr("left wheel shorter\nservo left: turned left\n"));
+  EXPECT_THAT(r.out, HasSubstr("servo right: turned back\n"));
+  EXPECT_THAT(r.out, HasSubstr("no motor 1\n"));
+}
+
 TEST(Programs, ThreadsMayCallTogetherAndOutliveMain) {
   for (const char* fast : {"true", "false"}) {
     const ProgramRun r =

@@ -83,12 +83,18 @@ void Observer::add(std::string_view word, const robot::RobotModel& model) {
     add_part(Kind::Bumper, model.bumpers.size(), 0.0, 1.0);
   } else if (word == "compass") {
     add_part(Kind::Compass, 1, -kPi, kPi);
+  } else if (word == "gyroscope") {
+    add_part(Kind::Gyroscope, 1, -kNoEnd, kNoEnd);
+  } else if (word == "accelerometer") {
+    add_part(Kind::Accelerometer, 2, -kNoEnd, kNoEnd);
   } else if (word == "speed") {
     add_part(Kind::Speed, 2, -kNoEnd, kNoEnd);
   } else if (word == "odometry" || word == "pose") {
     add_part(word == "pose" ? Kind::Pose : Kind::Odometry, 3, -kNoEnd, kNoEnd);
   } else {
-    refuse(word, "psd, lidar, lidar:N, bumper, compass, speed, odometry or pose");
+    refuse(word,
+           "psd, lidar, lidar:N, bumper, compass, gyroscope, accelerometer, speed, odometry or "
+           "pose");
   }
   const Kind kind = parts_.back().kind;
   const auto old_end = parts_.begin() + static_cast<std::ptrdiff_t>(before);
@@ -122,6 +128,15 @@ void Observer::read(robot::Simulation& simulation, robot::RobotIndex robot,
       case Kind::Compass:
         row[0] = simulation.read_compass(robot);
         break;
+      case Kind::Gyroscope:
+        row[0] = simulation.read_gyroscope(robot);
+        break;
+      case Kind::Accelerometer: {
+        const Vec2 felt = simulation.read_accelerometer(robot);
+        row[0] = felt.x;
+        row[1] = felt.y;
+        break;
+      }
       case Kind::Speed: {
         const Twist twist = simulation.measured_twist(robot);
         row[0] = twist.linear;

@@ -22,6 +22,8 @@ constexpr Part part() {
   if constexpr (std::is_same_v<Error, robot::CompassError>) return Part::Compass;
   if constexpr (std::is_same_v<Error, robot::CameraError>) return Part::Camera;
   if constexpr (std::is_same_v<Error, robot::RadioError>) return Part::Radio;
+  if constexpr (std::is_same_v<Error, robot::GyroscopeError>) return Part::Gyroscope;
+  if constexpr (std::is_same_v<Error, robot::AccelerometerError>) return Part::Accelerometer;
 }
 
 /// Calls `visit(error, id)` for the devices that `rule`, which is no preset, is about.

@@ -13,7 +13,7 @@ struct BuiltinText {
 
 std::span<const BuiltinText> builtin_texts();
 
-/// "S4, LabBot or Mouse"
+/// "S4, LabBot, Mouse, Car or Omni"
 std::string_view builtin_names();
 
 }  // namespace eyebridge::files

@@ -23,6 +23,9 @@ constexpr auto kPsd = std::to_array<ErrorParameter>({
      [](ErrorModels& m, double v) { m.range.bias = v; }},
     {"dropout", "%", 0, 100, kPercent, [](ErrorModels& m, double v) { m.range.dropout = v; }},
     {"quantised", "flag", 0, 1, 1, [](ErrorModels& m, double v) { m.range.quantised = v > 0; }},
+    {"crosstalk", "%", 0, 100, kPercent, [](ErrorModels& m, double v) { m.range.cross_talk = v; }},
+    {"quadratic", "mm", 0, kLongestMm, kMilli,
+     [](ErrorModels& m, double v) { m.range.sigma_quadratic = v; }},
 });
 
 constexpr auto kDrive = std::to_array<ErrorParameter>({
@@ -81,6 +84,24 @@ constexpr auto kRadio = std::to_array<ErrorParameter>({
     {"range", "m", 0, 1e6, 1, [](ErrorModels& m, double v) { m.radio.range = v; }},
 });
 
+constexpr auto kGyroscope = std::to_array<ErrorParameter>({
+    {"sigma", "deg/s", 0, 1e5, 1,
+     [](ErrorModels& m, double v) { m.gyroscope.sigma = deg_to_rad(v); }},
+    {"drift", "deg/s", 0, 1e5, 1,
+     [](ErrorModels& m, double v) { m.gyroscope.drift = deg_to_rad(v); }},
+    {"bias", "deg/s", -1e5, 1e5, 1,
+     [](ErrorModels& m, double v) { m.gyroscope.bias = deg_to_rad(v); }},
+    {"relative", "%", 0, 100, kPercent,
+     [](ErrorModels& m, double v) { m.gyroscope.sigma_relative = v; }},
+});
+
+constexpr auto kAccelerometer = std::to_array<ErrorParameter>({
+    {"sigma", "m/s2", 0, 1e4, 1, [](ErrorModels& m, double v) { m.accelerometer.sigma = v; }},
+    {"bias", "m/s2", -1e4, 1e4, 1, [](ErrorModels& m, double v) { m.accelerometer.bias = v; }},
+    {"relative", "%", 0, 100, kPercent,
+     [](ErrorModels& m, double v) { m.accelerometer.sigma_relative = v; }},
+});
+
 constexpr auto kKinds = std::to_array<ErrorKind>({
     {"psd", Part::Range, true, 2, kPsd},
     {"drive", Part::Drive, false, 2, kDrive},
@@ -92,6 +113,8 @@ constexpr auto kKinds = std::to_array<ErrorKind>({
     {"bump", Part::Bumper, true, 1, kBump},
     {"lidar", Part::Lidar, false, 2, kLidar},
     {"radio", Part::Radio, false, 2, kRadio},
+    {"gyroscope", Part::Gyroscope, false, 2, kGyroscope},
+    {"accelerometer", Part::Accelerometer, false, 1, kAccelerometer},
 });
 
 }  // namespace

@@ -19,7 +19,18 @@ struct ErrorParameter {
 
 /// What of a robot a rule is about.
 struct ErrorKind {
-  enum class Part { Drive, Range, Proximity, Bumper, Lidar, Compass, Camera, Radio };
+  enum class Part {
+    Drive,
+    Range,
+    Proximity,
+    Bumper,
+    Lidar,
+    Compass,
+    Camera,
+    Radio,
+    Gyroscope,
+    Accelerometer
+  };
 
   std::string_view name;  ///< "psd"
   Part part;              ///< Where its numbers are.

@@ -72,13 +72,7 @@ void place_default(Scenario& scenario, const robot::RobotModel& robot,
 world::WorldModel empty_room() {
   world::WorldModel room;
   room.width = room.height = kRoom;
-  const Vec2 corners[] = {{0, 0}, {kRoom, 0}, {kRoom, kRoom}, {0, kRoom}};
-  for (std::size_t i = 0; i < 4; ++i) {
-    world::Wall wall;
-    wall.a = corners[i];
-    wall.b = corners[(i + 1) % 4];
-    room.walls.push_back(wall);
-  }
+  room.walls = world::walls_around(kRoom, kRoom);
   return room;
 }
 

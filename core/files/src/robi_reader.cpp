@@ -4,8 +4,10 @@
 #include <cmath>
 #include <optional>
 
+#include "drive_lines.hpp"
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/files/readers.hpp"
+#include "eyebridge/robot/lidar_presets.hpp"
 #include "robot_builder.hpp"
 #include "text.hpp"
 
@@ -13,15 +15,20 @@ namespace eyebridge::files {
 namespace {
 
 constexpr double kMaxSize = 10000;  // millimetres: no robot or mounting is larger
-constexpr std::array<std::string_view, 22> kRobiKeywords = {
-    "name",   "diameter",  "speed",     "turn",  "model",    "axis",    "axel",  "psd",
-    "camera", "wheel",     "drive",     "mass",  "collider", "fisheye", "lidar", "ir",
-    "bump",   "psd_range", "psd_table", "accel", "error",    "kicker"};
+constexpr std::array<std::string_view, 25> kRobiKeywords = {
+    "name",   "diameter", "speed", "turn",      "model",     "axis",     "axel",
+    "psd",    "camera",   "wheel", "drive",     "mass",      "collider", "fisheye",
+    "lidar",  "ir",       "bump",  "psd_range", "psd_table", "accel",    "error",
+    "kicker", "psd_kind", "axles", "steering"};
 
 class RobiReader {
  public:
   RobiReader(std::string_view text, const std::string& file, std::vector<Warning>& warnings)
-      : statements_(text, file), file_(file), warnings_(file, warnings), builder_(warnings_) {}
+      : statements_(text, file),
+        file_(file),
+        warnings_(file, warnings),
+        builder_(warnings_),
+        drive_(warnings_) {}
 
   robot::RobotModel read() {
     Statement s;
@@ -31,7 +38,7 @@ class RobiReader {
                         "no keyword of a robot description in the file: expected 'drive', 'name', "
                         "'psd', ...");
     }
-    finish_drive();
+    drive_.finish(model());
     finish_body();
     if (fisheye_) {
       if (!model().camera) {
@@ -55,18 +62,13 @@ class RobiReader {
     if (!known_) new_dialect_ = keyword == "drive";
     known_ = true;
     if (builder_.read_extension(s)) return;
+    if (drive_.read(s, new_dialect_)) return;
     if (keyword == "name") {
       if (s.size() < 2) s.fail(1, "line ends: expected the robot's name");
       model().name = s.rest(1);
     } else if (keyword == "diameter") {
       s.expect_arguments(1, "diameter MM");
       diameter_ = s.millimetres(1, "the diameter", 1, kMaxSize);
-    } else if (keyword == "speed") {
-      s.expect_arguments(1, "speed MM_PER_SECOND");
-      speed_ = s.millimetres(1, "the speed", 1, 1e6);
-    } else if (keyword == "turn") {
-      s.expect_arguments(1, "turn DEG_PER_SECOND");
-      turn_ = deg_to_rad(s.number(1, "the turning speed", 1, 1e6));
     } else if (keyword == "psd") {
       read_psd(s);
     } else if (keyword == "ir") {
@@ -84,10 +86,6 @@ class RobiReader {
       fisheye_ = deg_to_rad(s.number(1, "the angle of view", 60, 150));
     } else if (keyword == "lidar") {
       read_lidar(s);
-    } else if (keyword == "drive") {
-      read_drive(s);
-    } else if (keyword == "wheel") {
-      read_wheel(s);
     } else if (keyword == "collider") {
       read_collider(s);
     } else if (keyword == "mass") {
@@ -96,8 +94,6 @@ class RobiReader {
     } else if (keyword == "axis") {
       s.expect_arguments({1, 2}, "axis vertical horizontal");
       for (std::size_t i = 1; i < s.size(); ++i) static_cast<void>(offset(s, i, "the offset"));
-    } else if (keyword == "axel") {
-      s.expect_arguments(3, "axel drive|turn vertical horizontal");
     }  // model: the picture is not used
   }
 
@@ -196,6 +192,10 @@ class RobiReader {
   }
 
   void read_lidar(const Statement& s) {
+    if (s.size() > 1 && !s.is_number(1)) {
+      read_named_lidar(s);
+      return;
+    }
     s.expect_arguments({2, 3}, "lidar points tilt [range]");
     robot::LidarModel lidar;
     lidar.points = s.integer(1, "the number of points", 1, 36000);
@@ -204,38 +204,17 @@ class RobiReader {
     model().lidar = lidar;
   }
 
-  void read_drive(const Statement& s) {
-    if (s.size() < 2) s.fail(1, "line ends: expected the kind of drive");
-    static constexpr std::array<std::string_view, 3> kDrives = {"DIFFERENTIAL_DRIVE",
-                                                                "ACKERMANN_DRIVE", "OMNI_DRIVE"};
-    const std::string kind = lower(s.text(1));
-    for (std::size_t i = 0; i < kDrives.size(); ++i) {
-      if (kind == lower(kDrives[i])) {
-        model().drive.kind = static_cast<robot::DriveKind>(i);
-        return;
-      }
+  /// "lidar LMS200 [tilt]"
+  void read_named_lidar(const Statement& s) {
+    for (const std::string_view name : robot::kLidarPresets) {
+      if (lower(name) != lower(s.text(1))) continue;
+      s.expect_arguments({1, 2}, "lidar " + std::string(name) + " [tilt]");
+      model().lidar = robot::lidar_preset(name);
+      if (s.size() == 3) model().lidar->tilt = deg_to_rad(s.number(2, "the tilt", -90, 90));
+      return;
     }
-    s.fail(1, "unknown drive " + in_quotes(s.text(1)) + ": expected " + one_of(kDrives));
-  }
-
-  void read_wheel(const Statement& s) {
-    const bool named = s.size() > 1 && !s.is_number(1);
-    if (named && lower(s.text(1)) != "drive" && lower(s.text(1)) != "turn") {
-      s.fail(1, in_quotes(s.text(1)) + " found: expected 'drive', 'turn' or a diameter");
-    }
-    const std::size_t first = named ? 2 : 1;
-    s.expect_arguments(first + 3, "wheel [drive|turn] diameter max_deg_per_second ticks distance");
-    robot::DriveModel drive = model().drive;
-    drive.wheel_diameter = s.millimetres(first, "the diameter", 1, kMaxSize);
-    drive.max_wheel_speed = deg_to_rad(s.number(first + 1, "the wheel's speed", 1, 1e6));
-    drive.ticks_per_revolution = s.number(first + 2, "ticks per revolution", 1, 1e7);
-    drive.wheel_base = s.millimetres(first + 3, "the wheels' distance", 1, kMaxSize);
-    // EyeSim VR places the wheels this far to either side of the centre; its forerunners meant the
-    // distance between them (S4: 45 in the one, 90 in the other).
-    if (new_dialect_) drive.wheel_base *= 2;
-    if (named && lower(s.text(1)) == "turn") return;
-    model().drive = drive;
-    wheels_ = true;
+    s.fail(1, in_quotes(s.text(1)) + " found: expected the number of points, or " +
+                  one_of(robot::kLidarPresets));
   }
 
   void read_collider(const Statement& s) {
@@ -267,16 +246,6 @@ class RobiReader {
     reach_ = std::max(reach_, reach);
   }
 
-  void finish_drive() {
-    robot::DriveModel& drive = model().drive;
-    if (wheels_) {
-      drive.max_linear = drive.max_wheel_speed * drive.wheel_diameter / 2;
-      drive.max_angular = 2 * drive.max_linear / drive.wheel_base;
-    }
-    if (speed_) drive.max_linear = *speed_;
-    if (turn_) drive.max_angular = *turn_;
-  }
-
   /// Without a diameter the body is the disc about the robot's centre that covers every collider
   /// (S4: 189 mm, its old file says 186); without colliders twice the wheel base.
   void finish_body() {
@@ -285,7 +254,7 @@ class RobiReader {
       model().diameter = *diameter_;
     } else if (reach_ > 0) {
       model().diameter = 2 * reach_;
-    } else if (wheels_) {
+    } else if (drive_.has_wheels()) {
       model().diameter = 2 * model().drive.wheel_base;
     } else {
       warnings_.add(1, 1, "neither diameter, collider nor wheel is given: the diameter is 186 mm");
@@ -296,12 +265,10 @@ class RobiReader {
   const std::string& file_;
   Warnings warnings_;
   RobotBuilder builder_;
+  DriveLines drive_;
   bool known_ = false;
   bool new_dialect_ = false;
-  bool wheels_ = false;
   std::optional<double> diameter_;
-  std::optional<double> speed_;
-  std::optional<double> turn_;
   std::optional<double> fisheye_;
   SourceLocation fisheye_where_;
   double reach_ = 0;

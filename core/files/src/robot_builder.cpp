@@ -71,10 +71,10 @@ bool RobotBuilder::read_extension(const Statement& s) {
   const std::string keyword = lower(s.text(0));
   if (keyword == "psd_range") {
     s.expect_arguments(2, "psd_range min_mm max_mm");
-    const double low = s.millimetres(1, "the shortest range", 0, 1e5);
-    const double high = s.millimetres(2, "the longest range", 0, 1e5);
-    if (high <= low) s.fail(2, "the longest range is not above the shortest");
-    psd_range_ = {low, high};
+    psd_range_ = read_range_limits(s, 1);
+  } else if (keyword == "psd_kind") {
+    check_count(s, psd_kinds_.size());
+    psd_kinds_.push_back(read_psd_kind(s));
   } else if (keyword == "accel") {
     s.expect_arguments(2, "accel linear_mm_s2 angular_deg_s2");
     model_.drive.linear_acceleration = s.millimetres(1, "the acceleration", 1, 1e6);
@@ -184,6 +184,7 @@ robot::RobotModel RobotBuilder::finish() {
       psd.max_range = psd_range_->second;
     }
   }
+  for (const PsdKind& kind : psd_kinds_) apply_psd_kind(kind, model_);
   for (const ErrorRule& rule : errors_) {
     if (!apply_rule(rule, model_) && rule.device) throw no_such_device(rule, model_);
   }

@@ -7,6 +7,7 @@
 
 #include "eyebridge/files/error_rules.hpp"
 #include "eyebridge/robot/robot_model.hpp"
+#include "psd_kinds.hpp"
 #include "text.hpp"
 
 namespace eyebridge::files {
@@ -26,8 +27,8 @@ class RobotBuilder {
   void add_ir(const Statement& s, const Pose& pose, std::optional<std::size_t> threshold_token);
   /// "bump NAME id start end"
   void add_bump(const Statement& s);
-  /// Our extensions: true when the line was one of "psd_range", "psd_table", "accel", "kicker"
-  /// and "error".
+  /// Our extensions: true when the line was one of "psd_range", "psd_table", "psd_kind", "accel",
+  /// "kicker" and "error".
   bool read_extension(const Statement& s);
 
   /// Numbers the sensors, applies errors and ranges. Throws ConfigError for an id met twice.
@@ -56,6 +57,7 @@ class RobotBuilder {
   std::vector<Id> bump_ids_;
   std::optional<std::pair<double, double>> psd_range_;
   robot::RangeTable psd_table_;
+  std::vector<PsdKind> psd_kinds_;
   std::vector<ErrorRule> errors_;
 };
 

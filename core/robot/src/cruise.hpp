@@ -69,6 +69,7 @@ struct alignas(64) Cruise {
     state.wheels[0].set_travel(sum[0]);
     state.wheels[1].set_travel(sum[1]);
     state.controller.set_heading_owed(owed);
+    state.driven_before = state.driven;
     ahead = false;
   }
 };

@@ -24,13 +24,18 @@ std::int64_t binomial(std::int64_t count, double p, Random& random) {
   return happened;
 }
 
+/// One stream a wheel.
+std::array<Random, kMostWheels> streams(std::uint64_t seed, std::uint32_t robot,
+                                        NoiseSource source) {
+  const auto stream = [&](std::size_t wheel) { return noise_stream(seed, robot, source, wheel); };
+  return {stream(0), stream(1), stream(2), stream(3)};
+}
+
 }  // namespace
 
 DriveFaults::DriveFaults(std::uint64_t seed, std::uint32_t robot)
-    : slip_{noise_stream(seed, robot, NoiseSource::Slip, 0),
-            noise_stream(seed, robot, NoiseSource::Slip, 1)},
-      encoder_{noise_stream(seed, robot, NoiseSource::Encoder, 0),
-               noise_stream(seed, robot, NoiseSource::Encoder, 1)} {}
+    : slip_(streams(seed, robot, NoiseSource::Slip)),
+      encoder_(streams(seed, robot, NoiseSource::Encoder)) {}
 
 void DriveFaults::slip(double probability, WheelTravel& ground) {
   if (slip_[0].chance(probability)) ground.left = 0.0;

@@ -8,6 +8,9 @@
 
 namespace eyebridge::robot {
 
+/// No drive has more.
+inline constexpr std::size_t kMostWheels = 4;
+
 /// Faults that wheels and encoders have now and then; each wheel draws from streams of its own.
 class DriveFaults {
  public:
@@ -16,13 +19,15 @@ class DriveFaults {
 
   /// With `probability` each wheel finds no hold in this step: its part of `ground` is zero.
   void slip(double probability, WheelTravel& ground);
-  /// How many of the `ticks` of wheel `side` (0 left, 1 right) are not counted, each with
+  /// The same of one wheel: true when it finds no hold in this step.
+  bool slips(double probability, std::size_t wheel) { return slip_[wheel].chance(probability); }
+  /// How many of the `ticks` of wheel `side` (0 left, 1 right …) are not counted, each with
   /// `probability`; signed as `ticks`.
   std::int64_t missed(double probability, std::size_t side, std::int64_t ticks);
 
  private:
-  std::array<Random, 2> slip_;
-  std::array<Random, 2> encoder_;
+  std::array<Random, kMostWheels> slip_;
+  std::array<Random, kMostWheels> encoder_;
 };
 
 }  // namespace eyebridge::robot

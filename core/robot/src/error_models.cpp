@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace eyebridge::robot {
@@ -12,7 +13,8 @@ GaussianError GaussianError::scaled(double share) const {
 
 // A rounding cannot be done by half: it is there as soon as there is any error.
 RangeError RangeError::scaled(double share) const {
-  return {GaussianError::scaled(share), dropout * share, quantised && share > 0};
+  return {GaussianError::scaled(share), dropout * share, quantised && share > 0, cross_talk * share,
+          sigma_quadratic * share};
 }
 
 LidarError LidarError::scaled(double share) const {
@@ -57,6 +59,16 @@ double RangeTable::nearest(double range, double out_of_range) const {
   if (above == levels.begin()) return *above;
   const double below = *std::prev(above);
   return range - below <= *above - range ? below : *above;
+}
+
+double RangeTable::upper_edge(double reading) const {
+  const std::vector<double>& levels = *levels_;
+  const auto above = std::upper_bound(levels.begin(), levels.end(), reading);
+  if (above == levels.begin()) return -std::numeric_limits<double>::infinity();
+  const double below = *std::prev(above);
+  if (above != levels.end()) return below + (*above - below) / 2;
+  const double last_step = levels.size() > 1 ? below - *std::prev(levels.end(), 2) : 0.0;
+  return below + last_step / 2;
 }
 
 std::vector<double> RangeTable::levels() const {

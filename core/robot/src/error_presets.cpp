@@ -9,7 +9,9 @@ namespace {
 // Orders of magnitude, not measurements of one robot: a Sharp PSD repeats to about 1 % and a few
 // millimetres, a small scanner to 5 mm and 1 %, a compass among motors to 2 degrees, wheels differ
 // by some tenths of a per cent (Borenstein and Feng 1996 saw that much), a webcam has a sigma of 2
-// to 4 grey levels. docs/errors.md has them as a table.
+// to 4 grey levels; a cheap MEMS gyroscope is noisy to 0.1 degree per second and strays by a
+// hundredth in a second, an accelerometer to some hundredths of a metre per second squared.
+// docs/errors.md has them as a table.
 ErrorModels realistic() {
   ErrorModels errors;
   errors.drive.linear_sigma = 0.02;
@@ -33,6 +35,10 @@ ErrorModels realistic() {
   errors.camera.blur = 0.5;
   errors.camera.exposure_sigma = 0.03;
   errors.radio = {0.02, 0.02, 0.01, 0.001, 30};
+  errors.range.cross_talk = 0.01;
+  errors.gyroscope.sigma = deg_to_rad(0.1);
+  errors.gyroscope.drift = deg_to_rad(0.01);
+  errors.accelerometer.sigma = 0.05;
   return errors;
 }
 
@@ -58,6 +64,12 @@ ErrorModels harsh() {
   errors.compass.sigma = deg_to_rad(8);
   errors.camera = {0.005, 12, 0.005, 1.5, -0.5, 0.15};
   errors.radio = {0.1, 0.1, 0.05, 0.01, 5};
+  errors.range.cross_talk = 0.05;
+  errors.gyroscope.bias = deg_to_rad(1);
+  errors.gyroscope.sigma = deg_to_rad(0.5);
+  errors.gyroscope.drift = deg_to_rad(0.05);
+  errors.accelerometer.bias = 0.2;
+  errors.accelerometer.sigma = 0.2;
   return errors;
 }
 
@@ -99,6 +111,8 @@ void copy_errors(const RobotModel& from, RobotModel& to) {
   to.compass_error = from.compass_error;
   if (from.camera) to.camera->error = from.camera->error;
   to.radio_error = from.radio_error;
+  to.gyroscope_error = from.gyroscope_error;
+  to.accelerometer_error = from.accelerometer_error;
 }
 
 bool is_perfect(const RobotModel& model) {

@@ -17,7 +17,9 @@ enum class NoiseSource : std::uint64_t {
   Compass,
   Camera,
   Slip,
-  Encoder
+  Encoder,
+  Gyroscope,
+  Accelerometer
 };
 
 /// The stream of device number `index` of kind `source` on robot `robot`: no two devices share

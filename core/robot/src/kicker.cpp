@@ -17,6 +17,7 @@ bool strikes(const KickerModel& kicker, unsigned servo, double before, double af
 
 void Simulation::Impl::strike(RobotIndex robot, const KickerModel& kicker) {
   const RobotState& state = at(robot);
+  if (state.has_left) return;
   const Vec2 centre = world.position(state.body);
   const Vec2 forward = world.heading(state.body).forward();
   const double least_cosine = sin_cos(kicker.half_angle).cos;

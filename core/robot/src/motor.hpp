@@ -17,6 +17,12 @@ struct MotorModel {
   double ticks_per_metre = 1;  ///< Encoder ticks a metre of the rim.
 };
 
+/// What set_motor_duty() and set_motor_speed() want of a wheel.
+struct MotorCommand {
+  double speed = 0.0;       ///< Of the rim, metres per second.
+  bool controlled = false;  ///< By PID; else as duty.
+};
+
 /// Gains of the speed controller as the IO7 board takes them, 0 … 255 each.
 struct PidGains {
   int p = 4;

@@ -1,6 +1,25 @@
 #include "range_layout.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
 namespace eyebridge::robot {
+namespace {
+
+std::vector<Vec2> cone_of(const RangeSensorModel& model) {
+  if (model.kind != RangeKind::Ultrasound) return {};
+  // Odd, so that one looks along the axis; the slack keeps whole degrees from rounding up.
+  const double half = model.ultrasound.beam_width / 2;
+  const auto side = static_cast<int>(std::ceil(half / kConeGap - 1e-9));
+  std::vector<Vec2> rays;
+  for (int i = -side; i <= side; ++i) {
+    rays.push_back(Heading::from_angle(side == 0 ? 0.0 : half * i / side).forward());
+  }
+  return rays;
+}
+
+}  // namespace
 
 RangeLayout::RangeLayout(const std::vector<RangeSensorModel>& models) {
   for (const RangeSensorModel& model : models) {
@@ -12,12 +31,16 @@ RangeLayout::RangeLayout(const std::vector<RangeSensorModel>& models) {
     ++fans.back().count;
     beams.push_back({Heading::from_angle(model.pose_in_robot.theta), model.min_range,
                      model.max_range, model.out_of_range});
+    only_rays = only_rays && model.kind == RangeKind::Ray;
   }
+  if (only_rays) return;
+  std::transform(models.begin(), models.end(), std::back_inserter(cones), cone_of);
 }
 
 bool RangeLayout::fits(const std::vector<RangeSensorModel>& models) const {
   const RangeLayout other(models);
-  return beams == other.beams && fans == other.fans;
+  return beams == other.beams && fans == other.fans && only_rays == other.only_rays &&
+         cones == other.cones;
 }
 
 }  // namespace eyebridge::robot

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "eyebridge/base/pose.hpp"
+#include "eyebridge/base/units.hpp"
 #include "eyebridge/robot/robot_model.hpp"
 
 namespace eyebridge::robot {
@@ -37,6 +38,15 @@ struct RangeLayout {
 
   std::vector<Beam> beams;  ///< One a sensor, in the order of the model.
   std::vector<Fan> fans;
+  bool only_rays = true;  ///< Else `beams` and `fans` do not say everything about a reading.
+  /// Unit vectors of an ultrasound sensor's rays in its own frame, from right to left, one set a
+  /// sensor; none for other kinds. Empty when all are rays.
+  std::vector<std::vector<Vec2>> cones;
 };
+
+/// The greatest angle between neighbouring rays of a cone, radians. An echo from between two of
+/// them is taken for one of a neighbour: a wall reads too far by at most 1 - cos(this / 2), which
+/// is 0.04 mm in a metre; and what is thinner than this times its range may be missed.
+inline constexpr double kConeGap = deg_to_rad(1.0);
 
 }  // namespace eyebridge::robot

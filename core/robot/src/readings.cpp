@@ -20,6 +20,11 @@ double Simulation::read_range(RobotIndex robot, std::size_t sensor) {
   RobotDevices& devices = impl_->devices_of(robot);
   RayDevice& device = devices.ranges.at(sensor);
   const RangeSensorModel& model = devices.model.range_sensors[sensor];
+  if (model.kind != RangeKind::Ray) {
+    const double range = impl_->measure(robot, sensor);
+    const unsigned talkers = model.error.cross_talk > 0.0 ? cross_talkers(robot, sensor) : 0;
+    return range_reading(range, model, device.noise, talkers);
+  }
   return range_reading(impl_->look(robot, device.sight, model.max_range), model, device.noise);
 }
 
@@ -28,6 +33,10 @@ void Simulation::read_ranges(RobotIndex robot, std::span<double> ranges) {
   const RangeLayout& layout = *devices.layout;
   if (ranges.size() != layout.beams.size()) {
     throw std::out_of_range("read_ranges: one range a sensor");
+  }
+  if (!layout.only_rays) {
+    for (std::size_t i = 0; i < ranges.size(); ++i) ranges[i] = read_range(robot, i);
+    return;
   }
   const world::World& world = impl_->world;
   const world::BodyId self = body(robot);
@@ -55,10 +64,8 @@ void Simulation::read_ranges(RobotIndex robot, std::span<double> ranges) {
 }
 
 double Simulation::true_range(RobotIndex robot, std::size_t sensor) const {
-  const RobotDevices& devices = impl_->devices_of(robot);
-  const RayDevice& device = devices.ranges.at(sensor);
-  const RangeSensorModel& model = devices.model.range_sensors[sensor];
-  return range_reading(impl_->look(robot, device.sight, model.max_range), model);
+  const RangeSensorModel& model = impl_->devices_of(robot).model.range_sensors.at(sensor);
+  return range_reading(impl_->measure(robot, sensor), model);
 }
 
 bool Simulation::read_proximity(RobotIndex robot, std::size_t sensor) {

@@ -11,6 +11,8 @@ namespace {
 constexpr double kExact = 1e-10;         // metres, radians
 constexpr double kCreepDistance = 1e-4;  // metres
 constexpr double kCreepAngle = 1e-3;     // radians
+// What a car's heading lacks at the end of its way it cannot mend there.
+constexpr double kCarAngle = deg_to_rad(1);
 
 MotorModel motor_of(const DriveModel& drive, double dt) {
   MotorModel motor;
@@ -29,6 +31,21 @@ double speed_step(double acceleration, double dt) {
   return acceleration > 0.0 ? acceleration * dt : std::numeric_limits<double>::infinity();
 }
 
+/// How much of a wheel's speed a turn takes, as a distance from the middle, metres.
+double arm_of(const DriveModel& drive) {
+  switch (drive.kind) {
+    case DriveKind::Differential:
+    case DriveKind::Swedish:
+      break;
+    case DriveKind::Omni:
+      return (drive.wheel_base + drive.axle_distance) / 2;
+    case DriveKind::Ackermann:
+    case DriveKind::Synchro:
+      return 0.0;  // the steering does it
+  }
+  return drive.wheel_base / 2;
+}
+
 DriveLimits limits_of(const RobotModel& model, double dt) {
   const DriveModel& drive = model.drive;
   DriveLimits limits;
@@ -38,7 +55,7 @@ DriveLimits limits_of(const RobotModel& model, double dt) {
   limits.linear_step = speed_step(drive.linear_acceleration, dt);
   limits.angular_step = speed_step(drive.angular_acceleration, dt);
   limits.wheel = drive.max_wheel_speed * drive.wheel_diameter / 2;
-  limits.half_base = drive.wheel_base / 2;
+  limits.half_base = arm_of(drive);
   const bool lags = drive.motor_time_constant > 0.0;
   limits.distance_end = lags ? kCreepDistance : kExact;
   limits.angle_end = lags ? kCreepAngle : kExact;
@@ -46,8 +63,11 @@ DriveLimits limits_of(const RobotModel& model, double dt) {
     // A goal between two ticks is reached at either of them.
     const double tick = kPi * drive.wheel_diameter / drive.ticks_per_revolution;
     limits.distance_end += tick;
-    limits.angle_end += tick / drive.wheel_base;
+    const bool steered = drive.kind == DriveKind::Synchro;
+    limits.angle_end += tick / (steered ? drive.wheel_diameter / 2 : drive.wheel_base);
   }
+  const bool steers_late = drive.steering_speed > 0.0 || lags || model.drive_error.counts_ticks();
+  if (drive.kind == DriveKind::Ackermann && steers_late) limits.angle_end += kCarAngle;
   return limits;
 }
 
@@ -69,18 +89,21 @@ RobotState::RobotState(const RobotModel& model, const SimulationSettings& settin
       wheel_base(model.drive.wheel_base),
       motor(motor_of(model.drive, settings.step)),
       controller(limits_of(model, settings.step)),
-      noise(drive_noise) {
+      noise(drive_noise),
+      chassis(make_chassis(model.drive, motor)) {
   set_error(model, settings.step, fault_noise);
 }
 
 Twist RobotState::present() const {
   if (!by_motors) return controller.twist();
+  if (chassis) return chassis->present();
   const double left = wheels[0].speed();
   const double right = wheels[1].speed();
   return {(left + right) / 2, (right - left) / wheel_base};
 }
 
 PathStep RobotState::rolling() const {
+  if (chassis) return chassis->rolling();
   return path_of({wheels[0].rolling(motor), wheels[1].rolling(motor)}, wheel_base);
 }
 
@@ -90,11 +113,16 @@ void RobotState::use_motors() {
   controller.stop();
   by_motors = true;
   commands = {};
+  if (chassis) {
+    chassis->release();
+    chassis->drop_commands();
+  }
 }
 
 void RobotState::use_controller() {
   clear_stall();
   by_motors = false;
+  if (chassis) chassis->release();
 }
 
 void RobotState::set_error(const RobotModel& model, double dt, const DriveFaults& fault_noise) {
@@ -102,6 +130,9 @@ void RobotState::set_error(const RobotModel& model, double dt, const DriveFaults
   if (wanted.counts_ticks() && !error.counts_ticks()) {
     // Odometry goes on from here; what the encoders counted before is not travel of the next step.
     for (std::size_t i = 0; i < 2; ++i) seen_ticks[i] = wheels[i].raw_ticks(motor);
+    if (chassis) {
+      for (ChassisWheel& w : chassis->wheels()) w.seen_ticks = w.wheel.raw_ticks(w.motor);
+    }
   }
   const bool has_faults = wanted.slip > 0.0 || wanted.encoder_miss > 0.0;
   if (has_faults && !faults) faults = std::make_unique<DriveFaults>(fault_noise);
@@ -112,6 +143,11 @@ void RobotState::set_error(const RobotModel& model, double dt, const DriveFaults
 bool RobotState::repeats(const std::array<double, 2>& speeds) const {
   return (by_motors || controller.settled()) && wheels[0].settled(speeds[0]) &&
          wheels[1].settled(speeds[1]) && !error.moves_by_chance();
+}
+
+void RobotState::halt() {
+  for (Wheel& wheel : wheels) wheel.halt();
+  if (chassis) chassis->halt();
 }
 
 void RobotState::clear_stall() {
@@ -128,7 +164,9 @@ RobotDevices::RobotDevices(const RobotModel& robot_model,
       ranges(ray_devices(robot_model.range_sensors, seed, robot, NoiseSource::Range)),
       proximities(ray_devices(robot_model.proximity_sensors, seed, robot, NoiseSource::Proximity)),
       compass(noise_stream(seed, robot, NoiseSource::Compass, 0)),
-      lidar(noise_stream(seed, robot, NoiseSource::Lidar, 0)) {
+      lidar(noise_stream(seed, robot, NoiseSource::Lidar, 0)),
+      gyroscope(noise_stream(seed, robot, NoiseSource::Gyroscope, 0)),
+      accelerometer(noise_stream(seed, robot, NoiseSource::Accelerometer, 0)) {
   for (std::size_t i = 0; i < model.bumpers.size(); ++i) {
     bumpers.push_back(noise_stream(seed, robot, NoiseSource::Bumper, i));
   }

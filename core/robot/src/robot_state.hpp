@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "chassis.hpp"
 #include "drive_faults.hpp"
 #include "errors.hpp"
 #include "eyebridge/robot/drive_controller.hpp"
@@ -14,12 +15,6 @@
 #include "sensing.hpp"
 
 namespace eyebridge::robot {
-
-/// What set_motor_duty() and set_motor_speed() want of a wheel.
-struct MotorCommand {
-  double speed = 0.0;       ///< Of the rim, metres per second.
-  bool controlled = false;  ///< By PID; else as duty.
-};
 
 /// What a step wants to do, before the world says how much of it is possible.
 struct StepPlan {
@@ -42,6 +37,8 @@ struct RobotState {
   /// Gives the robot back to v-omega control, and forgets a stall: a new command came.
   void use_controller();
   void clear_stall();
+  /// The wheels stand still at once.
+  void halt();
   /// From now on the drive errs as `model` says; `fault_noise` is what its faults draw from.
   void set_error(const RobotModel& model, double dt, const DriveFaults& fault_noise);
   /// True when the next step, unless a command comes or something is in the way, makes the same
@@ -63,6 +60,7 @@ struct RobotState {
   bool held_before =
       false;  ///< In the last step, from its start; the wheels stood at the start of this one.
   bool by_motors = false;
+  bool has_left = false;  ///< The world: it makes no steps.
   unsigned stalled = kStallNone;
   std::uint32_t stalled_steps = 0;
   StepPlan plan;  ///< Of the last step.
@@ -74,10 +72,16 @@ struct RobotState {
   Odometry odometry;
   std::array<std::int64_t, 2> seen_ticks{};  ///< By odometry, where it sees whole ticks only.
   Twist driven;
+  Twist driven_before;  ///< In the step before the last.
   Twist measured;
   DriveError error;
   Random noise;
   std::unique_ptr<DriveFaults> faults;  ///< Null unless there is slip or ticks are missed.
+  /// What all but differential drives have instead of `wheels`, `commands` and `plan`; null of
+  /// differential ones, which are most and have the short way.
+  std::unique_ptr<Chassis> chassis;
+  double driven_left = 0.0;  ///< Sideways, beside `driven`; of a chassis only.
+  double driven_left_before = 0.0;
 };
 
 /// A range sensor or proximity switch with its ray and its noise.
@@ -106,6 +110,10 @@ struct RobotDevices {
   std::vector<Random> bumpers;
   Random compass;
   Random lidar;
+  Random gyroscope;
+  Random accelerometer;
+  double gyroscope_stray = 0.0;         ///< Of its bias, radians per second,
+  std::uint64_t gyroscope_strayed = 0;  ///< after so many steps of the simulation.
   ScanShape scan;
   std::vector<Vec2> scan_directions;
   std::array<double, kServoCount> servos;

@@ -51,11 +51,26 @@ bool in_reach(double range, const RangeSensorModel& model) {
 
 }  // namespace
 
-double range_reading(double range, const RangeSensorModel& model, Random& random) {
-  if (!in_reach(range, model)) return model.out_of_range;
+double range_reading(double range, const RangeSensorModel& model, Random& random,
+                     unsigned cross_talkers) {
+  const bool met = in_reach(range, model);
+  if (!met && cross_talkers == 0) return model.out_of_range;
   const RangeError& error = model.error;
   if (error.perfect()) return range;
-  double reading = std::clamp(with_error(range, error, random), 0.0, model.max_range);
+  bool heard = met;
+  double reading = model.max_range;
+  if (met) {
+    const GaussianError by_now{error.bias, error.sigma_at(range), 0.0};
+    reading = std::clamp(with_error(range, by_now, random), 0.0, model.max_range);
+  }
+  for (unsigned i = 0; i < cross_talkers; ++i) {
+    if (!random.chance(error.cross_talk)) continue;
+    const double foreign = random.uniform() * model.max_range;
+    if (foreign < model.min_range) continue;
+    reading = std::min(reading, foreign);
+    heard = true;
+  }
+  if (!heard) return model.out_of_range;
   if (error.quantised) reading = model.table.nearest(reading, model.out_of_range);
   return error.dropout > 0.0 && random.chance(error.dropout) ? model.out_of_range : reading;
 }

@@ -46,9 +46,21 @@ class ScanShape {
 
 /// The reading of a range sensor whose ray meets something after `range` metres; `range` at or
 /// beyond the sensor's reach is nothing met. Draws from `random` only for a reading with error.
-double range_reading(double range, const RangeSensorModel& model, Random& random);
+/// `cross_talkers` other sensors are in earshot: each that sends while this one listens is heard at
+/// a moment that is evenly spread over the time that an echo may take, and what is heard first
+/// counts.
+double range_reading(double range, const RangeSensorModel& model, Random& random,
+                     unsigned cross_talkers = 0);
 /// The same without the sensor's error.
 double range_reading(double range, const RangeSensorModel& model);
+
+/// Where on the long branch of its curve an infrared sensor takes something to be that is `range`
+/// metres away; infinite where its signal is nothing.
+double folded_range(double range, const RangeSensorModel& model);
+
+/// Throws std::invalid_argument for a sensor that cannot be: a beam that is no cone, an angle
+/// beyond a right one, a curve without a greatest value.
+void check_range_sensor(const RangeSensorModel& model);
 
 /// A lidar tilted down by `tilt` radians measures along its slanted rays.
 class SlantedBeam {

@@ -33,6 +33,16 @@ void check(const RobotModel& model) {
   check(!model.kicker || (model.kicker->speed >= 0.0 && model.kicker->servo < kServoCount),
         "robot: a kicker needs a servo and a speed that is not negative");
   check(drive.motor_time_constant >= 0.0, "robot: the motor time constant must not be negative");
+  std::for_each(model.range_sensors.begin(), model.range_sensors.end(), check_range_sensor);
+  check(drive.steering_speed >= 0.0, "robot: the speed of the steering must not be negative");
+  if (drive.kind == DriveKind::Ackermann || drive.kind == DriveKind::Omni) {
+    check(drive.axle_distance > 0.0, "robot: the distance between the axles must be positive");
+  }
+  if (drive.kind != DriveKind::Ackermann) return;
+  check(drive.max_steering > 0.0 && drive.max_steering < kPi / 2,
+        "robot: the front wheels must turn by more than 0 and less than 90 degrees");
+  check(std::isfinite(drive.rear_axle), "robot: the rear axle must be somewhere");
+  check(drive.steering_servo < kServoCount, "robot: the steering needs a servo");
 }
 
 /// In whole steps, at least one; a time-out beyond what can be counted never comes.
@@ -75,8 +85,20 @@ RobotIndex Simulation::add_robot(const RobotModel& model, const Pose& pose) {
   impl_->devices.emplace_back(
       model, like_last ? last : std::make_shared<const RangeLayout>(model.range_sensors), seed,
       robot);
+  impl_->devices.back().gyroscope_strayed = impl_->steps;
   return robot;
 }
+
+void Simulation::remove_robot(RobotIndex robot) {
+  RobotState& state = impl_->command(robot);
+  stop(robot);
+  state.driven = {};
+  state.measured = {};
+  state.has_left = true;
+  impl_->world.remove(state.body);
+}
+
+bool Simulation::is_there(RobotIndex robot) const { return !impl_->at(robot).has_left; }
 
 std::size_t Simulation::robot_count() const { return impl_->states.size(); }
 const RobotModel& Simulation::model(RobotIndex robot) const {
@@ -85,6 +107,7 @@ const RobotModel& Simulation::model(RobotIndex robot) const {
 
 void Simulation::set_errors(RobotIndex robot, const RobotModel& like) {
   RobotDevices& devices = impl_->devices_of(robot);
+  impl_->stray_gyroscope(robot);
   copy_errors(like, devices.model);
   devices.perfect_ranges = all_perfect(devices.model.range_sensors);
   const SimulationSettings& settings = impl_->settings;
@@ -108,10 +131,13 @@ Pose Simulation::pose(RobotIndex robot) const { return impl_->world.pose(body(ro
 
 void Simulation::set_pose(RobotIndex robot, const Pose& pose) {
   RobotState& state = impl_->command(robot);
+  if (state.has_left) return;
   impl_->world.set_pose(state.body, pose);
-  for (Wheel& wheel : state.wheels) wheel.halt();
+  state.halt();
   state.controller.hold({});
   state.driven = {};
+  state.driven_before = {};
+  state.driven_left = state.driven_left_before = 0.0;
   state.measured = {};
   state.clear_stall();
 }
@@ -140,6 +166,10 @@ void Simulation::drive(RobotIndex robot, const DriveGoal& goal) {
   RobotState& state = impl_->command(robot);
   const Twist present = state.present();
   state.use_controller();
+  if (state.chassis) {
+    state.chassis->start(goal, present, state.controller);
+    return;
+  }
   state.controller.start(goal, present);
 }
 
@@ -154,6 +184,7 @@ unsigned Simulation::stalled(RobotIndex robot) const { return impl_->at(robot).s
 void Simulation::stop(RobotIndex robot) {
   RobotState& state = impl_->command(robot);
   state.use_controller();
+  if (state.chassis) state.chassis->stop();
   state.controller.stop();
 }
 
@@ -163,37 +194,6 @@ void Simulation::set_odometry(RobotIndex robot, const Pose& pose) {
 }
 Twist Simulation::measured_twist(RobotIndex robot) const { return impl_->at(robot).measured; }
 
-void Simulation::set_motor_duty(RobotIndex robot, unsigned motor, double duty) {
-  RobotState& state = impl_->command(robot);
-  MotorCommand& command = state.commands.at(motor);
-  state.use_motors();
-  command = {std::clamp(duty, -1.0, 1.0) * state.motor.top, false};
-}
-
-void Simulation::set_motor_speed(RobotIndex robot, unsigned motor, double ticks_per_second) {
-  RobotState& state = impl_->command(robot);
-  MotorCommand& command = state.commands.at(motor);
-  state.use_motors();
-  const double speed = ticks_per_second / state.motor.ticks_per_metre;
-  command = {std::clamp(speed, -state.motor.top, state.motor.top), true};
-}
-
-void Simulation::set_motor_pid(RobotIndex robot, unsigned motor, int p, int i, int d) {
-  RobotState& state = impl_->command(robot);
-  state.wheels.at(motor).set_gains(
-      {std::clamp(p, 0, 255), std::clamp(i, 0, 255), std::clamp(d, 0, 255)});
-}
-
-std::int64_t Simulation::encoder_ticks(RobotIndex robot, unsigned motor) const {
-  const RobotState& state = impl_->at(robot);
-  return state.wheels.at(motor).ticks(state.motor);
-}
-
-void Simulation::reset_encoder(RobotIndex robot, unsigned motor) {
-  RobotState& state = impl_->command(robot);
-  state.wheels.at(motor).reset_ticks(state.motor);
-}
-
 void Simulation::set_servo(RobotIndex robot, unsigned servo, double position) {
   RobotDevices& devices = impl_->devices_of(robot);
   const double before = devices.servos.at(servo);
@@ -202,10 +202,17 @@ void Simulation::set_servo(RobotIndex robot, unsigned servo, double position) {
   if (kicker && strikes(*kicker, servo, before, devices.servos[servo])) {
     impl_->strike(robot, *kicker);
   }
+  const DriveModel& drive = devices.model.drive;
+  if (drive.steers(servo)) {
+    set_steering(robot, (1.0 - 2 * devices.servos[servo]) * drive.max_steering);
+  }
 }
 
 double Simulation::servo(RobotIndex robot, unsigned servo) const {
-  return impl_->devices_of(robot).servos.at(servo);
+  const RobotDevices& devices = impl_->devices_of(robot);
+  const DriveModel& drive = devices.model.drive;
+  if (drive.steers(servo)) return (1.0 - steering(robot) / drive.max_steering) / 2;
+  return devices.servos.at(servo);
 }
 
 std::uint64_t Simulation::camera_noise_seed(RobotIndex robot) const {
@@ -231,6 +238,7 @@ std::uint64_t Simulation::state_hash() const {
       hash.add(wheel.speed());
       hash.add(wheel.travel());
     }
+    if (state.chassis) state.chassis->add_to(hash);
     hash.add(static_cast<std::uint64_t>(state.controller.state()));
     hash.add(std::uint64_t{state.stalled});
   }

@@ -37,8 +37,20 @@ struct Simulation::Impl {
   }
   /// How far a device on `robot` sees, metres; `reach` when nothing is nearer.
   [[nodiscard]] double look(RobotIndex robot, const Sight& device, double reach) const;
+  /// How far away a range sensor takes things to be, metres, by its kind and without its error;
+  /// at its reach, or beyond, when it notices none.
+  [[nodiscard]] double measure(RobotIndex robot, std::size_t sensor);
+  /// The nearest surface in the cone of an ultrasound sensor that sends its sound back.
+  [[nodiscard]] double first_echo(RobotIndex robot, std::size_t sensor);
+  /// Whether an ultrasound sensor of `robot` and one of another robot look at each other.
+  [[nodiscard]] bool see_each_other(RobotIndex robot, std::size_t sensor, RobotIndex other,
+                                    std::size_t others_sensor) const;
+  /// Lets the bias of a gyroscope stray by what has passed since the last time.
+  void stray_gyroscope(RobotIndex robot);
   /// One step of one robot: from command to pose.
   void step_robot(RobotIndex robot);
+  /// The same of one that has a chassis.
+  void step_chassis(RobotState& state);
   /// What became of a plan.
   void finish_step(RobotIndex robot, RobotState& state, const world::MoveResult& result);
   /// Keeps account of stalls after a move that an obstacle `held`, or not.
@@ -65,6 +77,8 @@ struct Simulation::Impl {
   std::uint64_t collisions_dropped = 0;
   // Of the reading at hand; kept for its memory.
   std::array<Vec2, RangeLayout::kMostInFan> directions;
+  std::vector<Vec2> cone_directions;
+  std::vector<double> cone_ranges;
   std::vector<Vec2> contacts;  // of the reading at hand; kept for its memory
 };
 

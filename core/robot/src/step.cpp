@@ -18,6 +18,7 @@ bool nothing_to_do(RobotState& state) {
     if (std::abs(wheel.speed()) > kStanding) return false;
   }
   for (Wheel& wheel : state.wheels) wheel.halt();
+  state.driven_before = state.driven;
   state.driven = {};
   state.measured = {};
   return true;
@@ -117,7 +118,12 @@ void Simulation::Impl::step_robot(RobotIndex robot) {
     return;
   }
   RobotState& state = states[robot];
+  if (state.chassis) [[unlikely]] {
+    step_chassis(state);
+    return;
+  }
   if (!state.steady) {
+    if (state.has_left) return;
     if (nothing_to_do(state)) return;
     make_plan(state);
   }
@@ -138,6 +144,7 @@ void Simulation::Impl::finish_step(RobotIndex robot, RobotState& state,
   const PathStep measured = measured_path(state, wheels);
   state.odometry.add(measured == plan.path ? plan.arc : arc_of(measured));
   const double dt = settings.step;
+  state.driven_before = state.driven;
   state.driven = {plan.path.distance * result.fraction / dt,
                   plan.path.angle * result.fraction / dt};
   state.measured = {measured.distance / dt, measured.angle / dt};

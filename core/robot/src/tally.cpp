@@ -11,7 +11,10 @@ void Tally::add_step(const Simulation& simulation) {
   const double step = simulation.settings().step;
   const auto count = static_cast<RobotIndex>(simulation.robot_count());
   for (RobotIndex robot = 0; robot < count; ++robot) {
-    distances_[robot] += std::abs(simulation.twist(robot).linear) * step;
+    const HolonomicTwist twist = simulation.body_twist(robot);
+    const double speed =
+        twist.lateral == 0.0 ? std::abs(twist.linear) : norm({twist.linear, twist.lateral});
+    distances_[robot] += speed * step;
   }
 }
 

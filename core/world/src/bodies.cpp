@@ -60,7 +60,18 @@ void Bodies::rebuild_grid() {
   columns_ = static_cast<std::size_t>(extent_.x * per_cell_) + 1;
   rows_ = static_cast<std::size_t>(extent_.y * per_cell_) + 1;
   heads_.assign(columns_ * rows_, kNoBody);
-  for (BodyId id = 0; id < size(); ++id) link(id, cell_at(position(id)));
+  for (BodyId id = 0; id < size(); ++id) {
+    if (is_there(id)) link(id, cell_at(position(id)));
+  }
+}
+
+void Bodies::remove(BodyId id) {
+  if (!is_there(id)) return;
+  ++version_;
+  ++epoch_;
+  if (heads_.empty()) rebuild_grid();  // from now on it says who is there
+  unlink(id);
+  cell_[id] = kNoCell;
 }
 
 void Bodies::link(BodyId id, std::size_t cell) {

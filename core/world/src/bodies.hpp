@@ -42,7 +42,8 @@ struct Freedom {
 
 /// The bodies of a world, struct-of-arrays, and who is near a place.
 ///
-/// From kGridFrom bodies on, a uniform grid of linked lists answers instead of a loop over all.
+/// From kGridFrom bodies on, and once one was removed, a uniform grid of linked lists answers
+/// instead of a loop over all.
 /// Both visit a superset of what is near; callers pick by value and id, never by order of visits,
 /// so the results do not depend on which of them answered.
 ///
@@ -59,6 +60,9 @@ class Bodies {
 
   BodyId add(BodyShape shape, Vec2 position, Heading heading, double radius, double height,
              Rgb colour);
+  /// Takes it out of the world: no visit finds it any more. The others keep their ids.
+  void remove(BodyId id);
+  [[nodiscard]] bool is_there(BodyId id) const { return cell_[id] != kNoCell; }
   /// `length` metres along a way.
   void travel_to(BodyId id, Vec2 position, double length) {
     Freedom& freedom = freedom_[id];
@@ -182,6 +186,7 @@ class Bodies {
   }
 
  private:
+  static constexpr std::size_t kNoCell = std::numeric_limits<std::size_t>::max();
   static constexpr double kEndless = std::numeric_limits<double>::infinity();
 
   /// Places outside, and NaNs, belong to the rim.
@@ -224,7 +229,7 @@ class Bodies {
   std::vector<BodyId> heads_;  ///< Cell -> its first body; empty while there is no grid.
   std::vector<BodyId> next_;   ///< Body -> next one of its cell.
   std::vector<BodyId> previous_;
-  std::vector<std::size_t> cell_;
+  std::vector<std::size_t> cell_;  ///< kNoCell for one that was removed.
 };
 
 }  // namespace eyebridge::world

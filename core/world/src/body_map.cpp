@@ -28,6 +28,7 @@ void BodyMap::refresh(const Bodies& bodies) {
   }
   starts_.assign(columns_ * rows_ + 2, 0);
   for (BodyId id = 0; id < count; ++id) {
+    if (!bodies.is_there(id)) continue;
     const Vec2 p = bodies.position(id);
     cells_[id] = static_cast<std::uint32_t>(index(p.y, rows_) * columns_ + index(p.x, columns_));
     ++starts_[cells_[id] + 2];
@@ -36,6 +37,7 @@ void BodyMap::refresh(const Bodies& bodies) {
   // Each cell's start stands one place too high until its bodies are in.
   farthest_ = 0.0;
   for (BodyId id = 0; id < count; ++id) {
+    if (!bodies.is_there(id)) continue;
     const Vec2 p = bodies.position(id);
     const std::size_t at = starts_[cells_[id] + 1]++;
     discs_[at] = {p.x, p.y, bodies.radius_[id], id};

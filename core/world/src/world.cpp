@@ -28,6 +28,9 @@ World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
+/// What a state's hash has of a body that was removed, beside its place.
+constexpr std::uint64_t kAway = 0x6177'6179;
+
 // Metres. A robot as wide as a cell touches its walls, whatever rounding made of their places.
 constexpr double kTouch = 1e-9;
 
@@ -61,6 +64,16 @@ BodyId World::add_robot(const Pose& pose, double radius, double height, Rgb colo
                     colour);
 }
 
+void World::remove(BodyId id) {
+  if (id < object_count() || id >= body_count()) {
+    throw std::out_of_range(fmt::format("body {} is no robot's", id));
+  }
+  impl_->bodies.remove(id);
+  impl_->contacts.forget(id);
+}
+
+bool World::is_there(BodyId id) const { return impl_->bodies.is_there(id); }
+
 std::size_t World::body_count() const { return impl_->bodies.size(); }
 std::size_t World::object_count() const { return impl_->model->objects.size(); }
 
@@ -80,6 +93,7 @@ void World::set_velocity(BodyId id, Vec2 velocity) {
 
 void World::set_pose(BodyId id, const Pose& pose) {
   Bodies& bodies = impl_->bodies;
+  if (!bodies.is_there(id)) return;
   bodies.jump_to(id, pose.position());
   const Heading heading = Heading::from_angle(pose.theta);
   bodies.cos_[id] = heading.cos;
@@ -96,6 +110,7 @@ Scene World::scene(double time) const {
   Scene scene{impl_->model, {}, time};
   scene.bodies.reserve(body_count());
   for (BodyId id = 0; id < body_count(); ++id) {
+    if (!is_there(id)) continue;
     scene.bodies.push_back({id, impl_->bodies.shape_[id], pose(id), impl_->bodies.radius_[id],
                             impl_->bodies.height_[id], impl_->bodies.colour_[id],
                             2.0 * impl_->bodies.half_[id]});
@@ -105,6 +120,7 @@ Scene World::scene(double time) const {
 
 void World::add_to(StateHash& hash) const {
   for (BodyId id = 0; id < body_count(); ++id) {
+    if (!is_there(id)) hash.add(kAway);
     const Vec2 p = position(id);
     const Vec2 v = impl_->bodies.velocity(id);
     const Heading h = heading(id);

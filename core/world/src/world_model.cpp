@@ -4,6 +4,16 @@
 
 namespace eyebridge::world {
 
+std::vector<Wall> walls_around(double width, double height) {
+  const Vec2 corners[] = {{0, 0}, {width, 0}, {width, height}, {0, height}};
+  std::vector<Wall> walls(4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    walls[i].a = corners[i];
+    walls[i].b = corners[(i + 1) % 4];
+  }
+  return walls;
+}
+
 std::vector<Wall> walls_of(const MazeGrid& maze) {
   std::vector<Wall> walls;
   const auto add = [&](double x0, double y0, double x1, double y1) {

@@ -26,7 +26,10 @@ BoardWorld::BoardWorld(const files::Scenario& scenario, const robot::SimulationS
     : simulation_(std::make_shared<const world::WorldModel>(scenario.world), settings),
       step_(from_seconds(settings.step)) {
   for (const files::RobotPlacement& placement : scenario.robots) {
-    simulation_.add_robot(scenario.models.at(placement.model), placement.pose);
+    robot::RobotModel model = scenario.models.at(placement.model);
+    // A board drives a left and a right wheel, whatever robot it is put on.
+    model.drive.kind = robot::DriveKind::Differential;
+    simulation_.add_robot(model, placement.pose);
   }
 }
 BoardWorld::~BoardWorld() = default;

@@ -202,6 +202,15 @@ void bind_robot(py::module_& module) {
            [](const RobotHandle& r) {
              return of(r, [](auto& sim, auto i) { return sim.read_compass(i); });
            })
+      .def("gyroscope",
+           [](const RobotHandle& r) {
+             return of(r, [](auto& sim, auto i) { return sim.read_gyroscope(i); });
+           })
+      .def("accelerometer",
+           [](const RobotHandle& r) {
+             const Vec2 felt = of(r, [](auto& sim, auto i) { return sim.read_accelerometer(i); });
+             return py::make_tuple(felt.x, felt.y);
+           })
       .def("camera", &open_camera, py::arg("width") = 320, py::arg("height") = 240,
            py::arg("options") = "", Release());
 }

@@ -7,7 +7,9 @@ namespace eyebridge::python {
 /// Parts of the module; in this order, because later ones name the types of earlier ones.
 void bind_scenario(pybind11::module_& module);
 void bind_camera(pybind11::module_& module);
+void bind_mapping(pybind11::module_& module);
 void bind_robot(pybind11::module_& module);
+void bind_likelihood(pybind11::module_& module);
 void bind_simulation(pybind11::module_& module);
 void bind_batch(pybind11::module_& module);
 

@@ -13,6 +13,8 @@ PYBIND11_MODULE(_core, module) {
   eyebridge::python::bind_scenario(module);
   eyebridge::python::bind_camera(module);
   eyebridge::python::bind_robot(module);
+  eyebridge::python::bind_likelihood(module);
   eyebridge::python::bind_simulation(module);
   eyebridge::python::bind_batch(module);
+  eyebridge::python::bind_mapping(module);
 }

@@ -4,8 +4,8 @@
 
 /**
  * Sets servo 1..14 to a position 0..255, 128 in the middle (0 is a position in simulation, power
- * off on a robot). Servo 1 pans and servo 2 tilts the camera; a simulated robot has only these two.
- * 1 for a servo that the robot does not have and for positions outside.
+ * off on a robot). Servo 1 pans and 2 tilts the camera; a simulated robot has only these two, and
+ * those that kick or steer. 1 for a servo that the robot does not have and for positions outside.
  */
 int SERVOSet(int servo, int angle);
 /** As SERVOSet(), past the robot's table. */
@@ -18,7 +18,7 @@ int SERVORange(int servo, int low, int high);
 
 /**
  * Drives motor 1..4 with -100..100 percent, more counts as 100; 1 is left and 2 right on a
- * differential robot. 1 for a motor that the robot does not have, here and below.
+ * differential robot (others: docs/drives.md). 1 for a motor it does not have, here and below.
  */
 int MOTORDrive(int motor, int speed);
 /** As MOTORDrive(), past the robot's table. */

@@ -74,6 +74,18 @@ TEST(Observer, SpeedIsWhatTheWheelsDo) {
   EXPECT_GT(observe(episode, "odometry")[0], 0.1);
 }
 
+TEST(Observer, GyroscopeAndAccelerometerFeelTheMotion) {
+  Episode episode(room());
+  EXPECT_THAT(observe(episode, "gyroscope accelerometer"), ElementsAre(0, 0, 0));
+  episode.simulation().set_speed(0, {0.2, 0.5});
+  episode.run(1);
+  EXPECT_THAT(observe(episode, "accelerometer gyroscope"),
+              ElementsAre(DoubleNear(0, 1e-9), DoubleNear(0.1, 1e-9), DoubleNear(0.5, 1e-9)));
+  const Observer observer("gyroscope accelerometer", *files::builtin_robot("S4"));
+  EXPECT_EQ(observer.size(), 3U);
+  EXPECT_TRUE(std::isinf(observer.high()[2]));
+}
+
 TEST(Observer, BumpersAreZeroOrOne) {
   auto scenario = room();
   scenario->models[0].bumpers = {{1, "front", -1.0, 1.0}, {2, "back", 2.0, -2.0}};
@@ -106,8 +118,8 @@ TEST(Observer, RefusesWordsThatCannotBe) {
   EXPECT_NE(refusal("", s4), "");
   EXPECT_NE(refusal("  ", s4), "");
   EXPECT_EQ(refusal("pds", s4),
-            "found 'pds' for an observation, expected psd, lidar, lidar:N, bumper, compass, speed, "
-            "odometry or pose");
+            "found 'pds' for an observation, expected psd, lidar, lidar:N, bumper, compass, "
+            "gyroscope, accelerometer, speed, odometry or pose");
   for (const char* bad : {"lidar:", "lidar:0", "lidar:x", "lidar:5x", "lidar:36001", "lidar:-1"}) {
     EXPECT_EQ(refusal(bad, s4), "found '" + std::string(bad) +
                                     "' for an observation, expected lidar:1 ... lidar:36000");

@@ -49,17 +49,23 @@ TEST(ErrorRules, AValueMayHaveItsNameAndItsUnitOrNeither) {
 
 TEST(ErrorRules, EveryParameterGoesWhereItsNameSays) {
   const auto model = after(
-      "psd bias=5 dropout=2 quantised; drive 1 2 slip=3; wheels 4 -5; encoder quantised miss=6;"
+      "psd bias=5 dropout=2 quantised crosstalk=30 quadratic=40; drive 1 2 slip=3; wheels 4 -5; "
+      "encoder quantised miss=6;"
       "compass 90 bias=-90; camera 7 8 coloured=9 blur=1.5 exposure=-1 flicker=0.25; ir 10; bump "
       "11;"
-      "lidar 12 13 bias=-14 dropout=15; radio 16 17 jitter=18 corrupt=19 range=20");
-  EXPECT_EQ(model.range_sensors[1].error, (robot::RangeError{{0.005, 0, 0}, 0.02, true}));
+      "lidar 12 13 bias=-14 dropout=15; radio 16 17 jitter=18 corrupt=19 range=20;"
+      "gyroscope 90 18deg/s bias=-9 relative=5; accelerometer 0.5m/s2 bias=-1 relative=6");
+  EXPECT_EQ(model.range_sensors[1].error,
+            (robot::RangeError{{0.005, 0, 0}, 0.02, true, 0.3, 0.04}));
   EXPECT_EQ(model.drive_error, (robot::DriveError{0.01, 0.02, 0.04, -0.05, true, 0.03, 0.06}));
   EXPECT_EQ(model.compass_error, (robot::CompassError{{-kPi / 2, kPi / 2, 0}}));
   EXPECT_EQ(model.camera->error, (robot::CameraError{0.07, 8, 0.09, 1.5, -1, 0.25}));
   EXPECT_EQ(model.proximity_sensors[0].error.flip, 0.1);
   EXPECT_EQ(model.bumpers[0].error.miss, 0.11);
   EXPECT_EQ(model.lidar->error, (robot::LidarError{{-0.014, 0.012, 0.13}, 0.15}));
+  EXPECT_EQ(model.gyroscope_error,
+            (robot::GyroscopeError{{-kPi / 20, kPi / 2, 0.05}, deg_to_rad(18)}));
+  EXPECT_EQ(model.accelerometer_error, (robot::AccelerometerError{{-1, 0.5, 0.06}}));
   EXPECT_EQ(model.radio_error, (robot::RadioError{0.16, 0.017, 0.018, 0.19, 20}));
 }
 
@@ -83,14 +89,15 @@ TEST(ErrorRules, EveryMistakeIsNamedWithItsPlace) {
       {"psi 1", "--errors:1:1: unknown error model 'psi': expected 'psd'?"},
       {"realistic now", "--errors:1:11: 'now' found after a preset: expected nothing"},
       {"harsh; psd",
-       "--errors:1:11: the rule ends: expected sigma, relative, bias, dropout or "
-       "quantised"},
+       "--errors:1:11: the rule ends: expected sigma, relative, bias, dropout, "
+       "quantised, crosstalk or quadratic"},
       {"robot:2", "--errors:1:8: the rule ends: expected a preset or an error model"},
       {"robot:two psd 1", "--errors:1:7: 'two' found: expected the number of a robot, 1 or more"},
       {"psd:0 1", "--errors:1:5: '0' found: expected the number of a psd, 1 or more"},
       {"lidar:1 1", "--errors:1:1: 'lidar:1' found: expected lidar alone, a robot has one"},
       {"psd 1 2 3",
-       "--errors:1:9: '3' found: expected sigma, relative, bias, dropout or quantised"},
+       "--errors:1:9: '3' found: expected sigma, relative, bias, dropout, quantised, crosstalk or "
+       "quadratic"},
       {"psd -1", "--errors:1:5: psd's sigma is -1: expected 0 to 1e+05 mm"},
       {"psd dropout=101%", "--errors:1:13: psd's dropout is 101%: expected 0 to 100 %"},
       {"psd sigma=4cm", "--errors:1:11: '4cm' found: expected psd's sigma, a number in mm"},
@@ -98,8 +105,8 @@ TEST(ErrorRules, EveryMistakeIsNamedWithItsPlace) {
       {"psd sigma=", "--errors:1:11: '' found: expected psd's sigma, a number in mm"},
       {"psd sigma", "--errors:1:5: 'sigma' found: expected sigma=a number in mm"},
       {"psd drop=1",
-       "--errors:1:5: 'drop=1' found: expected sigma, relative, bias, dropout or "
-       "quantised"},
+       "--errors:1:5: 'drop=1' found: expected sigma, relative, bias, dropout, "
+       "quantised, crosstalk or quadratic"},
       {"psd sgma=1", "--errors:1:5: 'sgma=1' found: expected 'sigma'?"},
       {"encoder quantised=1", "--errors:1:9: 'quantised=1' found: expected quantised alone"},
       {"radio 1 2h", "--errors:1:9: '2h' found: expected radio's delay, a number in ms"},

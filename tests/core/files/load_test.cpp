@@ -279,16 +279,16 @@ TEST(Load, MissingFilesAndNamesAreErrorsAtTheirLine) {
   EXPECT_THAT(load_error(folder.write("b.sim", "world empty-room.wld\nrobot no.robi\n")),
               HasSubstr("b.sim:2:7: no file 'no.robi'"));
   EXPECT_THAT(load_error(folder.write("c.sim", "S5 1 2 3\n")),
-              HasSubstr("c.sim:1:1: no robot or object 'S5': expected S4, LabBot or Mouse"));
+              HasSubstr("c.sim:1:1: no robot or object 'S5': expected S4, LabBot, Mouse, Car or Omni"));
   EXPECT_THAT(load_error(folder.write("d.sim", "world maze-5.maz\nS4 L\n")),
               HasSubstr("d.sim:2:1: no start 'L' left"));
   EXPECT_EQ(load_error(folder.path() / "none.wld"),
             (folder.path() / "none.wld").string() + ": no such file");
   EXPECT_THAT(load_error(folder.write("e.txt", "x")), HasSubstr("unknown kind of file"));
   EXPECT_EQ(load_error(folder.write("f.wld", kRoom), "R2D2"),
-            "default robot: no robot 'R2D2': expected S4, LabBot or Mouse");
+            "default robot: no robot 'R2D2': expected S4, LabBot, Mouse, Car or Omni");
   EXPECT_EQ(error_of([&] { load_scenario(folder.path() / "f.wld", "R2D2", {}, {"--robot"}); }),
-            "--robot: no robot 'R2D2': expected S4, LabBot or Mouse");
+            "--robot: no robot 'R2D2': expected S4, LabBot, Mouse, Car or Omni");
   EXPECT_THAT(load_error(folder.write("g.p", "diameter 100\n maze no.maz\n")),
               HasSubstr("g.p:2:7: no file 'no.maz'"));
 }

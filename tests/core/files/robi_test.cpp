@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include "eyebridge/base/units.hpp"
+#include "eyebridge/robot/lidar_presets.hpp"
 #include "reading.hpp"
 
 namespace eyebridge::files {
@@ -87,6 +88,45 @@ TEST(Robi, AckermannTakesItsDrivenWheels) {
   EXPECT_EQ(robot.drive.wheel_diameter, 0.04);
   EXPECT_EQ(robot.drive.wheel_base, 0.089);
   EXPECT_EQ(robot.diameter, 0.178);  // no collider: twice the wheel base
+  EXPECT_EQ(robot.drive.rear_axle, -0.094);
+  EXPECT_NEAR(robot.drive.axle_distance, 0.16, 1e-15);
+  // As far as EyeSim's cars steer, and what that makes of the top speed.
+  EXPECT_EQ(robot.drive.max_steering, deg_to_rad(45));
+  EXPECT_EQ(robot.drive.steering_servo, 0u);
+  EXPECT_NEAR(robot.drive.max_angular, robot.drive.max_linear / 0.16, 1e-12);
+  EXPECT_TRUE(robi_warnings.empty());
+}
+
+TEST(Robi, SteeringSaysHowFarByWhichServoAndHowFast) {
+  const std::string car = "drive ACKERMANN_DRIVE\naxles 200\nwheel 40 7200 640 50\n";
+  const auto limited = robi_of(car + "steering 30\n");
+  EXPECT_EQ(limited.drive.max_steering, deg_to_rad(30));
+  EXPECT_EQ(limited.drive.steering_speed, 0.0);
+  EXPECT_EQ(limited.drive.axle_distance, 0.2);
+  const auto all = robi_of(car + "steering 25 3 200\n");
+  EXPECT_EQ(all.drive.steering_servo, 2u);
+  EXPECT_EQ(all.drive.steering_speed, deg_to_rad(200));
+  EXPECT_TRUE(robi_warnings.empty());
+  robi_of("drive ACKERMANN_DRIVE\nwheel 40 7200 640 50\n");
+  ASSERT_EQ(robi_warnings.size(), 1u);
+  EXPECT_THAT(robi_warnings[0].str(), testing::StartsWith("r.robi:1:1: warning: neither 'axel"));
+}
+
+TEST(Robi, KindsOfDriveTurnAsFastAsTheirWheelsCan) {
+  const std::string wheel = "diameter 300\nwheel 100 360 5000 200\n";
+  const double rim = 0.05 * 2 * kPi;
+  const auto square = robi_of(wheel + "drive OMNI_DRIVE MOTOR_FL QUAD_FL\n");
+  EXPECT_EQ(square.drive.kind, robot::DriveKind::Omni);
+  EXPECT_EQ(square.drive.axle_distance, 0.2);  // as nothing else is said
+  EXPECT_NEAR(square.drive.max_angular, rim / 0.2, 1e-12);
+  const auto longer = robi_of(wheel + "axles 300\ndrive OMNI_DRIVE\n");
+  EXPECT_NEAR(longer.drive.max_angular, rim / 0.25, 1e-12);
+  const auto three = robi_of(wheel + "drive SWEDISH_DRIVE\n");
+  EXPECT_EQ(three.drive.kind, robot::DriveKind::Swedish);
+  EXPECT_NEAR(three.drive.max_angular, rim / 0.1, 1e-12);
+  const auto synchro = robi_of(wheel + "drive SYNCHRO_DRIVE\n");
+  EXPECT_EQ(synchro.drive.kind, robot::DriveKind::Synchro);
+  EXPECT_EQ(synchro.drive.max_angular, robot::DriveModel{}.max_angular);
 }
 
 TEST(Robi, ReadsOurExtensionsAndAppliesThemToEarlierLines) {
@@ -164,7 +204,19 @@ TEST(Robi, EveryMistakeIsNamedWithItsPlace) {
       {"psd A 1.5 0 0 0 0", "r.robi:1:7: '1.5' found: expected the id, a whole number"},
       {"drive HOVERCRAFT",
        "r.robi:1:7: unknown drive 'HOVERCRAFT': expected DIFFERENTIAL_DRIVE, "
-       "ACKERMANN_DRIVE or OMNI_DRIVE"},
+       "ACKERMANN_DRIVE, OMNI_DRIVE, SWEDISH_DRIVE or SYNCHRO_DRIVE"},
+      {"drive OMNI_DRIVE\nsteering 30",
+       "r.robi:2:1: steering without front wheels: expected ACKERMANN_DRIVE"},
+      {"drive ACKERMANN_DRIVE\nsteering 90",
+       "r.robi:2:10: the most that the wheels turn is 90: expected 1 to 80"},
+      {"drive ACKERMANN_DRIVE\nsteering 30 17", "r.robi:2:13: the servo is 17: expected 1 to 16"},
+      {"drive ACKERMANN_DRIVE\nsteering 30 3\nkicker 3 1 30",
+       "r.robi:2:13: servo 3 kicks already: expected another one to steer"},
+      {"drive ACKERMANN_DRIVE\naxel drive 0 5\naxel turn 0 5",
+       "r.robi:3:13: the front axle is not before the rear one: expected 'axel turn' ahead of "
+       "'axel drive'"},
+      {"axel middle 0 5", "r.robi:1:6: 'middle' found: expected 'drive' or 'turn'"},
+      {"axles 0", "r.robi:1:7: the distance between the axles is 0: expected 1 to 10000"},
       {"error psi 1 2", "r.robi:1:7: unknown error model 'psi': expected 'psd'?"},
       {"error encoder rounded", "r.robi:1:15: 'rounded' found: expected quantised or miss"},
       {"diameter -5", "r.robi:1:10: the diameter is -5: expected 1 to 10000"},
@@ -177,6 +229,66 @@ TEST(Robi, EveryMistakeIsNamedWithItsPlace) {
   EXPECT_THAT(robi_error(""), testing::HasSubstr("no keyword of a robot description"));
   EXPECT_THAT(robi_error("once upon a time"),
               testing::HasSubstr("no keyword of a robot description"));
+}
+
+TEST(Robi, GivesDistanceSensorsTheirKinds) {
+  const auto robot = robi_of(
+      "psd_kind infrared 100 800\npsd_kind ray:3\npsd_kind Ultrasound:2 30 25 50 4000\n"
+      "psd_kind ultrasound:7 20 90\npsd_range 20 900\ndiameter 99\n"
+      "psd A 1 0 0 0 0\npsd B 2 0 0 0 0\npsd C 3 0 0 0 0\npsd D 7 0 0 0 0\n");
+  const auto& psds = robot.range_sensors;
+  EXPECT_EQ(psds[0].kind, robot::RangeKind::Infrared);
+  EXPECT_EQ(psds[0].min_range, 0.1);
+  EXPECT_EQ(psds[0].max_range, 0.8);
+  EXPECT_EQ(psds[1].kind, robot::RangeKind::Ultrasound);
+  EXPECT_EQ(psds[1].ultrasound, (robot::UltrasoundModel{deg_to_rad(30), deg_to_rad(25)}));
+  EXPECT_EQ(psds[1].min_range, 0.05);
+  EXPECT_EQ(psds[1].max_range, 4.0);
+  EXPECT_EQ(psds[2].kind, robot::RangeKind::Ray) << "the later line";
+  EXPECT_EQ(psds[3].kind, robot::RangeKind::Ultrasound);
+  EXPECT_EQ(psds[3].ultrasound.critical_angle, deg_to_rad(90));
+  EXPECT_EQ(psds[3].max_range, 0.8) << "as the first line says of all";
+  EXPECT_TRUE(robi_warnings.empty());
+}
+
+TEST(Robi, MistakesAboutKindsHaveTheirPlace) {
+  const std::string psds = "diameter 99\npsd A 1 0 0 0 0\npsd B 4 0 0 0 0\n";
+  const std::pair<const char*, const char*> cases[] = {
+      {"psd_kind", "r.robi:4:9: line ends: expected ray, ultrasound or infrared"},
+      {"psd_kind sonar",
+       "r.robi:4:10: unknown kind of psd 'sonar': expected ray, ultrasound or infrared"},
+      {"psd_kind infrard 1 2", "r.robi:4:10: unknown kind of psd 'infrard': expected 'infrared'?"},
+      {"psd_kind ray:0", "r.robi:4:10: '0' found: expected the number of a psd, 1 or more"},
+      {"psd_kind ray:", "r.robi:4:10: '' found: expected the number of a psd, 1 or more"},
+      {"psd_kind ray:3", "r.robi:4:10: robot 'S4' has no psd 3: expected one of 1, 4"},
+      {"psd_kind ultrasound 181 25",
+       "r.robi:4:21: the width of the beam is 181: expected 0 to 180"},
+      {"psd_kind ultrasound 30 91", "r.robi:4:24: the critical angle is 91: expected 0 to 90"},
+      {"psd_kind infrared 800 100", "r.robi:4:23: the longest range is not above the shortest"},
+  };
+  for (const auto& [line, expected] : cases) EXPECT_EQ(robi_error(psds + line), expected) << line;
+  EXPECT_EQ(robi_error("diameter 99\npsd_kind ray:1\n"),
+            "r.robi:2:10: robot 'S4' has no psd 1: expected a psd line, it has none");
+  EXPECT_THAT(robi_error(psds + "psd_kind ultrasound 30"),
+              testing::HasSubstr("psd_kind ultrasound[:ID] beam_deg critical_deg min_mm max_mm"));
+}
+
+TEST(Robi, ALidarMayBeOneThatIsSold) {
+  const auto robot = robi_of("diameter 99\nlidar lms200 -5\nerror lidar bias=4\n");
+  ASSERT_TRUE(robot.lidar);
+  EXPECT_EQ(robot.lidar->points, 361);
+  EXPECT_EQ(robot.lidar->field_of_view, kPi);
+  EXPECT_EQ(robot.lidar->max_range, 8.0);
+  EXPECT_EQ(robot.lidar->tilt, deg_to_rad(-5));
+  EXPECT_EQ(robot.lidar->error, (robot::LidarError{{0.004, 0.005, 0.0}, 0.0}));
+  for (const std::string_view name : robot::kLidarPresets) {
+    EXPECT_EQ(robi_of("diameter 99\nlidar " + std::string(name)).lidar, robot::lidar_preset(name));
+  }
+  EXPECT_EQ(robi_error("diameter 99\nlidar many 0\n"),
+            "r.robi:2:7: 'many' found: expected the number of points, or LMS200, LMS200-1, "
+            "URG-04LX or RPLIDAR-A1");
+  EXPECT_THAT(robi_error("diameter 99\nlidar LMS200 0 8000\n"),
+              testing::HasSubstr("lidar LMS200 [tilt]"));
 }
 
 }  // namespace

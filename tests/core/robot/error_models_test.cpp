@@ -47,7 +47,7 @@ TEST(ErrorPresets, PerfectIsNoErrorAndTheOthersHaveOneOfEveryKind) {
       EXPECT_FALSE(error.perfect()) << name << ", device " << id;
       ++kinds;
     });
-    EXPECT_EQ(kinds, 9);
+    EXPECT_EQ(kinds, 11);
   }
 }
 
@@ -83,7 +83,7 @@ TEST(ErrorScale, HalfOfItHalvesEveryAmount) {
   const RobotModel whole = model;
   scale_errors(model, 0.5);
   EXPECT_EQ(model.drive_error, (DriveError{0.04, 0.04, 0.006, -0.006, true, 0.005, 0.0025}));
-  EXPECT_EQ(model.range_sensors[1].error, (RangeError{{0, 0.006, 0.02}, 0.01, true}));
+  EXPECT_EQ(model.range_sensors[1].error, (RangeError{{0, 0.006, 0.02}, 0.01, true, 0.025}));
   EXPECT_EQ(model.lidar->error.dropout, whole.lidar->error.dropout / 2);
   EXPECT_EQ(model.compass_error.bias, whole.compass_error.bias / 2);
   EXPECT_EQ(model.camera->error, (CameraError{0.0025, 6, 0.0025, 0.75, -0.25, 0.075}));

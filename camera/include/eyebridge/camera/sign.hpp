@@ -20,6 +20,10 @@ enum class Arrow {
   Lost,  ///< A question mark.
 };
 
+/// The arrow of a movement: how far along, and how far to turn, each in whatever unit; forward and
+/// counter-clockwise are positive.
+Arrow arrow_for(double along, double turn);
+
 /// A big plain picture for a person who walks: which way, and two lines of words.
 struct Sign {
   Arrow arrow = Arrow::None;

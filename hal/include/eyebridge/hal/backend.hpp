@@ -55,7 +55,8 @@ class Backend {
   virtual SwitchSensor* bumper(int id) = 0;
   virtual Lidar* lidar() = 0;
   virtual Compass* compass() = 0;
-  /// 1 is the left wheel's motor, 2 the right one's; encoders likewise.
+  /// 1 is the left wheel's motor, 2 the right one's; encoders likewise. Robots that are no
+  /// differential ones have other wheels: docs/drives.md.
   virtual Motor* motor(int id) = 0;
   virtual Encoder* encoder(int id) = 0;
   /// 1 is the camera's pan, 2 its tilt, where there are such.

@@ -26,6 +26,8 @@ struct RobotLook {
   Twist twist;                       ///< As driven in the last step.
   unsigned stalled = 0;              ///< robot::StallMask.
   std::optional<camera::Eye> eye{};  ///< Of its camera; nothing where it has none.
+  /// False once it was removed: the rest is as it was then, and the scene has no body of it.
+  bool is_there = true;
 };
 
 /// A world at one moment, and what happened since the look before.

@@ -67,6 +67,11 @@ class SharedWorld {
   /// Lets a robot enter now. Its index: the next one; indices are not used again. In virtual time
   /// only between two rounds. OutOfRange where it would stand in something.
   virtual Result<std::size_t> enter(const Newcomer& newcomer) = 0;
+  /// Takes robot `robot`, an index, out of the world, whose program has ended. OutOfRange for one
+  /// that is not there. As enter().
+  virtual Result<void> leave(std::size_t robot) = 0;
+  /// What leave() would say.
+  [[nodiscard]] virtual Result<void> can_leave(std::size_t robot) = 0;
   /// Present time: that of the steps that were made.
   [[nodiscard]] virtual Time now() = 0;
   /// Returns when real time has come to `time`; in virtual time nobody waits.

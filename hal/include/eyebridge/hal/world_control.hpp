@@ -15,6 +15,7 @@ class WorldControl {
  public:
   virtual ~WorldControl() = default;
 
+  /// With those that were removed, whose ids are not there any more.
   [[nodiscard]] virtual int robot_count() const = 0;
   /// Of balls, cans and boxes.
   [[nodiscard]] virtual int object_count() const = 0;

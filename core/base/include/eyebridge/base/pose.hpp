@@ -78,4 +78,14 @@ struct Twist {
   friend constexpr bool operator==(const Twist&, const Twist&) = default;
 };
 
+/// Speed of a robot that may go sideways, too, in its own frame: metres per second forward and to
+/// the left, radians per second counter-clockwise.
+struct HolonomicTwist {
+  double linear = 0.0;
+  double lateral = 0.0;
+  double angular = 0.0;
+
+  friend constexpr bool operator==(const HolonomicTwist&, const HolonomicTwist&) = default;
+};
+
 }  // namespace eyebridge

@@ -15,6 +15,8 @@ namespace eyebridge::episode {
 /// `lidar`    a scan as the robot's file says, or `lidar:N` of N rays over the same field of view
 /// `bumper`   1 where something touches a bumper, else 0
 /// `compass`  heading in the world, radians, with its error
+/// `gyroscope` rate of turn, rad/s, with its error
+/// `accelerometer` forward and left, m/s^2, with their errors
 /// `speed`    linear and angular speed by the wheels' encoders, m/s and rad/s
 /// `odometry` x, y, theta by the wheels
 /// `pose`     x, y, theta in the world: the truth
@@ -35,7 +37,7 @@ class Observer {
   void read(robot::Simulation& simulation, robot::RobotIndex robot, std::span<double> row) const;
 
  private:
-  enum class Kind { Psd, Lidar, Bumper, Compass, Speed, Odometry, Pose };
+  enum class Kind { Psd, Lidar, Bumper, Compass, Gyroscope, Accelerometer, Speed, Odometry, Pose };
   struct Part {
     Kind kind = Kind::Psd;
     std::size_t count = 0;

@@ -34,6 +34,9 @@ class RangeTable {
   /// The entry nearest to `range`, the shorter one of two; `out_of_range` where that is farther
   /// than the table reaches by more than half of its last step. `range` itself without a table.
   [[nodiscard]] double nearest(double range, double out_of_range) const;
+  /// The largest range for which nearest() gives `reading` or less; minus infinity when there is
+  /// none. The table is not empty.
+  [[nodiscard]] double upper_edge(double reading) const;
   /// Every entry once, ascending.
   [[nodiscard]] std::vector<double> levels() const;
   friend bool operator==(const RangeTable& a, const RangeTable& b) {
@@ -50,9 +53,20 @@ class RangeTable {
 struct RangeError : GaussianError {
   double dropout = 0.0;    ///< Probability that a reading is out of range instead.
   bool quantised = false;  ///< Rounded by the sensor's RangeTable, if it has one.
+  /// Of ultrasound only: probability, for each other ultrasound sensor in earshot, that a pulse of
+  /// it comes in while this one listens (Simulation::cross_talkers()).
+  double cross_talk = 0.0;
+  /// 1/m: so much times the square of the range is added to sigma. Noise of a triangulating sensor
+  /// (infrared) is that of the place of a spot of light, and its range is one over that place.
+  double sigma_quadratic = 0.0;
 
   [[nodiscard]] bool perfect() const {
-    return GaussianError::perfect() && dropout == 0 && !quantised;
+    return GaussianError::perfect() && dropout == 0 && !quantised && cross_talk == 0 &&
+           sigma_quadratic == 0;
+  }
+  /// Standard deviation of readings of something `range` metres away, metres.
+  [[nodiscard]] double sigma_at(double range) const {
+    return sigma + sigma_relative * range + sigma_quadratic * range * range;
   }
   [[nodiscard]] RangeError scaled(double share) const;
   friend bool operator==(const RangeError&, const RangeError&) = default;
@@ -89,6 +103,27 @@ struct LidarError : GaussianError {
 struct CompassError : GaussianError {
   [[nodiscard]] CompassError scaled(double share) const { return {GaussianError::scaled(share)}; }
   friend bool operator==(const CompassError&, const CompassError&) = default;
+};
+
+/// Of a gyroscope; radians per second.
+struct GyroscopeError : GaussianError {
+  /// The bias is a random walk: in t seconds it strays by a normally distributed amount of this
+  /// times sqrt(t); radians per second, per root of a second, >= 0. It starts at `bias`.
+  double drift = 0.0;
+
+  [[nodiscard]] bool perfect() const { return GaussianError::perfect() && drift == 0; }
+  [[nodiscard]] GyroscopeError scaled(double share) const {
+    return {GaussianError::scaled(share), drift * share};
+  }
+  friend bool operator==(const GyroscopeError&, const GyroscopeError&) = default;
+};
+
+/// Of an accelerometer, of each axis by itself; metres per second squared.
+struct AccelerometerError : GaussianError {
+  [[nodiscard]] AccelerometerError scaled(double share) const {
+    return {GaussianError::scaled(share)};
+  }
+  friend bool operator==(const AccelerometerError&, const AccelerometerError&) = default;
 };
 
 /// Of actuators, encoders and with them odometry; drawn anew for every step of the simulation.

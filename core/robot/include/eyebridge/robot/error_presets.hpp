@@ -19,6 +19,8 @@ struct ErrorModels {
   CompassError compass;
   CameraError camera;
   RadioError radio;
+  GyroscopeError gyroscope;
+  AccelerometerError accelerometer;
 
   friend bool operator==(const ErrorModels&, const ErrorModels&) = default;
 };
@@ -34,6 +36,8 @@ Error& part_of(ErrorModels& models) {
   if constexpr (std::is_same_v<Error, CompassError>) return models.compass;
   if constexpr (std::is_same_v<Error, CameraError>) return models.camera;
   if constexpr (std::is_same_v<Error, RadioError>) return models.radio;
+  if constexpr (std::is_same_v<Error, GyroscopeError>) return models.gyroscope;
+  if constexpr (std::is_same_v<Error, AccelerometerError>) return models.accelerometer;
 }
 
 /// Calls `visit(error, id)` for the error model of each device of `model`, a RobotModel that may be
@@ -48,6 +52,8 @@ void for_each_error(Model& model, Visit&& visit) {
   visit(model.compass_error, 0);
   if (model.camera) visit(model.camera->error, 0);
   visit(model.radio_error, 0);
+  visit(model.gyroscope_error, 0);
+  visit(model.accelerometer_error, 0);
 }
 
 /// The names of the presets, from none to most.

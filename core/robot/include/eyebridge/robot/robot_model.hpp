@@ -13,18 +13,49 @@ namespace eyebridge::robot {
 // Definition structs: every field has a usable default, every one names its unit. The defaults are
 // those of an S4-sized EyeBot; readers of .robi and eyesim.p overwrite what their file says.
 
-/// A distance sensor (PSD): one ray.
+/// By what a distance sensor measures.
+enum class RangeKind {
+  Ray,         ///< Along one ray, exactly: what EyeSim calls a PSD.
+  Ultrasound,  ///< The first echo out of a cone.
+  Infrared,    ///< Along one ray, by triangulation: near things read as if they were far.
+};
+
+/// What an ultrasound sensor hears.
+struct UltrasoundModel {
+  double beam_width = deg_to_rad(30);  ///< Whole opening angle of its cone, radians, 0 … pi.
+  /// Surfaces that a ray of the cone meets at a larger angle of incidence (to their normal),
+  /// radians, mirror the sound away. 0 … pi/2; pi/2 is a rough surface, which is always heard.
+  double critical_angle = deg_to_rad(25);
+
+  friend bool operator==(const UltrasoundModel&, const UltrasoundModel&) = default;
+};
+
+/// The curve of a triangulating infrared sensor. Its signal is one over (range + `offset`) from
+/// `min_range` of the sensor on; nearer things lower it again, on a straight line, to `contact` of
+/// the greatest one where they touch. Who takes that signal for one of the long branch reads a
+/// nearer thing as a farther one.
+struct InfraredModel {
+  double offset = 0.0042;  ///< Metres.
+  double contact = 0.3;    ///< Share of the greatest signal, 0 … 1.
+
+  friend bool operator==(const InfraredModel&, const InfraredModel&) = default;
+};
+
+/// A distance sensor (PSD).
 struct RangeSensorModel {
   int id = 1;                   ///< As programs ask for it: PSDGet(id).
   std::string name;             ///< "PSD_FRONT"
   Pose pose_in_robot;           ///< Metres, radians; the ray leaves along theta.
   double height = 0.03;         ///< Metres above the floor.
-  double min_range = 0.0;       ///< Nearer surfaces read as `out_of_range`, metres.
+  double min_range = 0.0;       ///< Nearer surfaces read as `out_of_range`, or farther (Infrared).
   double max_range = 9.999;     ///< Farther surfaces read as `out_of_range`, metres.
   double out_of_range = 9.999;  ///< Metres: EyeSim's 9999 mm.
   RangeError error{};
   int semantics = 0;   ///< As classic programs ask for it, PSDInit(-205); 0: by name only.
   RangeTable table{};  ///< What `error.quantised` rounds to; empty: the sensor has no table.
+  RangeKind kind = RangeKind::Ray;
+  UltrasoundModel ultrasound{};  ///< Of that kind.
+  InfraredModel infrared{};      ///< Of that kind.
 
   friend bool operator==(const RangeSensorModel&, const RangeSensorModel&) = default;
 };
@@ -92,12 +123,25 @@ struct KickerModel {
   friend bool operator==(const KickerModel&, const KickerModel&) = default;
 };
 
-enum class DriveKind { Differential, Ackermann, Omni };
+/// How wheels make a robot move. Motors and encoders count from 0, programs from 1.
+enum class DriveKind {
+  Differential,  ///< Motor and encoder 0 left, 1 right.
+  Ackermann,     ///< As a car: motor 0 drives both rear wheels through a differential gear, a servo
+                 ///< steers the front ones. Encoders: rear wheels, 0 left, 1 right.
+  Omni,          ///< Four mecanum wheels: 0 front left, 1 front right, 2 back left, 3 back right.
+  Swedish,       ///< Three omnidirectional wheels about the centre, 120 degrees apart: 0 left front
+                 ///< (at 60 degrees), 1 right front, 2 back. 0 and 1 drive it forward, 2 takes the
+                 ///< back to the right: 0 backward, 1 and 2 forward turn it to the left.
+  Synchro,  ///< All wheels roll by motor 0 and are steered by motor 1, together; the body keeps
+            ///< its heading. Odometry's heading is where the wheels point.
+};
 
-/// Two driven wheels (or what stands for them) and the controller over them.
+/// Driven wheels and the controller over them.
 struct DriveModel {
   DriveKind kind = DriveKind::Differential;
-  double wheel_base = 0.09;              ///< Distance between the two wheels, metres.
+  /// Distance between left and right wheels, metres (Ackermann: the rear ones). Swedish: twice the
+  /// distance of a wheel from the centre.
+  double wheel_base = 0.09;
   double wheel_diameter = 0.054;         ///< Metres.
   double ticks_per_revolution = 1100;    ///< Encoder ticks a wheel turn.
   double max_wheel_speed = 62.83;        ///< Radians per second of the wheel.
@@ -106,7 +150,24 @@ struct DriveModel {
   double linear_acceleration = 1.0;      ///< Metres per second squared; 0 = no ramp.
   double angular_acceleration = 10.0;    ///< Radians per second squared; 0 = no ramp.
   double motor_time_constant = 0.0;  ///< Seconds until a wheel has 63 % of its speed; 0 = at once.
+  double axle_distance = 0.12;       ///< From rear to front axle, metres. Ackermann, Omni.
+  double rear_axle = 0.0;            ///< x of the rear axle in the robot, metres. Ackermann.
+  /// Most that the middle of the front wheels turns to either side, radians, < pi/2. Ackermann.
+  double max_steering = deg_to_rad(45);
+  double steering_speed =
+      0.0;  ///< Of the front wheels, radians per second; 0 = at once. Ackermann.
+  unsigned steering_servo = 0;  ///< Index: programs call it servo + 1. Ackermann.
 
+  /// How many motors there are, and how many encoders.
+  [[nodiscard]] unsigned motor_count() const;
+  [[nodiscard]] unsigned encoder_count() const;
+  /// Sharpest curve, 1 / metres: tan(max_steering) / axle_distance of an Ackermann drive; the
+  /// others know no limit: infinite.
+  [[nodiscard]] double max_curvature() const;
+  /// Whether servo number `servo` (an index) turns the front wheels.
+  [[nodiscard]] bool steers(unsigned servo) const {
+    return kind == DriveKind::Ackermann && servo == steering_servo;
+  }
   friend bool operator==(const DriveModel&, const DriveModel&) = default;
 };
 
@@ -124,6 +185,8 @@ struct RobotModel {
   std::optional<CameraModel> camera;
   std::optional<KickerModel> kicker;
   CompassError compass_error;
+  GyroscopeError gyroscope_error;
+  AccelerometerError accelerometer_error;
   RadioError radio_error;
 
   [[nodiscard]] double radius() const { return diameter / 2; }

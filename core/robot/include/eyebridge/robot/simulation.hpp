@@ -75,6 +75,13 @@ class Simulation {
   /// Adds a robot at `pose`. Throws std::invalid_argument when it would stand in something, or when
   /// its model cannot be (a wheel of diameter 0, a negative speed).
   RobotIndex add_robot(const RobotModel& model, const Pose& pose);
+  /// Takes a robot out of the world, for good: its motors stop and its body is gone. Indices of
+  /// others stay and its own is not used again; what it is asked for is as it was when it left, and
+  /// commands move nothing.
+  void remove_robot(RobotIndex robot);
+  /// False once it was removed.
+  [[nodiscard]] bool is_there(RobotIndex robot) const;
+  /// With those that were removed.
   [[nodiscard]] std::size_t robot_count() const;
   [[nodiscard]] const RobotModel& model(RobotIndex robot) const;
   [[nodiscard]] world::BodyId body(RobotIndex robot) const;
@@ -90,12 +97,22 @@ class Simulation {
 
   // Truth.
   [[nodiscard]] Pose pose(RobotIndex robot) const;
-  /// Moves a robot by hand, at rest; odometry does not notice. The running command goes on.
+  /// Moves a robot by hand, at rest; odometry does not notice. The running command goes on. One
+  /// that was removed stays away.
   void set_pose(RobotIndex robot, const Pose& pose);
   [[nodiscard]] Twist twist(RobotIndex robot) const;  ///< As driven in the last step.
+  /// The same of the robot's centre with its sideways part, which only some drives have.
+  [[nodiscard]] HolonomicTwist body_twist(RobotIndex robot) const;
+  /// Where the front wheels of an Ackermann drive, or all of a synchro one, point: radians from the
+  /// robot's front, counter-clockwise. 0 for all others.
+  [[nodiscard]] double steering(RobotIndex robot) const;
 
   // v-omega driving. Speeds and accelerations are clamped to the model's limits.
   void set_speed(RobotIndex robot, const Twist& twist);  ///< Until the next command.
+  /// The same for drives that can go sideways: `twist` in the robot's frame. Too much of it for a
+  /// wheel is scaled down as a whole. Differential and Ackermann drives leave the sideways part
+  /// out. Synchro ones have no turn: they steer their wheels there, the shorter way, and drive.
+  void set_twist(RobotIndex robot, const HolonomicTwist& twist);
   /// Replaces whatever is under way; the ramp starts from the speed the robot has. A goal of zero
   /// length, or with speed 0, is done at once and stops the robot. Ends exactly by odometry. A
   /// turn only slows down the way the robot had before, a straight the turn: neither is undone.
@@ -113,11 +130,17 @@ class Simulation {
   void set_odometry(RobotIndex robot, const Pose& pose);
   [[nodiscard]] Twist measured_twist(RobotIndex robot) const;
 
-  // Wheels: motor 0 is left, 1 is right. Using one takes the robot out of v-omega control.
+  // Wheels: which is which, and how many, is in DriveKind (differential: 0 left, 1 right). Using
+  // one, or the steering, takes the robot out of v-omega control.
   /// `duty` -1 … 1 of the model's top wheel speed; beyond, it is clamped without an error.
   void set_motor_duty(RobotIndex robot, unsigned motor, double duty);
   /// PID-controlled wheel speed, encoder ticks per second; clamped to the model's top speed.
   void set_motor_speed(RobotIndex robot, unsigned motor, double ticks_per_second);
+  /// The same in radians per second of the wheel.
+  void set_wheel(RobotIndex robot, unsigned motor, double radians_per_second);
+  /// Turns the front wheels of an Ackermann drive, radians, left is positive; clamped. So does the
+  /// model's steering servo. Throws std::out_of_range for other drives.
+  void set_steering(RobotIndex robot, double angle);
   /// Gains as the IO7 board takes them, 0 … 255 each (clamped); 4, 1, 1 by default.
   void set_motor_pid(RobotIndex robot, unsigned motor, int p, int i, int d);
   [[nodiscard]] std::int64_t encoder_ticks(RobotIndex robot, unsigned motor) const;
@@ -132,6 +155,10 @@ class Simulation {
   /// What read_range() would give without the sensor's error. Draws nothing: asking for it does not
   /// change a run.
   [[nodiscard]] double true_range(RobotIndex robot, std::size_t sensor) const;
+  /// How many other ultrasound sensors an ultrasound sensor may hear where robots stand now: those
+  /// of its own robot whose cones overlap with its own, for they look at the same walls, and those
+  /// of others that it looks at, nothing being between, and that look at it. 0 for other kinds.
+  [[nodiscard]] unsigned cross_talkers(RobotIndex robot, std::size_t sensor) const;
   [[nodiscard]] bool read_proximity(RobotIndex robot, std::size_t sensor);
   [[nodiscard]] bool read_bumper(RobotIndex robot, std::size_t bumper);
   /// Ranges of a scan of `points` rays over `field_of_view` radians centred on the front, from the
@@ -147,13 +174,23 @@ class Simulation {
   /// Heading in the world, radians counter-clockwise from +x, with the model's error.
   [[nodiscard]] double read_compass(RobotIndex robot);
 
+  /// Rate of turn, radians per second counter-clockwise, of the last step, with the model's error.
+  /// Its bias strays with the time of the simulation, however often it is asked.
+  [[nodiscard]] double read_gyroscope(RobotIndex robot);
+  /// Acceleration of the robot's centre in its own frame (x forward, y left), metres per second
+  /// squared, with the model's error: how its speed changed in the last step, and what holds it on
+  /// its curve. The floor is level: gravity is not in it. A collision is one step long, and larger
+  /// than a real device can say.
+  [[nodiscard]] Vec2 read_accelerometer(RobotIndex robot);
+
   /// What the noise of the robot's camera is seeded with: of the run's seed, as the devices'
   /// streams are, and shared with none of them.
   [[nodiscard]] std::uint64_t camera_noise_seed(RobotIndex robot) const;
 
   /// Turns a servo at once. `position` 0 … 1, clamped without an error; 0.5 is the middle and the
-  /// start. Servo 0 is pan (1 = left), 1 is tilt (1 = up); that of the model's kicker kicks. Throws
-  /// std::out_of_range unless `servo` < kServoCount.
+  /// start. Servo 0 is pan (1 = left), 1 is tilt (1 = up); that of the model's kicker kicks, the
+  /// steering one of an Ackermann drive steers (0 = left, as EyeSim's). Throws std::out_of_range
+  /// unless `servo` < kServoCount.
   void set_servo(RobotIndex robot, unsigned servo, double position);
   /// Where a servo stands, 0 … 1. Throws as set_servo() does.
   [[nodiscard]] double servo(RobotIndex robot, unsigned servo) const;

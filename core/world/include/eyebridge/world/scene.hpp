@@ -30,7 +30,7 @@ struct BodyView {
 /// A copy of what can be seen at one moment: cheap to take, read without locks.
 struct Scene {
   std::shared_ptr<const WorldModel> model;  ///< Walls, floor, markers: never change while running.
-  std::vector<BodyView> bodies;             ///< Robots and objects; in order of id.
+  std::vector<BodyView> bodies;             ///< Robots and objects that are there; in order of id.
   double time = 0.0;                        ///< Seconds since start.
 };
 

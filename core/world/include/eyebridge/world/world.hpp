@@ -64,6 +64,14 @@ class World {
   /// the message says which and by how much.
   BodyId add_robot(const Pose& pose, double radius, double height, Rgb colour);
 
+  /// Takes a robot's body out of the world: nothing meets, touches or sees it any more, and it
+  /// stays away. Its id is not used again; its pose is the last one it had. A second time does
+  /// nothing. Throws std::out_of_range for what is no robot's body.
+  void remove(BodyId id);
+  /// False once it was removed.
+  [[nodiscard]] bool is_there(BodyId id) const;
+
+  /// With those that were removed.
   [[nodiscard]] std::size_t body_count() const;
   /// How many of them are the model's objects: ids 0 … object_count() - 1.
   [[nodiscard]] std::size_t object_count() const;
@@ -79,7 +87,7 @@ class World {
   /// Kicks what rolls or slides by itself; does nothing to others. `velocity` is finite.
   void set_velocity(BodyId id, Vec2 velocity);
   /// Puts a body somewhere, at rest. No check: a person may put it into a wall. One on a path goes
-  /// on from there to the point that it was heading for.
+  /// on from there to the point that it was heading for. One that was removed stays away.
   void set_pose(BodyId id, const Pose& pose);
 
   /// Drives `id` along the chord of `arc`, up to the first contact that does not give way.
@@ -89,7 +97,7 @@ class World {
   /// put it there) only motions that lead out are possible. Objects on the way are pushed along the
   /// normal of the contact (of discs: the line of centres), and slip aside when they are squeezed
   /// against a wall or a robot not too steeply; `dt` is the duration of the step in seconds, from
-  /// which what rolls or slides gets its speed. `arc` is finite.
+  /// which what rolls or slides gets its speed. `arc` is finite, and `id` is there.
   MoveResult move(BodyId id, const Arc& arc, double dt);
   /// Moves what is on a path, rolls balls, and lets slide what slides, for `dt` seconds; called
   /// once a step, after the robots moved.
@@ -106,6 +114,12 @@ class World {
   void cast_sweep(Vec2 origin, std::span<const Vec2> directions, double gap, double max_range,
                   BodyId ignore, std::span<double> ranges) const;
 
+  /// How squarely a ray along the unit vector `direction` that ended at `place` (its origin + range
+  /// * direction, metres) met what it met there, other than `ignore`: the cosine of the angle of
+  /// incidence, 1 head on, 0 along the surface. Of surfaces that meet there the largest one. 0
+  /// where there is nothing within a micrometre.
+  [[nodiscard]] double incidence_cosine(Vec2 place, Vec2 direction, BodyId ignore) const;
+
   /// Appends the contacts of `id` as unit vectors from its centre in the world: walls and bodies
   /// nearer than `reach` metres to its rim. What stopped it counts even with `reach` 0. Walls come
   /// first, then bodies in order of id; each direction once.
@@ -120,6 +134,7 @@ class World {
   [[nodiscard]] bool is_free(Vec2 centre, double radius, BodyId ignore = kNoBody) const;
 
   [[nodiscard]] const WorldModel& model() const;
+  /// Without those that were removed.
   [[nodiscard]] Scene scene(double time) const;
   void add_to(StateHash& hash) const;
 

@@ -124,6 +124,9 @@ struct WorldModel {
 /// The walls of `maze`, in row order, one per edge: what `walls` of a maze's model holds.
 std::vector<Wall> walls_of(const MazeGrid& maze);
 
+/// Four walls round a floor of `width` x `height`, metres, counter-clockwise from (0, 0).
+std::vector<Wall> walls_around(double width, double height);
+
 /// Distance from `p` to the rim of `object`, metres; less than 0, or 0, within it.
 double rim_distance(const ObjectSpec& object, Vec2 p);
 

@@ -1,4 +1,4 @@
-#include "panel/save_picture.hpp"
+#include "parts/save_picture.hpp"
 
 #include <QBuffer>
 #include <QCoreApplication>

@@ -1,4 +1,4 @@
-#include "panel/frame_image.hpp"
+#include "parts/frame_image.hpp"
 
 namespace eyebridge::gui {
 namespace {

@@ -1,0 +1,65 @@
+#include "ask_run.hpp"
+
+#include <cstdio>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "command.hpp"
+#include "eyebridge/base/config_error.hpp"
+
+namespace eyebridge::apps {
+namespace {
+
+/// The door of the run `wanted`, or of the only one when that is 0.
+UniqueFd find_run(const char* command, pid_t wanted) {
+  if (wanted != 0) {
+    UniqueFd door = robios::knock(wanted);
+    if (door.valid()) return door;
+    throw ConfigError({"--run"}, fmt::format("found {}, expected the process of a run of several "
+                                             "robots",
+                                             wanted));
+  }
+  UniqueFd found;
+  std::vector<pid_t> there;
+  for (const pid_t pid : robios::doors()) {
+    UniqueFd door = robios::knock(pid);
+    if (!door.valid()) continue;
+    there.push_back(pid);
+    found = std::move(door);
+  }
+  if (there.size() == 1) return found;
+  if (there.empty()) {
+    throw ConfigError({command},
+                      "found no run of several robots (--robots, or a .sim file whose "
+                      "robots name their programs), expected one of this user");
+  }
+  throw ConfigError({command}, fmt::format("found {} runs, expected one: --run {} says which",
+                                           there.size(), fmt::join(there, " or --run ")));
+}
+
+}  // namespace
+
+int ask_run(const char* command, pid_t wanted, const robios::Words& words) {
+  const UniqueFd door = find_run(command, wanted);
+  if (!robios::send_words(door, words)) {
+    throw ConfigError({command}, fmt::format("the run could not be told: expected at most {} bytes "
+                                             "of words, and a run that has not ended",
+                                             robios::kLongestMessage));
+  }
+  const auto answer = robios::receive_words(door);
+  if (!answer || answer->size() != 2) {
+    std::fprintf(stderr, "eyebridge: the run has ended\n");
+    return kFailed;
+  }
+  if (answer->front() == "ok") {
+    std::printf("%s\n", answer->back().c_str());
+    return kFine;
+  }
+  std::fprintf(stderr, "eyebridge: %s\n", answer->back().c_str());
+  return kFailed;
+}
+
+}  // namespace eyebridge::apps

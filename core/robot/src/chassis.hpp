@@ -1,0 +1,123 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "drive_faults.hpp"
+#include "eyebridge/base/hash.hpp"
+#include "eyebridge/robot/arc.hpp"
+#include "eyebridge/robot/drive_controller.hpp"
+#include "eyebridge/robot/robot_model.hpp"
+#include "motor.hpp"
+
+namespace eyebridge::robot {
+
+/// A number for each wheel: travel of its rim in a step, metres, or its speed. 0 for those that a
+/// drive does not have.
+using Rims = std::array<double, kMostWheels>;
+
+/// How one step of the ground differs from what wheels make of it.
+struct Ground {
+  double way = 1.0;     ///< Factor of the way.
+  double turn = 1.0;    ///< Factor of the turn.
+  double uneven = 0.0;  ///< By how much more, as a fraction, the right side rolls than the left.
+};
+
+/// A wheel of a chassis, its motor, if it has one of its own, and its encoder.
+struct ChassisWheel {
+  Wheel wheel;
+  MotorModel motor;
+  MotorCommand command;
+  std::int64_t seen_ticks = 0;  ///< By odometry, where it sees whole ticks only.
+  double side = 0.0;            ///< 1 left, -1 right, 0 on the middle line.
+};
+
+/// Wheels, motors and steering of a drive that is no differential one, and what they do to the
+/// robot. One step: follow() or run(), then ground() and seen(), then settle().
+///
+/// Which wheel is which: DriveKind. Metres, radians, seconds.
+class Chassis {
+ public:
+  /// All wheels alike, with `motor`.
+  Chassis(const DriveModel& model, const MotorModel& motor);
+  virtual ~Chassis() = default;
+  Chassis(const Chassis&) = delete;
+  Chassis& operator=(const Chassis&) = delete;
+
+  /// Drives the motors for a step as `controller` wants, which asks for `twist` in this one; what
+  /// the rims do then.
+  virtual Rims follow(const DriveController& controller, const Twist& twist) = 0;
+  /// Likewise by the commands that motors and steering have of their own.
+  virtual Rims run();
+  /// What the ground makes of the rims' travel.
+  [[nodiscard]] virtual BodyStep ground(const Rims& travel, const Ground& ground) const = 0;
+  /// What odometry makes of it: `forward` and `angle` are what the controller counts.
+  [[nodiscard]] virtual BodyStep seen(const Rims& travel) const = 0;
+  /// The step is over: so far the rims went; with `held` an obstacle stopped them.
+  virtual void settle(const Rims& travel, const Ground& ground, bool held);
+  /// Whether something that holds the robot holds wheel `wheel`.
+  [[nodiscard]] virtual bool is_held(std::size_t /*wheel*/) const { return true; }
+  /// True while the controller wants what this drive cannot do at all: a turn on the spot.
+  [[nodiscard]] virtual bool is_stuck() const { return false; }
+  /// True when nothing but motors and controller would go on by itself.
+  [[nodiscard]] virtual bool is_settled() const { return true; }
+
+  /// Starts `goal` with `controller`, from the speed `present`.
+  virtual void start(const DriveGoal& goal, const Twist& present, DriveController& controller);
+  /// Asked after each step: goes on with what is left of a goal.
+  virtual void go_on(DriveController& /*controller*/) {}
+  /// Drives at `twist` with `controller`, from `present`, as nearly as such wheels can.
+  virtual void set_twist(const HolonomicTwist& twist, const Twist& present,
+                         DriveController& controller);
+  /// Another command comes: what the last set_twist() or start() left here is void.
+  virtual void release() {}
+  /// Likewise, and at once.
+  virtual void stop() { release(); }
+  /// The wheels stand still at once; the running command goes on.
+  virtual void halt();
+
+  /// Turns the steering by hand from now on, clamped; does nothing where there is none.
+  virtual void set_steering(double /*angle*/) {}
+  /// Where the steered wheels point, radians from the robot's front.
+  [[nodiscard]] virtual double steering() const { return 0.0; }
+
+  virtual void add_to(StateHash& hash) const;
+
+  /// Of what the motors do now: how fast the robot goes …
+  [[nodiscard]] Twist present() const;
+  /// … and how far it rolls when they are told to stand still.
+  [[nodiscard]] PathStep rolling() const;
+  /// True when no motor has a command to turn.
+  [[nodiscard]] bool is_commanded() const;
+  /// True when no rim is faster than `speed`.
+  [[nodiscard]] bool stands(double speed) const;
+  /// Drops the motors' commands.
+  void drop_commands();
+
+  /// Throws std::out_of_range when there is no such motor, or encoder.
+  ChassisWheel& motor(unsigned index);
+  ChassisWheel& encoder(unsigned index) { return wheels_.at(index); }
+  std::vector<ChassisWheel>& wheels() { return wheels_; }
+
+ protected:
+  /// What the rims do when the motors do that: the same, unless a gear is between.
+  [[nodiscard]] virtual Rims rims_of(const Rims& motors) const { return motors; }
+  /// Drives motor `index` with PID, at `speed` of the rim; its travel.
+  double drive(std::size_t index, double speed) {
+    return wheels_[index].wheel.drive_controlled(speed, wheels_[index].motor);
+  }
+
+  std::vector<ChassisWheel> wheels_;
+  unsigned motor_count_;
+};
+
+/// Mecanum wheels and three omnidirectional ones.
+std::unique_ptr<Chassis> make_omni(const DriveModel& model, const MotorModel& motor);
+std::unique_ptr<Chassis> make_ackermann(const DriveModel& model, const MotorModel& motor);
+std::unique_ptr<Chassis> make_synchro(const DriveModel& model, const MotorModel& motor);
+/// Null for a differential drive.
+std::unique_ptr<Chassis> make_chassis(const DriveModel& model, const MotorModel& motor);
+
+}  // namespace eyebridge::robot

@@ -1,0 +1,149 @@
+// `eyebridge remove`: a robot leaves a run that is under way.
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "command.hpp"
+#include "running_program.hpp"
+
+namespace eyebridge {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::RunningProgram;
+
+/// Robot 1 looks at robot 2, which drives round and round; robot 3 stands in a corner.
+class Remove : public ::testing::TestWithParam<const char*> {
+ protected:
+  Remove() {
+    folder_.write("room.wld",
+                  "floor 3000 3000\n0 0 3000 0\n3000 0 3000 3000\n3000 3000 0 3000\n0 3000 0 0\n");
+    sim_ = folder_.write(
+        "room.sim", "world room.wld\nS4 500 500 0 looks\nS4 2000 500 0 turns\nS4 2500 2500 0\n");
+    // Says what is ahead when that changes, and ends when a radio says so.
+    folder_.write("looks.c",
+                  "#include <eyebot.h>\n#include <stdio.h>\nint main(void) {\n"
+                  "  char text[20] = \"\"; int id = 0, far = 0, heard = 0;\n  RADIOInit();\n"
+                  "  while (text[0] != 'e') {\n    int ids[10];\n"
+                  "    const int is_far = PSDGet(PSD_FRONT) > 2000, count = RADIOStatus(ids);\n"
+                  "    if (!heard && count == 2) { puts(\"hears 2\"); heard = 1; }\n"
+                  "    if (is_far && !far && heard) printf(\"far, hears %d\\n\", count);\n"
+                  "    if (heard) far = is_far;\n    fflush(stdout);\n"
+                  "    if (RADIOCheck() > 0) RADIOReceive(&id, text, sizeof text);\n"
+                  "    OSWait(20);\n  }\n  return 0;\n}\n");
+    folder_.write("turns.c",
+                  "#include <eyebot.h>\nint main(void) {\n  RADIOInit();\n"
+                  "  VWSetSpeed(0, 90);\n  LCDPrintf(\"going\");\n"
+                  "  for (;;) OSWait(10);\n}\n");
+    folder_.write("says.c",
+                  "#include <eyebot.h>\nint main(void) {\n  RADIOInit();\n"
+                  "  return RADIOSend(1, \"end\");\n}\n");
+    const auto built = testing::run_shell(
+        "for p in looks turns says; do eyebridge-cc $p.c -o $p || exit 1; done", folder_.path());
+    EXPECT_EQ(built.exit_code, 0) << built.err;
+  }
+  [[nodiscard]] std::map<std::string, std::string> own_place() const {
+    return {{"XDG_RUNTIME_DIR", folder_.path()}, {"XDG_CONFIG_HOME", "/nonexistent"}};
+  }
+  [[nodiscard]] testing::ProgramStart start() const {
+    return {{EYEBRIDGE_BIN "/eyebridge", "run", GetParam(), "--world", sim_, "--out", "out",
+             "--log", "info"},
+            own_place(),
+            folder_.path()};
+  }
+  [[nodiscard]] testing::ProgramRun ask(const std::vector<std::string>& words) const {
+    return testing::run_command(words, folder_.path(), own_place());
+  }
+  [[nodiscard]] std::string error(const std::vector<std::string>& words) const {
+    const auto r = ask(words);
+    EXPECT_NE(r.exit_code, 0);
+    EXPECT_EQ(r.out, "");
+    return r.err;
+  }
+  [[nodiscard]] std::string result(const char* name) const {
+    return testing::file_text(folder_.path() + "/out/" + name);
+  }
+
+  testing::ScratchFolder folder_;
+  std::string sim_;
+};
+
+TEST_P(Remove, EndsAProgramAndTakesItsRobotOutOfTheWorld) {
+  RunningProgram run(start());
+  run.wait_for("hears 2\n");
+  const auto removed = ask({"remove", "2"});
+  EXPECT_EQ(removed.out, "2\n") << removed.err;
+  EXPECT_EQ(removed.exit_code, 0);
+  // No rays end at it, and its radio is silent.
+  EXPECT_THAT(run.wait_for("far, hears"), HasSubstr("far, hears"));
+  EXPECT_THAT(run.wait_for("\n"), HasSubstr("far, hears 1\n"));
+  EXPECT_THAT(result("robot-2/lcd.txt"), HasSubstr("going"));
+  EXPECT_NE(result("robot-2/trace.csv"), "");
+  // The others keep their numbers; its own is not used again, its place is.
+  EXPECT_EQ(ask({"add", "S4", "2000", "500", "0", "says"}).out, "4\n");
+  EXPECT_EQ(run.wait(), 0) << run.said();
+  EXPECT_THAT(run.said(), HasSubstr("eyebridge: 3 robots, "));
+  EXPECT_THAT(run.said(), HasSubstr("robot 2 is removed"));
+}
+
+TEST_P(Remove, ARobotWithoutAProgramLeavesToo) {
+  RunningProgram run(start());
+  run.wait_for("hears 2\n");
+  EXPECT_THAT(error({"add", "S4", "2500", "2500", "0"}), HasSubstr("would stand in robot 3"));
+  EXPECT_EQ(ask({"remove", "3"}).out, "3\n");
+  EXPECT_EQ(ask({"add", "S4", "2500", "2500", "0"}).out, "4\n");
+  EXPECT_EQ(run.finish(SIGTERM), 128 + SIGTERM) << run.said();
+}
+
+TEST_P(Remove, WhoIsNotThereIsRefusedAndTheRunGoesOn) {
+  RunningProgram run(start());
+  run.wait_for("hears 2\n");
+  EXPECT_EQ(error({"remove", "4"}), "eyebridge: no robot 4, the world has 3\n");
+  EXPECT_THAT(error({"remove", "0"}), HasSubstr("found '0', expected the number of a robot"));
+  EXPECT_THAT(error({"remove", "two"}), HasSubstr("found 'two', expected the number of a robot"));
+  EXPECT_THAT(error({"remove"}), HasSubstr("NUMBER is required"));
+  EXPECT_EQ(ask({"remove", "2"}).out, "2\n");
+  EXPECT_EQ(error({"remove", "2"}), "eyebridge: robot 2 has been removed\n");
+  EXPECT_EQ(ask({"add", "S4", "1000", "1500", "0", "says"}).out, "4\n");
+  EXPECT_EQ(run.wait(), 0) << run.said();
+}
+
+TEST_P(Remove, ARunWhoseLastProgramIsRemovedEnds) {
+  RunningProgram run(start());
+  run.wait_for("hears 2\n");
+  EXPECT_EQ(ask({"remove", "1"}).out, "1\n");
+  EXPECT_EQ(ask({"remove", "2"}).out, "2\n");
+  EXPECT_EQ(run.wait(), 0) << run.said();
+  EXPECT_THAT(error({"remove", "3"}), HasSubstr("remove: found no run of several robots"));
+}
+
+TEST_P(Remove, EndsAProgramInAProcessOfItsOwn) {
+  folder_.write("turns.py",
+                "import time\nfrom eye import *\nRADIOInit()\nVWSetSpeed(0, 90)\n"
+                "LCDPrintf('going')\nwhile True:\n    OSWait(10)\n");
+  sim_ = folder_.write("room.sim", "world room.wld\nS4 500 500 0 looks\nS4 2000 500 0 turns.py\n");
+  RunningProgram run(start());
+  run.wait_for("hears 2\n");
+  const auto removed = ask({"remove", "2"});
+  EXPECT_EQ(removed.out, "2\n") << removed.err;
+  EXPECT_THAT(run.wait_for("far, hears"), HasSubstr("far, hears"));
+  EXPECT_THAT(run.wait_for("\n"), HasSubstr("far, hears 1\n"));
+  EXPECT_THAT(result("robot-2/lcd.txt"), HasSubstr("going"));
+  EXPECT_EQ(ask({"add", "S4", "1000", "1500", "0", "says"}).out, "3\n");
+  EXPECT_EQ(run.wait(), 0) << run.said();
+  EXPECT_THAT(run.said(), Not(HasSubstr("Traceback")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Clocks, Remove, ::testing::Values("--fast", "--factor=5"),
+                         [](const auto& clock) {
+                           return std::string(clock.index == 0 ? "Virtual" : "Real");
+                         });
+
+}  // namespace
+}  // namespace eyebridge
