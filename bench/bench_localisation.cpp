@@ -1,5 +1,5 @@
 // Monte-Carlo localisation: one motion and one scan of 60 beams for 5,000 particles, beside the
-// same update done the plain ways.
+// same update done the plain ways. Scan matching on the same floor, beside a search without bounds.
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -10,6 +10,7 @@
 
 #include "bench_worlds.hpp"
 #include "eyebridge/localisation/monte_carlo.hpp"
+#include "eyebridge/localisation/scan_matcher.hpp"
 #include "eyebridge/mapping/distance_field.hpp"
 #include "eyebridge/world/ray_caster.hpp"
 
@@ -172,6 +173,39 @@ void monte_carlo(benchmark::State& state) {
   state.counters["x_rays"] = rate / with_rays;
 }
 BENCHMARK(monte_carlo)->Name("MonteCarlo/5000x60")->Unit(benchmark::kMillisecond);
+
+/// CPU seconds of one match from 15 cm and 10 degrees off.
+double match_seconds(const ScanMatcher& matcher) {
+  const Setting& in = setting();
+  const Pose guess = transform(in.poses[0], {0.12, -0.09, 0.17});
+  const double start = cpu_seconds();
+  double spent = 0.0;
+  int matches = 0;
+  while (spent < 0.5) {
+    benchmark::DoNotOptimize(matcher.match(guess, in.scans[0]));
+    ++matches;
+    spent = cpu_seconds() - start;
+  }
+  return spent / matches;
+}
+
+void scan_matching(benchmark::State& state) {
+  const Setting& in = setting();
+  MatchSettings every_shift;
+  every_shift.block = 1;
+  const double plain = match_seconds(ScanMatcher(in.walls, every_shift));
+  const ScanMatcher matcher(in.walls, {});
+  for (auto _ : state) benchmark::DoNotOptimize(matcher.match(in.poses[0], in.scans[0]));
+  state.counters["match_ms"] = 1e3 * match_seconds(matcher);
+  state.counters["every_shift_ms"] = 1e3 * plain;
+}
+BENCHMARK(scan_matching)->Name("ScanMatcher/60")->Unit(benchmark::kMillisecond);
+
+/// What a new map costs: tables of 160,000 cells.
+void matcher_made(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(ScanMatcher(setting().walls, {}));
+}
+BENCHMARK(matcher_made)->Name("ScanMatcher/new")->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace eyebridge

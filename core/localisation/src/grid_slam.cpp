@@ -2,42 +2,42 @@
 
 #include <cmath>
 #include <stdexcept>
-
-#include "log_odds_map.hpp"
+#include <vector>
 
 namespace eyebridge::localisation {
-namespace {
-
-const GridSlamSettings& checked_slam(const GridSlamSettings& s) {
-  const bool good = s.geometry.columns > 0 && s.geometry.rows > 0 && s.geometry.resolution > 0.0 &&
-                    s.update_distance >= 0.0 && s.update_turn >= 0.0 && s.met > 0.0 &&
-                    s.crossed < 0.0 && s.limit > 0.0;
-  if (!good) throw std::invalid_argument("grid SLAM: settings out of range");
-  return s;
-}
-
-}  // namespace
-
-struct GridSlam::Map {
-  explicit Map(const GridSlamSettings& s)
-      : cells(s.geometry, static_cast<float>(s.met), static_cast<float>(s.crossed),
-              static_cast<float>(s.limit)) {}
-
-  LogOddsMap cells;
-};
 
 GridSlam::GridSlam(const GridSlamSettings& settings, const Pose& start)
-    : settings_(checked_slam(settings)), map_(std::make_unique<Map>(settings)), pose_(start) {
+    : settings_(settings),
+      map_(settings.geometry, settings.occupancy),
+      mapper_(settings.beam),
+      pose_(start) {
+  if (!(settings.update_distance >= 0.0 && settings.update_turn >= 0.0)) {
+    throw std::invalid_argument("grid SLAM: settings out of range");
+  }
   // Says now what is wrong with them, not at the second scan.
   (void)ScanMatcher(mapping::Raster<std::uint8_t>(mapping::GridGeometry{{}, 1.0, 1, 1}),
                     settings.match);
 }
 
-GridSlam::~GridSlam() = default;
-GridSlam::GridSlam(GridSlam&&) noexcept = default;
-GridSlam& GridSlam::operator=(GridSlam&&) noexcept = default;
+Result<void> GridSlam::draw(const Scan& scan) {
+  const Heading heading = Heading::from_angle(pose_.theta);
+  std::vector<Vec2> directions;
+  std::vector<double> ranges;
+  const auto add_rays = [&](const std::vector<Vec2>& ends, bool met) {
+    for (const Vec2 end : ends) {
+      const Vec2 ray = end - scan.origin;
+      const double range = norm(ray);
+      if (!(range > 0.0)) continue;
+      directions.push_back(heading.rotate((1.0 / range) * ray));
+      ranges.push_back(met ? range : settings_.beam.out_of_range);
+    }
+  };
+  add_rays(scan.hits, true);
+  add_rays(scan.misses, false);
+  return mapper_.insert(map_, pose_.position() + heading.rotate(scan.origin), directions, ranges);
+}
 
-GridSlam::Outcome GridSlam::add(const Pose& odometry, const Scan& scan) {
+Result<GridSlam::Outcome> GridSlam::add(const Pose& odometry, const Scan& scan) {
   const bool first = !odometry_;
   if (!first) pose_ = transform(pose_, relative_to(*odometry_, odometry));
   odometry_ = odometry;
@@ -46,8 +46,8 @@ GridSlam::Outcome GridSlam::add(const Pose& odometry, const Scan& scan) {
     const bool turned =
         std::abs(wrap_angle(odometry.theta - fitted_.theta)) >= settings_.update_turn;
     if (!moved && !turned) return Outcome::Skipped;
-    const ScanMatcher matcher(map_->cells.occupied(), settings_.match);
-    const std::optional<ScanMatch> match = matcher.match(pose_, scan);
+    const std::optional<ScanMatch> match =
+        ScanMatcher(occupied(), settings_.match).match(pose_, scan);
     if (!match) {
       ++unmatched_;
       return Outcome::Unmatched;
@@ -56,12 +56,16 @@ GridSlam::Outcome GridSlam::add(const Pose& odometry, const Scan& scan) {
     last_match_ = match;
   }
   fitted_ = odometry;
-  map_->cells.insert(pose_, scan);
-  return Outcome::Added;
+  return draw(scan).map([] { return Outcome::Added; });
 }
 
-const mapping::Raster<float>& GridSlam::log_odds() const { return map_->cells.log_odds(); }
-
-mapping::Raster<std::uint8_t> GridSlam::occupied() const { return map_->cells.occupied(); }
+mapping::Raster<std::uint8_t> GridSlam::occupied() const {
+  mapping::Raster<std::uint8_t> out(map_.geometry());
+  const std::vector<float>& values = map_.raster().cells;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    out.cells[i] = map_.state_of(values[i]) == mapping::CellState::Occupied ? 1 : 0;
+  }
+  return out;
+}
 
 }  // namespace eyebridge::localisation

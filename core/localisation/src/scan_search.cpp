@@ -8,6 +8,9 @@
 namespace eyebridge::localisation {
 namespace {
 
+// Standard deviations from which on a hit counts for nothing: 2e-8.
+constexpr double kNoScore = 6.0;
+
 const MatchSettings& checked_match(const MatchSettings& s) {
   const bool good = s.window > 0.0 && s.turn_window > 0.0 && s.turn_window <= kPi &&
                     s.sigma > 0.0 && s.least_score >= 0.0 && s.least_score <= 1.0 && s.block > 0 &&
@@ -63,6 +66,7 @@ ScanMatcher::ScanMatcher(const mapping::Raster<std::uint8_t>& occupied,
   for (int row = 0; row < where.rows; ++row) {
     for (int column = 0; column < where.columns; ++column) {
       const double z = distances_[{column, row}] / settings.sigma;
+      if (z > kNoScore) continue;
       score_[static_cast<std::size_t>((row + padding_) * stride_ + column + padding_)] =
           static_cast<float>(exp_of(-0.5 * z * z));
     }
