@@ -75,6 +75,45 @@ std::uint64_t run_program(const std::string& seed, TraceSink* trace) {
   return readings.value();
 }
 
+files::Scenario scenario_with(robot::DriveKind kind) {
+  files::Scenario scenario = rig_scenario(1.5);
+  scenario.models.front().drive.kind = kind;
+  return scenario;
+}
+
+std::vector<std::string> names_of(const std::vector<DeviceFacts>& facts) {
+  std::vector<std::string> names;
+  for (const DeviceFacts& device : facts) names.push_back(device.name);
+  return names;
+}
+
+TEST(SimBackend, HasTheMotorsOfItsKindOfDrive) {
+  const Rig omni = open({{"fast", "true"}}, scenario_with(robot::DriveKind::Omni));
+  EXPECT_NE(omni.backend->motor(4), nullptr);
+  EXPECT_EQ(omni.backend->motor(5), nullptr);
+  EXPECT_THAT(names_of(omni.backend->facts_of("motor")),
+              ElementsAre("MOTOR_FL", "MOTOR_FR", "MOTOR_BL", "MOTOR_BR"));
+  EXPECT_THAT(names_of(omni.backend->facts_of("encoder")),
+              ElementsAre("QUAD_FL", "QUAD_FR", "QUAD_BL", "QUAD_BR"));
+  for (const int id : {1, 2, 3, 4}) {
+    ASSERT_TRUE(omni.backend->motor(id)->set_duty(id == 2 || id == 3 ? 0.1 : -0.1));
+  }
+  omni.wait(0.5);
+  EXPECT_GT(omni.backend->drive()->odometry().value().y, 0.05);
+  EXPECT_NEAR(omni.backend->drive()->odometry().value().x, 0.0, 1e-9);
+  EXPECT_GT(omni.backend->encoder(3)->read().value(), 100);
+
+  const Rig car = open({{"fast", "true"}}, scenario_with(robot::DriveKind::Ackermann));
+  EXPECT_NE(car.backend->motor(1), nullptr);
+  EXPECT_EQ(car.backend->motor(2), nullptr);
+  EXPECT_NE(car.backend->encoder(2), nullptr);
+  EXPECT_NE(car.backend->servo(1), nullptr);
+
+  const Rig three = open({{"fast", "true"}}, scenario_with(robot::DriveKind::Swedish));
+  EXPECT_NE(three.backend->encoder(3), nullptr);
+  EXPECT_EQ(three.backend->motor(4), nullptr);
+}
+
 TEST(SimBackend, RepeatsARunOfTheSameSeedBitForBit) {
   HashingTrace first;
   HashingTrace second;

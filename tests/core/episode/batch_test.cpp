@@ -153,6 +153,10 @@ TEST(EpisodeBatch, RefusesWhatCannotBe) {
   auto nobody = room();
   nobody->robots.clear();
   EXPECT_THROW(EpisodeBatch({nobody}, {}), std::invalid_argument);
+  auto car = room();
+  car->models[0] = *files::builtin_robot("Car");
+  EXPECT_THROW(EpisodeBatch({car}, {.action = Action::Wheels}), std::invalid_argument);
+  EXPECT_NO_THROW(EpisodeBatch({car}, {.action = Action::Speed}));
 }
 
 TEST(EpisodeBatch, RefusesActionsThatCannotBe) {
