@@ -58,7 +58,7 @@ install(FILES "${lab}/place.sh" "${lab}/kernel.config" "${lab}/change_source.py"
         DESTINATION share/eyebridge/lab)
 
 # The component episode: simulations in one's own process, C++.
-foreach(room base world robot files episode)
+foreach(room base world robot mapping files episode)
   set_target_properties(eyebridge_${room} PROPERTIES EXPORT_NAME ${room})
   target_include_directories(eyebridge_${room} INTERFACE $<INSTALL_INTERFACE:include/eyebridge-core>)
   target_compile_features(eyebridge_${room} INTERFACE cxx_std_20)

@@ -12,6 +12,7 @@
 #include "firmware_entry.hpp"
 #include "gui_entry.hpp"
 #include "host_entry.hpp"
+#include "map_entry.hpp"
 #include "plant_link_entry.hpp"
 #include "seat_entry.hpp"
 #include "sweep_entry.hpp"
@@ -41,6 +42,9 @@ constexpr Target kTargets[] = {{"world", world},
                                {"errors", errors},
                                {"faults", faults},
                                {"hand", hand},
+                               {"map_yaml", map_yaml},
+                               {"map_pgm", map_pgm},
+                               {"map_csv", map_csv},
                                {"message", message},
                                {"radio", radio},
                                {"radio_datagram", radio_datagram},

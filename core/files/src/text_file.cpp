@@ -1,19 +1,21 @@
 #include <fstream>
+#include <string>
 #include <system_error>
 
 #include "eyebridge/files/readers.hpp"
+#include "file_bytes.hpp"
 #include "text.hpp"
 
 namespace eyebridge::files {
 
-std::string read_text_file(const std::filesystem::path& path) {
+std::string read_bytes(const std::filesystem::path& path, const std::string& what) {
   const std::string name = path.string();
   const auto refuse = [&](const std::string& why) { throw ConfigError({name, 0, 0}, why); };
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) refuse("no such file");
   // A pipe or device could block or never end.
-  if (!std::filesystem::is_regular_file(status)) refuse("is not a file: expected a text file");
+  if (!std::filesystem::is_regular_file(status)) refuse("is not a file: expected " + what);
   const auto size = std::filesystem::file_size(path, error);
   if (error) refuse("cannot be read: " + error.message());
   if (size > kMaxFileSize) {
@@ -26,7 +28,12 @@ std::string read_text_file(const std::filesystem::path& path) {
   in.read(text.data(), static_cast<std::streamsize>(size));
   if (in.bad()) refuse("cannot be read");
   text.resize(static_cast<std::size_t>(in.gcount()));  // it may have shrunk meanwhile
-  check_text(text, name);
+  return text;
+}
+
+std::string read_text_file(const std::filesystem::path& path) {
+  std::string text = read_bytes(path, "a text file");
+  check_text(text, path.string());
   return text;
 }
 

@@ -1,10 +1,9 @@
 #include "eyebridge/mapping/ground_truth.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
-#include <vector>
+#include <string>
 
 namespace eyebridge::mapping {
 namespace {
