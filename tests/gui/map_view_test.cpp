@@ -18,7 +18,6 @@ namespace eyebridge::gui {
 namespace {
 
 using robios::MapBoard;
-using robios::MapLook;
 
 mapping::Raster<std::uint8_t> picture_of(const mapping::OccupancyGrid& grid) {
   return mapping::picture_of(grid, mapping::PictureKind::Probabilities);
