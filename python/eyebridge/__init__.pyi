@@ -183,6 +183,76 @@ class Simulation:
         """Of everything that moves: equal runs have equal hashes."""
 
 
+class OccupancyGrid:
+    """How probable it is that something stands in each cell of a floor: a belief, or a map. Log-odds, ln(p / (1 - p))."""
+
+    def __init__(
+        self, width: float, height: float, *, resolution: float = 0.05, origin: tuple[float, float] = (0.0, 0.0),
+        prior: float = 0.5, growing: bool = False, half_life: float = 0.0,
+    ) -> None:
+        """Nothing is known of a floor of `width` x `height` whose lower left corner is `origin`. `growing`: evidence beyond
+        moves the bounds. `half_life`: seconds in which decay() halves what is known, 0 for never. Raises ValueError."""
+    @staticmethod
+    def truth_of(scenario: Scenario, *, resolution: float = 0.05, objects: bool = False) -> OccupancyGrid:
+        """What stands in a scenario's world: its walls, and with `objects` its boxes and cans."""
+    @staticmethod
+    def load(path: str | os.PathLike[str]) -> OccupancyGrid:
+        """Reads a ROS map (.yaml, with its .pgm) or .csv. Raises ConfigError; warns of what is odd."""
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes a ROS map (.yaml, and .pgm beside it), .csv or a picture (.png). Raises ConfigError, RuntimeError."""
+    @property
+    def resolution(self) -> float:
+        """Edge length of a cell."""
+    @property
+    def origin(self) -> tuple[float, float]:
+        """x, y of the lower left corner."""
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns."""
+    @property
+    def revision(self) -> int:
+        """Counts changes."""
+    @property
+    def log_odds(self) -> NDArray[numpy.float32]:
+        """All cells, [row, column] from the lower left one: a read-only view, of this moment until the bounds move."""
+    @property
+    def probabilities(self) -> NDArray[numpy.float64]:
+        """The same as probabilities. A copy."""
+    @property
+    def picture(self) -> NDArray[numpy.uint8]:
+        """The greys of ROS's maps: 0 occupied, 205 unknown, 254 free. A copy, [row, column] likewise."""
+    def probability(self, x: float, y: float) -> float:
+        """Of the cell at (x, y); the prior outside."""
+    def state(self, x: float, y: float) -> Literal["free", "occupied", "unknown"]:
+        """By ROS's thresholds, 0.196 and 0.65."""
+    def set_probability(self, x: float, y: float, probability: float) -> None:
+        """Makes a cell that probable. Raises IndexError outside, ValueError unless 0 … 1."""
+    def update(self, x: float, y: float, probability: float) -> None:
+        """Bayes' rule: `probability` of the cell by one reading alone. Raises ValueError."""
+    def clear(self) -> None:
+        """Everything back to the prior."""
+    def decay(self, seconds: float) -> None:
+        """What is known fades by the half-life."""
+    def agreement(self, truth: OccupancyGrid, tolerance: int = 1) -> dict[str, Any]:
+        """How much of this belief is right: {"observed": cells, "agreeing": cells, "share": 0 … 1}; walls may be found
+        `tolerance` cells beside. Raises ValueError for grids whose cells do not lie alike."""
+    def coverage(self, truth: OccupancyGrid, x: float, y: float) -> float:
+        """Share of the cells that can be reached from (x, y), by `truth`, of which something is known."""
+
+class RobotMapper:
+    """Takes readings of a robot's sensors into grids, each by the inverse model of its own errors."""
+
+    def __init__(self, robot: Robot) -> None: ...
+    def insert_range(self, grid: OccupancyGrid, pose: tuple[float, float, float], sensor: int, range: float) -> None:
+        """A reading of distance sensor `sensor` (0 is the first of `psd_ids`) of the robot at `pose`. NaN says nothing.
+        Raises ValueError for a pose that is not finite or a grid that cannot grow, IndexError for no such sensor."""
+    def insert_ranges(self, grid: OccupancyGrid, pose: tuple[float, float, float], ranges: ArrayLike) -> None:
+        """Of all, as Robot.psds() gives them."""
+    def insert_lidar(
+        self, grid: OccupancyGrid, pose: tuple[float, float, float], ranges: ArrayLike, field_of_view: float = ...
+    ) -> None:
+        """A scan, as Robot.lidar() gives it; a full circle unless said otherwise."""
+
 class Episode(Simulation):
     """A simulation with a reward that is asked after every step and summed up."""
 

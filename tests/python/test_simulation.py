@@ -1,8 +1,10 @@
 """The module eyebridge: worlds, robots and pictures as numpy arrays."""
 
 import math
+import pathlib
 import subprocess
 import sys
+import tempfile
 import threading
 import unittest
 
@@ -302,6 +304,71 @@ class Cameras(unittest.TestCase):
         sim.close()
         with self.assertRaises(RuntimeError):
             camera.frame()
+
+
+class Grids(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def test_bayes_rule_by_hand(self):
+        grid = eyebridge.OccupancyGrid(1.0, 1.0, resolution=0.1)
+        for reading in (0.7, 0.7, 0.4):
+            grid.update(0.55, 0.25, reading)
+        odds = (0.7 / 0.3) ** 2 * 0.4 / 0.6
+        self.assertAlmostEqual(grid.probability(0.55, 0.25), odds / (1 + odds), places=6)
+        self.assertEqual(grid.state(0.55, 0.25), "occupied")
+        self.assertAlmostEqual(grid.log_odds[2, 5], math.log(odds), places=5)
+        self.assertEqual(grid.probability(0.05, 0.05), 0.5)
+
+    def test_the_view_follows_and_cannot_be_written(self):
+        grid = eyebridge.OccupancyGrid(1.0, 0.5)
+        cells = grid.log_odds
+        grid.set_probability(0.01, 0.01, 0.9)
+        self.assertGreater(cells[0, 0], 2.0)
+        self.assertFalse(cells.flags.writeable or cells.flags.owndata)
+        self.assertEqual((cells.shape, cells.dtype), (grid.shape, np.float32))
+        del grid
+        self.assertGreater(cells[0, 0], 2.0)
+
+    def test_a_scan_makes_a_belief_that_agrees_with_the_truth(self):
+        scenario = eyebridge.default_scenario()
+        truth = eyebridge.OccupancyGrid.truth_of(scenario)
+        belief = eyebridge.OccupancyGrid(2.2, 2.2, origin=truth.origin)
+        with eyebridge.Simulation(scenario) as sim:
+            robot = sim.robots[0]
+            eyebridge.RobotMapper(robot).insert_lidar(belief, robot.pose, robot.lidar())
+            eyebridge.RobotMapper(robot).insert_ranges(belief, robot.pose, robot.psds())
+        found = belief.agreement(truth)
+        self.assertGreater(found["observed"], 1000)
+        self.assertGreater(found["share"], 0.97)
+        self.assertGreater(belief.coverage(truth, 1.0, 1.0), 0.8)
+
+    def test_maps_are_read_as_they_were_written(self):
+        truth = eyebridge.OccupancyGrid.truth_of(eyebridge.load_scenario(WORLDS / "maze-5.maz"))
+        for name in ("map.yaml", "map.csv"):
+            truth.save(self.folder / name)
+            read = eyebridge.OccupancyGrid.load(self.folder / name)
+            self.assertEqual((read.shape, read.resolution), (truth.shape, truth.resolution))
+            np.testing.assert_array_equal(read.picture, truth.picture)
+        truth.save(self.folder / "map.png")
+        self.assertEqual((self.folder / "map.png").read_bytes()[:4], b"\x89PNG")
+
+    def test_bad_maps_and_arguments(self):
+        (self.folder / "bad.yaml").write_text("image: a.pgm\nresolution: -1\norigin: [0, 0, 0]\n")
+        with self.assertRaisesRegex(eyebridge.ConfigError, r"bad\.yaml:2:13: "):
+            eyebridge.OccupancyGrid.load(self.folder / "bad.yaml")
+        with self.assertRaisesRegex(ValueError, "expected .yaml or .csv"):
+            eyebridge.OccupancyGrid.load(self.folder / "map.bmp")
+        for arguments in ((0.0, 1.0), (1.0, math.nan)):
+            with self.assertRaises(ValueError):
+                eyebridge.OccupancyGrid(*arguments)
+        grid = eyebridge.OccupancyGrid(1.0, 1.0)
+        with self.assertRaises(IndexError):
+            grid.set_probability(3.0, 0.0, 0.5)
+        with self.assertRaises(ValueError):
+            grid.update(0.5, 0.5, 1.5)
 
 
 if __name__ == "__main__":

@@ -8,23 +8,13 @@
 
 #include "beam_table.hpp"
 #include "eyebridge/base/math.hpp"
+#include "eyebridge/base/normal.hpp"
 
 namespace eyebridge::mapping {
 namespace {
 
 constexpr double kEven = 0.5;
 constexpr double kLeastBlur = 0.01;  // of a cell: see BeamModel::probability()
-
-/// Share of a normal distribution below `x` (Abramowitz and Stegun, Handbook of Mathematical
-/// Functions, 1964, formula 26.2.17; its error is below 7.5e-8).
-double normal_share(double x) {
-  const double t = 1.0 / (1.0 + 0.2316419 * std::abs(x));
-  const double series =
-      t *
-      (0.319381530 + t * (-0.356563782 + t * (1.781477937 + t * (-1.821255978 + t * 1.330274429))));
-  const double tail = 0.3989422804014327 * exp_of(-0.5 * x * x) * series;
-  return x < 0.0 ? tail : 1.0 - tail;
-}
 
 void require(bool good, const char* what) {
   if (!good) throw std::invalid_argument(std::string("beam model: ") + what);
@@ -35,8 +25,8 @@ bool is_share(double value) { return value >= 0.0 && value <= 1.0; }
 }  // namespace
 
 double blurred_probability(const BeamModel& model, double near, double far, double sigma) {
-  const double before = normal_share(near / sigma);
-  const double up_to = normal_share(far / sigma);
+  const double before = normal_below(near / sigma);
+  const double up_to = normal_below(far / sigma);
   return (up_to - before) * model.met + before * kEven + (1.0 - up_to) * model.crossed;
 }
 
@@ -105,6 +95,10 @@ BeamModel beam_model_of(const robot::RangeSensorModel& sensor) {
   model.sigma_relative = sensor.error.sigma_relative;
   model.dropout = sensor.error.dropout;
   if (sensor.error.quantised) model.levels = sensor.table.levels();
+  if (sensor.kind == robot::RangeKind::Infrared) {
+    // Things are as likely at any distance: so many of them are too near, and read as far ones.
+    model.fold = model.min_range / model.max_range;
+  }
   return model;
 }
 

@@ -31,6 +31,13 @@ void ConeModel::check() const {
   }
 }
 
+ConeModel cone_model_of(const robot::RangeSensorModel& sensor) {
+  ConeModel model{beam_model_of(sensor), sensor.ultrasound.beam_width};
+  const double heard = std::min(sensor.ultrasound.critical_angle / (kPi / 2), 1.0);
+  model.beam.dropout = 1.0 - heard * (1.0 - model.beam.dropout);
+  return model;
+}
+
 Result<void> insert_cone(OccupancyGrid& grid, const ConeModel& model, const Pose& sensor_in_world,
                          double range) {
   model.check();

@@ -6,6 +6,7 @@
 
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/mapping/beam_model.hpp"
+#include "eyebridge/mapping/cone_model.hpp"
 #include "eyebridge/mapping/scan_mapper.hpp"
 
 namespace eyebridge::mapping {
@@ -18,6 +19,7 @@ constexpr double kBearingSlack = 1e-9;  // radians
 struct RobotMapper::Impl {
   robot::RobotModel model;
   std::vector<ScanMapper> ranges;       // by sensor
+  std::vector<ConeModel> cones;         // likewise: of those that hear
   std::vector<ScanMapper> lidar;        // one or none
   std::vector<Heading> lidar_bearings;  // of the field of view and number of points asked for last
   double field_of_view = 0.0;
@@ -44,7 +46,11 @@ struct RobotMapper::Impl {
 
 RobotMapper::RobotMapper(const robot::RobotModel& model) : impl_(std::make_unique<Impl>()) {
   impl_->model = model;
-  for (const auto& sensor : model.range_sensors) impl_->ranges.emplace_back(beam_model_of(sensor));
+  for (const auto& sensor : model.range_sensors) {
+    impl_->ranges.emplace_back(beam_model_of(sensor));
+    const bool hears = sensor.kind == robot::RangeKind::Ultrasound;
+    impl_->cones.push_back(hears ? cone_model_of(sensor) : ConeModel{});
+  }
   if (model.lidar) impl_->lidar.emplace_back(beam_model_of(*model.lidar));
 }
 RobotMapper::~RobotMapper() = default;
@@ -54,7 +60,11 @@ RobotMapper& RobotMapper::operator=(RobotMapper&&) noexcept = default;
 Result<void> RobotMapper::insert_range(OccupancyGrid& grid, const Pose& robot_in_world,
                                        std::size_t sensor, double range) {
   ScanMapper& mapper = impl_->ranges.at(sensor);
-  const Pose pose = transform(robot_in_world, impl_->model.range_sensors[sensor].pose_in_robot);
+  const robot::RangeSensorModel& model = impl_->model.range_sensors[sensor];
+  const Pose pose = transform(robot_in_world, model.pose_in_robot);
+  if (model.kind == robot::RangeKind::Ultrasound) {
+    return insert_cone(grid, impl_->cones[sensor], pose, range);
+  }
   const Vec2 direction = Heading::from_angle(pose.theta).forward();
   return mapper.insert(grid, pose.position(), {&direction, 1}, {&range, 1});
 }

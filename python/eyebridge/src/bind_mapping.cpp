@@ -1,5 +1,9 @@
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
@@ -9,10 +13,14 @@
 #include <vector>
 
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "checks.hpp"
+#include "eyebridge/camera/png.hpp"
+#include "eyebridge/files/map_files.hpp"
+#include "eyebridge/files/readers.hpp"
 #include "eyebridge/mapping/ground_truth.hpp"
 #include "eyebridge/mapping/occupancy_grid.hpp"
 #include "eyebridge/mapping/picture.hpp"
@@ -87,7 +95,7 @@ py::array_t<double> probabilities(const OccupancyGrid& grid) {
   return array_of(std::move(all)).reshape({rows, py::ssize_t{-1}});
 }
 
-py::array_t<std::uint8_t> picture(const OccupancyGrid& grid) {
+py::array_t<std::uint8_t> grid_picture(const OccupancyGrid& grid) {
   const auto owner = std::make_shared<mapping::Raster<std::uint8_t>>(mapping::picture_of(grid));
   return view_of(owner->cells.data(),
                  {static_cast<py::ssize_t>(grid.geometry().rows),
@@ -116,6 +124,49 @@ py::dict agreement(const OccupancyGrid& belief, const OccupancyGrid& truth, int 
   return out;
 }
 
+using std::filesystem::path;
+
+/// A picture as people look at it: the upper row first.
+void write_picture(const OccupancyGrid& grid, const path& file) {
+  const mapping::Raster<std::uint8_t> grey = mapping::picture_of(grid);
+  camera::Frame frame;
+  frame.width = grey.geometry.columns;
+  frame.height = grey.geometry.rows;
+  frame.stride = frame.width;
+  frame.format = camera::PixelFormat::Grey8;
+  frame.bytes.reserve(grey.cells.size());
+  for (int row = grey.geometry.rows - 1; row >= 0; --row) {
+    const auto first = grey.cells.begin() + row * grey.geometry.columns;
+    frame.bytes.insert(frame.bytes.end(), first, first + grey.geometry.columns);
+  }
+  camera::write_png(frame, file);
+}
+
+void save_grid(const OccupancyGrid& grid, const path& file) {
+  if (file.extension() == ".yaml") return files::save_map(grid, file);
+  if (file.extension() == ".png") return write_picture(grid, file);
+  if (file.extension() != ".csv") refuse("path", file.string(), ".yaml, .csv or .png");
+  std::ofstream out(file, std::ios::binary);
+  out << files::write_map_csv(grid) << std::flush;
+  if (!out)
+    throw ConfigError({file.string()}, std::string("cannot be written: ") + strerror(errno));
+}
+
+Grid load_grid(const path& file) {
+  if (file.extension() == ".csv") {
+    return std::make_shared<OccupancyGrid>(
+        files::read_map_csv(files::read_text_file(file), file.string()));
+  }
+  if (file.extension() != ".yaml") refuse("path", file.string(), ".yaml or .csv");
+  std::vector<Warning> warnings;
+  auto grid = std::make_shared<OccupancyGrid>(files::load_map(file, warnings));
+  for (const Warning& warning : warnings) {
+    if (PyErr_WarnEx(PyExc_UserWarning, warning.str().c_str(), 1) != 0)
+      throw py::error_already_set();
+  }
+  return grid;
+}
+
 void bind_grid(py::module_& module) {
   py::class_<OccupancyGrid, Grid>(module, "OccupancyGrid")
       .def(py::init(&make_grid), py::arg("width"), py::arg("height"), py::kw_only(),
@@ -123,6 +174,8 @@ void bind_grid(py::module_& module) {
            py::arg("prior") = 0.5, py::arg("growing") = false, py::arg("half_life") = 0.0)
       .def_static("truth_of", &truth_of, py::arg("scenario"), py::kw_only(),
                   py::arg("resolution") = 0.05, py::arg("objects") = false)
+      .def_static("load", &load_grid, py::arg("path"))
+      .def("save", &save_grid, py::arg("path"))
       .def_property_readonly("resolution",
                              [](const OccupancyGrid& grid) { return grid.geometry().resolution; })
       .def_property_readonly("origin",
@@ -137,7 +190,7 @@ void bind_grid(py::module_& module) {
       .def_property_readonly("revision", &OccupancyGrid::revision)
       .def_property_readonly("log_odds", &log_odds)
       .def_property_readonly("probabilities", &probabilities)
-      .def_property_readonly("picture", &picture)
+      .def_property_readonly("picture", &grid_picture)
       .def(
           "probability",
           [](const OccupancyGrid& grid, double x, double y) {

@@ -7,10 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "eyebridge/base/random.hpp"
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/files/load.hpp"
-#include "eyebridge/mapping/cone_model.hpp"
 #include "eyebridge/mapping/ground_truth.hpp"
 #include "eyebridge/mapping/robot_mapper.hpp"
 #include "eyebridge/robot/error_presets.hpp"
@@ -172,28 +170,21 @@ TEST_P(MapQuality, OfARingOfPsdsIsGood) {
   expect_agreement("psd");
 }
 
-// A cone of 30 degrees whose echo is of the nearest thing in it, with a PSD's realistic errors.
+// Cones of 30 degrees over surfaces that are rough enough to be heard from the side.
 TEST_P(MapQuality, OfARingOfSonarsIsGood) {
-  const world::World world(world_);
-  const robot::RangeSensorModel& sensor = model_.range_sensors.front();
-  const mapping::ConeModel cone{mapping::beam_model_of(sensor), deg_to_rad(30)};
-  Random random(3);
+  robot::RobotModel model = model_;
+  for (robot::RangeSensorModel& sensor : model.range_sensors) {
+    sensor.kind = robot::RangeKind::Ultrasound;
+    sensor.ultrasound = {.beam_width = deg_to_rad(30), .critical_angle = kPi / 2};
+  }
+  mapping::RobotMapper mapper(model);
+  robot::Simulation simulation(world_, {});
+  simulation.add_robot(model, poses_.front());
+  std::vector<double> ranges(model.range_sensors.size());
   for (const Pose& pose : poses_) {
-    for (const auto& mount : model_.range_sensors) {
-      const Pose at = transform(pose, mount.pose_in_robot);
-      double nearest = sensor.max_range;
-      for (int i = -15; i <= 15; ++i) {
-        const Vec2 ray = Heading::from_angle(at.theta + deg_to_rad(i)).forward();
-        nearest =
-            std::min(nearest, world.cast_ray(at.position(), ray, sensor.max_range, world::kNoBody));
-      }
-      if (nearest < sensor.max_range) {
-        const auto& error = sensor.error;
-        nearest += random.gaussian() * (error.sigma + error.sigma_relative * nearest);
-        if (random.chance(error.dropout)) nearest = sensor.out_of_range;
-      }
-      ASSERT_TRUE(mapping::insert_cone(belief_, cone, at, nearest));
-    }
+    simulation.set_pose(0, pose);
+    simulation.read_ranges(0, ranges);
+    ASSERT_TRUE(mapper.insert_ranges(belief_, pose, ranges));
   }
   expect_agreement("sonar");
 }

@@ -5,6 +5,7 @@
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/mapping/beam_model.hpp"
 #include "eyebridge/mapping/occupancy_grid.hpp"
+#include "eyebridge/robot/robot_model.hpp"
 
 namespace eyebridge::mapping {
 
@@ -24,6 +25,11 @@ struct ConeModel {
 
   friend bool operator==(const ConeModel&, const ConeModel&) = default;
 };
+
+/// Of an ultrasonic sensor, from its own cone and errors. Surfaces that it sees from the side
+/// mirror the sound away: with any orientation as likely as any other, the share of those counts as
+/// dropout.
+ConeModel cone_model_of(const robot::RangeSensorModel& sensor);
 
 /// Takes one reading of a sensor at `sensor_in_world` into `grid`, each cell once. A reading that
 /// says nothing changes nothing. Fails with OutOfRange, and changes nothing, for a pose that is not
