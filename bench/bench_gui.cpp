@@ -116,6 +116,25 @@ void frame(benchmark::State& state) {
 }
 BENCHMARK(frame)->Arg(10)->Arg(100)->Unit(benchmark::kMillisecond)->MinTime(1.0);
 
+/// Processor time of the same with one layer only, to see what each costs; 0: none, 7: all but the
+/// painting. Argument: the layer, in the order of Layers.
+void layer(benchmark::State& state) {
+  Field field(100, 1000);
+  WorldView view(field.environment(), nullptr);
+  view.resize(1280, 900);
+  const auto is = [&](int number) { return state.range(0) == number; };
+  view.set_layers({is(1), is(2), is(3), is(4), is(5), is(6)});
+  view.grab();
+  for ([[maybe_unused]] auto _ : state) {
+    state.PauseTiming();
+    field.pass(kFrame);
+    state.ResumeTiming();
+    view.refresh();
+    if (!is(7)) benchmark::DoNotOptimize(view.grab());
+  }
+}
+BENCHMARK(layer)->DenseRange(0, 7)->Unit(benchmark::kMillisecond)->Iterations(150);
+
 /// From the order for a window to its first picture.
 void opening(benchmark::State& state) {
   Field field(10, 100);

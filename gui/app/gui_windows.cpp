@@ -5,6 +5,9 @@
 #include <QMessageBox>
 #include <QMetaObject>
 #include <array>
+#include <chrono>
+#include <future>
+#include <memory>
 #include <utility>
 
 #include <pthread.h>
@@ -103,14 +106,17 @@ void GuiWindows::open_panel(const robios::PanelStart& start) {
 
 void GuiWindows::close_panel(const robios::Screen& screen) {
   post([this, &screen] {
-    // Not closed: that of the last window would end the program.
+    is_removing_ = true;
     std::erase_if(panels_, [&](const auto& panel) { return panel->shows(screen); });
+    is_removing_ = false;
   });
 }
 
 void GuiWindows::open_hand_view(const robios::HandStart& start) {
   post([this, start] {
     hand_views_.push_back(std::make_unique<HandWindow>(start));
+    guide_ = start.guide;
+    for (const auto& window : environments_) window->view().set_guide(*guide_);
     show(*hand_views_.back());
   });
 }
@@ -121,6 +127,7 @@ void GuiWindows::open_environment(hal::Environment& environment, robios::Crew* c
         environment, QString::fromStdString(start_.program), crew));
     // Beside the panels, unless it was put somewhere before.
     if (window->pos().isNull()) window->move(kPanelWidth, kCascade);
+    if (guide_ != nullptr) window->view().set_guide(*guide_);
     window->on_edit = [this](const QString& file) { open_editor(file); };
     show(*window);
   });
@@ -140,6 +147,11 @@ void GuiWindows::edit(const std::string& path) {
 void GuiWindows::open_editor(const QString& file) {
   const QString ending = QFileInfo(file).suffix().toLower();
   const bool is_world = file.isEmpty() || ending == "wld" || ending == "maz" || ending == "sim";
+  if (!file.isEmpty()) {
+    for (const auto& editor : editors_) {
+      if (editor && is_open_in(*editor, file)) return bring_to_front(*editor);
+    }
+  }
   QWidget* window = nullptr;
   if (is_world) {
     window = new EditorWindow(file);
@@ -160,17 +172,51 @@ void GuiWindows::open_editor(const QString& file) {
   show(*window);
 }
 
+bool GuiWindows::is_open_in(QWidget& window, const QString& file) {
+  const QString whole = QFileInfo(file).canonicalFilePath();
+  if (whole.isEmpty() || !window.isVisible()) return false;  // it may still be deleted
+  if (auto* const world = dynamic_cast<EditorWindow*>(&window)) {
+    return QFileInfo(world->path()).canonicalFilePath() == whole;
+  }
+#ifdef EYEBRIDGE_HAVE_CODE_PANEL
+  if (auto* const code = dynamic_cast<CodeWindow*>(&window)) return code->show_file(file);
+#endif
+  return false;
+}
+
+void GuiWindows::bring_to_front(QWidget& window) {
+  if (window.isMinimized()) window.showNormal();
+  window.raise();
+  window.activateWindow();
+}
+
 void GuiWindows::show(QWidget& window) {
   window.show();
   window.raise();
 }
 
 void GuiWindows::last_window_closed() {
+  if (is_removing_) return;  // nobody has asked for the run's end
   if (program_has_ended_) {
     QApplication::quit();
   } else {
     start_.quit();
   }
+}
+
+void GuiWindows::complete_files() {
+  const auto complete = [this] {
+    for (const auto& window : environments_) window->stop_film();
+  };
+  if (std::this_thread::get_id() == thread_.get_id()) return complete();
+  auto done = std::make_shared<std::promise<void>>();
+  std::future<void> is_done = done->get_future();
+  const bool comes = post([complete, done] {
+    complete();
+    done->set_value();
+  });
+  constexpr std::chrono::seconds kPatience(1);  // the windows may hang
+  if (comes) is_done.wait_for(kPatience);
 }
 
 void GuiWindows::finish(const std::string& how) {

@@ -34,6 +34,7 @@ class GuiWindows final : public robios::Windows {
   void open_environment(hal::Environment& environment, robios::Crew* crew) override;
   void open_map(const robios::MapStart& start) override;
   void edit(const std::string& path) override;
+  void complete_files() override;
   void finish(const std::string& how) override;
 
   /// For tests: runs `action` in the windows' thread and waits for it.
@@ -44,6 +45,9 @@ class GuiWindows final : public robios::Windows {
   void run_application();
   void show(QWidget& window);
   void open_editor(const QString& file);
+  /// Whether `file` is what `window` edits; a tab with it comes to the front there.
+  static bool is_open_in(QWidget& window, const QString& file);
+  static void bring_to_front(QWidget& window);
   void last_window_closed();
   /// False when the windows have ended: it will not be done.
   bool post(std::function<void()> action);
@@ -55,9 +59,11 @@ class GuiWindows final : public robios::Windows {
   bool has_ended_ = false;  ///< It has ended: windows are gone.
   // The rest: the windows' thread.
   bool program_has_ended_ = false;
+  bool is_removing_ = false;  ///< A panel goes that nobody closed.
   std::vector<std::unique_ptr<PanelWindow>> panels_;
   std::vector<std::unique_ptr<HandWindow>> hand_views_;
   std::vector<std::unique_ptr<EnvironmentWindow>> environments_;
+  const hal::HandGuide* guide_ = nullptr;  ///< Of the robot that a person carries, if one is.
   std::vector<QPointer<QWidget>>
       editors_;         ///< They go when they are closed, and so do their locks.
   std::thread thread_;  ///< Last: it uses the others.

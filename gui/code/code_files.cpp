@@ -66,6 +66,12 @@ void CodeWindow::recover() {
   if (!recovery_.trouble().isEmpty()) state_->setText(recovery_.trouble());
 }
 
+bool CodeWindow::show_file(const QString& path) {
+  Page* const open = page_of(path);
+  if (open != nullptr) tabs_->setCurrentWidget(open);
+  return open != nullptr;
+}
+
 Page* CodeWindow::open_file(const QString& path) {
   const QString examples = canonical(settings_.examples) + '/';
   if (!settings_.examples.isEmpty() && canonical(path).startsWith(examples))

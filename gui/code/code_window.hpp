@@ -33,6 +33,8 @@ class CodeWindow final : public QMainWindow {
   /// Each returns the text's page; open_file() null when it cannot be read, which the status bar
   /// says. A file that is open comes to the front.
   Page* open_file(const QString& path);
+  /// Brings the file to the front if it is open; else false.
+  bool show_file(const QString& path);
   Page* open_example(const QString& path);
   Page* new_program(const Template& begin);
   /// False when it could not be written: its notice bar says why.

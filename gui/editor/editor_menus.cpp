@@ -15,6 +15,7 @@
 #include "editor/editor_window.hpp"
 #include "editor/edits.hpp"
 #include "eyebridge/base/units.hpp"
+#include "parts/recent_files.hpp"
 
 namespace eyebridge::gui {
 
@@ -31,6 +32,8 @@ void EditorWindow::make_file_menu() {
   add_action(menu, tr("&New"), QKeySequence::New, [this] { when_free([this] { make_new(); }); });
   add_action(menu, tr("&Open..."), QKeySequence::Open,
              [this] { when_free([this] { ask_to_open(); }); });
+  offer_recent_files(*menu.addMenu(tr("Open &recent")), {kRecentWorlds},
+                     [this](const QString& path) { when_free([this, path] { open(path); }); });
   add_action(menu, tr("&Save"), QKeySequence::Save, [this] { save(); });
   add_action(menu, tr("Save &as..."), Qt::CTRL | Qt::SHIFT | Qt::Key_S, [this] { ask_for_path(); });
   add_action(menu, tr("&Load again from disk"), Qt::Key_F5, [this] { reload(); });

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "eyebridge/base/units.hpp"
+#include "parts/recent_files.hpp"
 
 namespace eyebridge::gui {
 namespace {
@@ -119,6 +120,7 @@ void EditorWindow::show_files() {
   const QString name = files_.path.empty() ? tr("unnamed") : QFileInfo(path()).fileName();
   setWindowTitle(tr("%1[*] – world editor").arg(name));
   watch_.follow({files_.path, files_.ground});
+  if (!files_.path.empty()) remember_file(kRecentWorlds, path());
   show_catalogue();
   show_texture();
 }

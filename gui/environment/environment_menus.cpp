@@ -9,6 +9,7 @@
 #include <exception>
 
 #include "environment/environment_window.hpp"
+#include "parts/recent_files.hpp"
 #include "parts/save_picture.hpp"
 
 namespace eyebridge::gui {
@@ -47,6 +48,10 @@ void EnvironmentWindow::make_file_menu() {
     if (on_edit) on_edit({});
   });
   add_action(menu, tr("&Edit world or program..."), QKeySequence::Open, [this] { ask_for_file(); });
+  offer_recent_files(*menu.addMenu(tr("Open &recent")), {kRecentWorlds, kRecentPrograms},
+                     [this](const QString& path) {
+                       if (on_edit) on_edit(path);
+                     });
   menu.addSeparator();
   add_action(menu, tr("&Close"), QKeySequence::Close, [this] { close(); });
 }
@@ -134,6 +139,7 @@ void EnvironmentWindow::make_view_menu() {
   layer(tr("&LIDAR"), Qt::Key_L, &Layers::lidar);
   layer(tr("&Camera"), Qt::Key_C, &Layers::camera);
   layer(tr("&Bumpers"), Qt::Key_B, &Layers::bumpers);
+  layer(tr("&Uncertainty of the pose"), Qt::Key_U, &Layers::uncertainty);
   add_action(menu, tr("Cl&ear trails"), Qt::Key_E, [this] { view_->clear_trails(); });
   menu.addSeparator();
   make_scene_menu(menu);

@@ -46,23 +46,27 @@ void Mirror::follow(const hal::WorldLook& look) {
   }
 }
 
-std::vector<SensorRay> Mirror::distance_rays(std::size_t robot) const {
+std::vector<SensorRay> Mirror::distance_rays(std::size_t robot) {
   const auto index = static_cast<robot::RobotIndex>(robot);
   const Pose pose = world_->pose(index);
   const auto& sensors = world_->model(index).range_sensors;
+  ranges_.resize(sensors.size());
+  world_->read_ranges(index, ranges_);  // without error here: as true_range(), at once
   std::vector<SensorRay> rays;
+  rays.reserve(sensors.size());
   for (std::size_t i = 0; i < sensors.size(); ++i) {
-    const double range = world_->true_range(index, i);
+    const double range = ranges_[i];
     rays.push_back(ray(transform(pose, sensors[i].pose_in_robot),
                        std::min(range, sensors[i].max_range), range));
   }
   return rays;
 }
 
-std::vector<SensorRay> Mirror::lidar_rays(std::size_t robot) {
+const std::vector<SensorRay>& Mirror::lidar_rays(std::size_t robot) {
   const auto index = static_cast<robot::RobotIndex>(robot);
   const auto& model = world_->model(index);
-  if (!model.lidar) return {};
+  scan_.clear();
+  if (!model.lidar) return scan_;
   const robot::LidarModel& lidar = *model.lidar;
   ranges_.resize(static_cast<std::size_t>(lidar.points));
   world_->read_lidar(index, lidar.field_of_view, ranges_);
@@ -70,13 +74,16 @@ std::vector<SensorRay> Mirror::lidar_rays(std::size_t robot) {
   // As read_lidar() says: a full circle does not repeat its first ray.
   const bool is_circle = lidar.field_of_view >= 2 * kPi - 1e-9;
   const double gap = lidar.field_of_view / std::max(1, is_circle ? lidar.points : lidar.points - 1);
-  std::vector<SensorRay> rays;
-  for (int i = 0; i < lidar.points; ++i) {
-    const double bearing = lidar.points == 1 ? 0.0 : lidar.field_of_view / 2 - i * gap;
-    const double range = ranges_[static_cast<std::size_t>(i)];
-    rays.push_back(ray({sensor.x, sensor.y, sensor.theta + bearing}, range, range));
+  const Vec2 from = sensor.position();
+  // From ray to ray by one turn: no sine for each of thousands.
+  const double first = lidar.points == 1 ? 0.0 : lidar.field_of_view / 2;
+  Heading heading = Heading::from_angle(sensor.theta + first);
+  const Heading turn = Heading::from_angle(-gap);
+  for (const double range : ranges_) {
+    scan_.push_back({from, from + range * heading.forward(), range});
+    heading = heading.turned(turn);
   }
-  return rays;
+  return scan_;
 }
 
 std::vector<SensorRay> Mirror::proximity_rays(std::size_t robot) const {

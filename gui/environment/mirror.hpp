@@ -24,8 +24,9 @@ class Mirror {
   void follow(const hal::WorldLook& look);
 
   /// Of the robot with this index, in the order of its model. Without error.
-  [[nodiscard]] std::vector<SensorRay> distance_rays(std::size_t robot) const;
-  [[nodiscard]] std::vector<SensorRay> lidar_rays(std::size_t robot);
+  [[nodiscard]] std::vector<SensorRay> distance_rays(std::size_t robot);
+  /// Lent until the next call.
+  [[nodiscard]] const std::vector<SensorRay>& lidar_rays(std::size_t robot);
   [[nodiscard]] std::vector<SensorRay> proximity_rays(std::size_t robot) const;
   /// Of its bumpers, in the order of the model.
   [[nodiscard]] std::vector<bool> bumpers(std::size_t robot);
@@ -37,6 +38,7 @@ class Mirror {
 
   std::optional<robot::Simulation> world_;
   std::vector<double> ranges_;
+  std::vector<SensorRay> scan_;
 };
 
 }  // namespace eyebridge::gui

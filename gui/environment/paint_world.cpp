@@ -131,11 +131,12 @@ void paint_rays(QPainter& painter, const Viewport& view, std::span<const SensorR
 
 void paint_scan(QPainter& painter, const Viewport& view, std::span<const SensorRay> rays,
                 const QColor& colour) {
-  constexpr double kDot = 2.0;  // pixels
-  std::vector<QRectF> dots;
+  constexpr int kDot = 2;  // pixels; whole ones are filled several times faster
+  std::vector<QRect> dots;
   dots.reserve(rays.size());
   for (const SensorRay& ray : rays) {
-    dots.emplace_back(view.to_pixel(ray.to) - QPointF(kDot / 2, kDot / 2), QSizeF(kDot, kDot));
+    const QPointF corner = view.to_pixel(ray.to) - QPointF(kDot / 2, kDot / 2);
+    dots.emplace_back(qRound(corner.x()), qRound(corner.y()), kDot, kDot);
   }
   const bool was_smooth = painter.testRenderHint(QPainter::Antialiasing);
   painter.setRenderHint(QPainter::Antialiasing, false);
@@ -180,22 +181,6 @@ void paint_bumpers(QPainter& painter, const Viewport& view, const hal::RobotLook
     if (span <= 0) span += 2 * kPi;
     painter.drawArc(circle, sixteenths(robot.pose.theta + bumper.start), sixteenths(span));
   }
-}
-
-void paint_trail(QPainter& painter, const Viewport& view, const std::deque<Trails::Point>& trail,
-                 const QColor& colour) {
-  QPainterPath path;
-  for (const Trails::Point& point : trail) {
-    const QPointF pixel = view.to_pixel(point.place);
-    if (point.begins) {
-      path.moveTo(pixel);
-    } else {
-      path.lineTo(pixel);
-    }
-  }
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(colour, 2.0));
-  painter.drawPath(path);
 }
 
 }  // namespace eyebridge::gui

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "environment/mirror.hpp"
-#include "environment/trails.hpp"
 #include "environment/viewport.hpp"
 #include "eyebridge/hal/environment.hpp"
 
@@ -42,7 +41,5 @@ void paint_camera_cone(QPainter& painter, const Viewport& view, const hal::Robot
 /// Red on the rim for each bumper that something touches, in the order of the model.
 void paint_bumpers(QPainter& painter, const Viewport& view, const hal::RobotLook& robot,
                    const std::vector<bool>& touched);
-void paint_trail(QPainter& painter, const Viewport& view, const std::deque<Trails::Point>& trail,
-                 const QColor& colour);
 
 }  // namespace eyebridge::gui

@@ -16,8 +16,9 @@ void Trails::add(const hal::WorldLook& look) {
   const double jump = std::max(kLeastJump, kFastest * (look.scene.time - last_time_));
   last_time_ = look.scene.time;
   for (std::size_t i = 0; i < look.robots.size(); ++i) {
-    std::deque<Point>& trail = robots_[i];
+    std::deque<Point>& trail = robots_[i].points;
     if (!look.robots[i].is_there) {
+      if (!trail.empty()) ++version_;
       trail.clear();
       continue;
     }
@@ -25,12 +26,14 @@ void Trails::add(const hal::WorldLook& look) {
     const double way = trail.empty() ? jump * 2 : norm(place - trail.back().place);
     if (way < kNearest) continue;
     trail.push_back({place, way > jump});
-    if (trail.size() > kLongest) trail.pop_front();
+    if (trail.size() <= kLongest) continue;
+    trail.pop_front();
+    ++robots_[i].gone;
   }
 }
 
-const std::deque<Trails::Point>& Trails::of(std::size_t robot) const {
-  static const std::deque<Point> none;
+const Trails::Trail& Trails::of(std::size_t robot) const {
+  static const Trail none;
   return robot < robots_.size() ? robots_[robot] : none;
 }
 

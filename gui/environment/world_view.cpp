@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "environment/paint_world.hpp"
+#include "hand/uncertainty.hpp"
 
 namespace eyebridge::gui {
 namespace {
@@ -22,6 +23,7 @@ constexpr double kSlack = 4.0;  // pixels that one may point beside a small thin
 WorldView::WorldView(hal::Environment& environment, QWidget* parent)
     : QWidget(parent), environment_(environment) {
   setMouseTracking(true);
+  setAttribute(Qt::WA_OpaquePaintEvent);  // the ground covers all
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(200, 150);
   refresh();
@@ -44,6 +46,7 @@ void WorldView::refresh() {
   environment_.look(look_);
   if (on_look) on_look(look_);
   mirror_.follow(look_);
+  if (guide_ != nullptr && layers_.uncertainty) believed_ = guide_->look();
   trails_.add(look_);
   if (chosen_ && (*chosen_ >= look_.robots.size() || !look_.robots[*chosen_].is_there)) {
     driver_.release_all();
@@ -134,7 +137,8 @@ void WorldView::paintEvent(QPaintEvent* /*event*/) {
     paint_ground(painter, view_, *look_.scene.model, texture_);
   }
   QPainter painter(this);
-  painter.drawPixmap(0, 0, ground_);
+  painter.drawPixmap(0, 0,
+                     layers_.trails ? trail_layer_.paint(ground_, view_, trails_, look_) : ground_);
   painter.setRenderHint(QPainter::Antialiasing);
   paint_robots_layers(painter);
   paint_bodies(painter, view_, look_, chosen_);
@@ -143,6 +147,9 @@ void WorldView::paintEvent(QPaintEvent* /*event*/) {
       if (!look_.robots[i].is_there) continue;
       paint_bumpers(painter, view_, look_.robots[i], mirror_.bumpers(i));
     }
+  }
+  if (guide_ != nullptr && layers_.uncertainty && believed_.pose) {
+    paint_uncertainty(painter, view_, *believed_.pose, believed_.covariance);
   }
   if (tape_) paint_tape(painter, view_, *tape_);
   if (place_) paint_place(painter, view_, *place_);
@@ -156,7 +163,7 @@ void WorldView::paint_robots_layers(QPainter& painter) {
     if (layers_.camera) paint_camera_cone(painter, view_, robot, kConeLength, chosen_ == i);
     if (layers_.lidar) {
       const QColor colour(170, 110, 205);
-      const std::vector<SensorRay> scan = mirror_.lidar_rays(i);
+      const std::vector<SensorRay>& scan = mirror_.lidar_rays(i);
       if (chosen_ == i) {
         paint_rays(painter, view_, scan, colour);
       } else {
@@ -166,11 +173,6 @@ void WorldView::paint_robots_layers(QPainter& painter) {
     if (layers_.distances) paint_rays(painter, view_, mirror_.distance_rays(i), QColor(0, 140, 0));
     if (layers_.proximities) {
       paint_rays(painter, view_, mirror_.proximity_rays(i), QColor(200, 90, 0));
-    }
-    if (layers_.trails) {
-      const auto body = std::ranges::find(look_.scene.bodies, robot.body, &world::BodyView::id);
-      const QColor colour = body == look_.scene.bodies.end() ? QColor() : colour_of(body->colour);
-      paint_trail(painter, view_, trails_.of(i), colour.darker(120));
     }
   }
 }

@@ -10,8 +10,10 @@
 #include "environment/keyboard_driver.hpp"
 #include "environment/mirror.hpp"
 #include "environment/tape.hpp"
+#include "environment/trail_layer.hpp"
 #include "environment/trails.hpp"
 #include "environment/viewport.hpp"
+#include "eyebridge/hal/hand_guide.hpp"
 
 namespace eyebridge::gui {
 
@@ -23,6 +25,7 @@ struct Layers {
   bool lidar = false;
   bool camera = false;
   bool bumpers = true;
+  bool uncertainty = true;  ///< Of the pose, where a guide knows it.
 
   friend bool operator==(const Layers&, const Layers&) = default;
 };
@@ -44,6 +47,8 @@ class WorldView final : public QWidget {
   /// `environment` is lent.
   WorldView(hal::Environment& environment, QWidget* parent);
 
+  /// Shows what `guide`, lent, believes of the pose of the robot that a person carries.
+  void set_guide(const hal::HandGuide& guide) { guide_ = &guide; }
   /// Looks at the world as it is now.
   void refresh();
   [[nodiscard]] const hal::WorldLook& look() const { return look_; }
@@ -109,7 +114,10 @@ class WorldView final : public QWidget {
   hal::Environment& environment_;
   hal::WorldLook look_;
   Mirror mirror_;
+  const hal::HandGuide* guide_ = nullptr;
+  hal::HandLook believed_;
   Trails trails_;
+  TrailLayer trail_layer_;
   Layers layers_;
   Viewport view_;
   bool is_fitted_ = true;  ///< Nobody has moved the view yet: it fits whatever size it gets.

@@ -214,6 +214,7 @@ int Fleet::run() {
 void Fleet::stop() {
   is_stopped_ = true;
   end();
+  if (windows_ != nullptr) windows_->complete_files();
 }
 
 void Fleet::end() {

@@ -65,7 +65,12 @@ Session& Session::only() {
           },
           nullptr);
       watch_forks();
-      watch_signals([](int) { only().end(); }, [] { only().look_around(); });
+      watch_signals(
+          [](int) {
+            only().end();
+            if (Windows* const windows = only().impl_->windows) windows->complete_files();
+          },
+          [] { only().look_around(); });
       if (made->impl_->panel) made->impl_->panel->start();
       made->impl_->open_windows();
       return made;

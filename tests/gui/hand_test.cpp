@@ -21,7 +21,7 @@
 namespace eyebridge::gui {
 namespace {
 
-using Kind = hal::Instruction::Kind;
+using InstructionKind = hal::Instruction::Kind;
 
 /// Tells what the test wants.
 class ScriptedGuide final : public hal::HandGuide {
@@ -42,7 +42,7 @@ class ScriptedGuide final : public hal::HandGuide {
 
 hal::Instruction goal(double distance, double angle, double linear, double angular) {
   hal::Instruction instruction;
-  instruction.kind = Kind::Goal;
+  instruction.kind = InstructionKind::Goal;
   instruction.distance = distance;
   instruction.angle = angle;
   instruction.speed = {linear, angular};
@@ -101,11 +101,11 @@ TEST(HandWords, TellWayDistanceAndSpeed) {
 
   hal::Instruction instruction;
   EXPECT_EQ(words_for(instruction).headline, "Stand still");
-  instruction.kind = Kind::Speed;
+  instruction.kind = InstructionKind::Speed;
   instruction.speed = {-0.15, 0.0};
   EXPECT_EQ(words_for(instruction).arrow, camera::Arrow::Backward);
   EXPECT_EQ(words_for(instruction).headline, "150 mm/s");
-  instruction.kind = Kind::Lost;
+  instruction.kind = InstructionKind::Lost;
   instruction.reason = "the camera has seen no marker yet";
   EXPECT_EQ(words_for(instruction).arrow, camera::Arrow::Lost);
   EXPECT_EQ(words_for(instruction).detail, "the camera has seen no marker yet");

@@ -76,21 +76,21 @@ TEST(Trails, GrowWithTheWayAndBreakWhereARobotIsCarried) {
   Trails trails;
   trails.add(look_at(room));
   trails.add(look_at(room));
-  EXPECT_EQ(trails.of(0).size(), 1U) << "nobody moved";
+  EXPECT_EQ(trails.of(0).points.size(), 1U) << "nobody moved";
   ASSERT_TRUE(room.robot().drive()->set_speed({0.2, 0.0}));
   for (int i = 0; i < 10; ++i) {
     room.pass(0.1);
     trails.add(look_at(room));
   }
-  EXPECT_GT(trails.of(0).size(), 8U);
-  EXPECT_FALSE(trails.of(0).back().begins);
+  EXPECT_GT(trails.of(0).points.size(), 8U);
+  EXPECT_FALSE(trails.of(0).points.back().begins);
   ASSERT_TRUE(room.environment().control().set_robot_pose(1, {0.3, 0.8, 0.0}));
   trails.add(look_at(room));
-  EXPECT_TRUE(trails.of(0).back().begins);
-  EXPECT_EQ(trails.of(1).size(), 1U);
-  EXPECT_TRUE(trails.of(7).empty());
+  EXPECT_TRUE(trails.of(0).points.back().begins);
+  EXPECT_EQ(trails.of(1).points.size(), 1U);
+  EXPECT_TRUE(trails.of(7).points.empty());
   trails.clear();
-  EXPECT_TRUE(trails.of(0).empty());
+  EXPECT_TRUE(trails.of(0).points.empty());
 }
 
 }  // namespace

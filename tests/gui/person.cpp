@@ -114,10 +114,19 @@ void Person::type(xcb_window_t window, char character) {
 
 void Person::type_alt(xcb_window_t window, char character) {
   constexpr std::uint32_t kLeftAlt = 0xffe9;  // of keysymdef.h
-  const std::uint8_t alt = key_of(kLeftAlt);
-  fake(XCB_KEY_PRESS, alt);
+  type_with(kLeftAlt, window, character);
+}
+
+void Person::type_control(xcb_window_t window, char character) {
+  constexpr std::uint32_t kLeftControl = 0xffe3;
+  type_with(kLeftControl, window, character);
+}
+
+void Person::type_with(std::uint32_t modifier, xcb_window_t window, char character) {
+  const std::uint8_t key = key_of(modifier);
+  fake(XCB_KEY_PRESS, key);
   type(window, character);
-  fake(XCB_KEY_RELEASE, alt);
+  fake(XCB_KEY_RELEASE, key);
 }
 
 void Person::click(xcb_window_t window, QPoint place) {

@@ -29,6 +29,8 @@ class Person {
   void type(xcb_window_t window, char character);
   /// The same with Alt.
   void type_alt(xcb_window_t window, char character);
+  /// The same with Control.
+  void type_control(xcb_window_t window, char character);
   /// Clicks there, pixels from the window's upper left corner.
   void click(xcb_window_t window, QPoint place);
   /// As by the cross in the frame, which a window manager would draw.
@@ -46,6 +48,7 @@ class Person {
   [[nodiscard]] std::string text_of(xcb_window_t window, const char* property);
   /// The key that gives this symbol; throws where there is none.
   [[nodiscard]] std::uint8_t key_of(std::uint32_t symbol);
+  void type_with(std::uint32_t modifier, xcb_window_t window, char character);
   void fake(std::uint8_t type, std::uint8_t detail, QPoint place = {});
 
   std::unique_ptr<xcb_connection_t, void (*)(xcb_connection_t*)> connection_;

@@ -143,6 +143,20 @@ TEST_F(Session, NoWindowsWithoutThePlugIn) {
                         "(qt6-base-dev), or gui = off"));
 }
 
+TEST_F(Session, AFileThatIsOpenComesToTheFront) {
+  folder_.write("room.wld", "floor 1000 1000\n0 0 1000 0\n");
+  RunningProgram edit({{EYEBRIDGE_BIN "/eyebridge", "edit", "room.wld", "drives.c", "./room.wld",
+                        folder_.path() + "/drives.c"},
+                       {{"XDG_CONFIG_HOME", folder_.path()}, {"XDG_DATA_HOME", folder_.path()}},
+                       folder_.path()});
+  const xcb_window_t world = person_.window("room.wld");
+  const xcb_window_t program = person_.window("drives.c");
+  person_.close(world);
+  person_.wait_until_gone("room.wld");  // there was one
+  person_.close(program);
+  EXPECT_EQ(edit.wait(), 0) << edit.said();
+}
+
 TEST_F(Session, WorldsAndProgramsAreEditedWithoutARun) {
   folder_.write("room.wld", "floor 1000 1000\n0 0 1000 0\n");
   RunningProgram edit({{EYEBRIDGE_BIN "/eyebridge", "edit", "room.wld", "drives.c"},

@@ -87,7 +87,7 @@ void set_probability(OccupancyGrid& grid, double x, double y, double probability
   grid.set_probability(cell, probability);
 }
 
-py::array_t<double> probabilities(const OccupancyGrid& grid) {
+py::array_t<double> grid_probabilities(const OccupancyGrid& grid) {
   std::vector<double> all(grid.raster().cells.size());
   std::transform(grid.raster().cells.begin(), grid.raster().cells.end(), all.begin(),
                  [](float log_odds) { return mapping::probability_of(log_odds); });
@@ -189,7 +189,7 @@ void bind_grid(py::module_& module) {
                              })
       .def_property_readonly("revision", &OccupancyGrid::revision)
       .def_property_readonly("log_odds", &log_odds)
-      .def_property_readonly("probabilities", &probabilities)
+      .def_property_readonly("probabilities", &grid_probabilities)
       .def_property_readonly("picture", &grid_picture)
       .def(
           "probability",
