@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -63,6 +64,10 @@ TEST(GridSlam, DrawsTheFlatAndKnowsItsPlaceFarBetterThanOdometry) {
     SCOPED_TRACE(::testing::Message()
                  << "seed " << seed << ": " << error << " m, by odometry " << odometry_error
                  << " m; agreement " << agreement << ", " << odometry_agreement);
+    const std::string run = "seed_" + std::to_string(seed);
+    RecordProperty(run + "_error_m", std::to_string(error));
+    RecordProperty(run + "_error_by_odometry_m", std::to_string(odometry_error));
+    RecordProperty(run + "_agreement", std::to_string(agreement));
     EXPECT_EQ(slam.unmatched(), 0U);
     // Walls lie between cells here: the map may be off by half a cell along x and y.
     EXPECT_LE(error, kResolution);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -114,6 +115,7 @@ TEST(ChiSquareQuantile, AgreesWithTheTables) {
 // that the share scatters more than 150 independent ones would: 5 % outside are meant, 12 % taken.
 TEST(LandmarkEkf, IsAsSureAsItMayBeByVelocities) {
   const std::vector<double> means = errors_of_velocities(1.0);
+  RecordProperty("steps_within_95_percent_bounds", std::to_string(share_within(means)));
   EXPECT_GE(share_within(means), 0.88);
   EXPECT_LT(share_within(errors_of_velocities(0.7)), 0.3);
   EXPECT_LT(share_within(errors_of_velocities(1.5)), 0.3);
@@ -121,6 +123,7 @@ TEST(LandmarkEkf, IsAsSureAsItMayBeByVelocities) {
 
 TEST(LandmarkEkf, IsAsSureAsItMayBeByOdometry) {
   const std::vector<double> means = errors_of_odometry(1.0);
+  RecordProperty("steps_within_95_percent_bounds", std::to_string(share_within(means)));
   EXPECT_GE(share_within(means), 0.88);
   EXPECT_LT(share_within(errors_of_odometry(0.7)), 0.3);
   EXPECT_LT(share_within(errors_of_odometry(1.5)), 0.3);

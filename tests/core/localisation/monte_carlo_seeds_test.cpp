@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <iostream>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -29,8 +29,8 @@ TEST(MonteCarloSeeds, NinetyFiveOfAHundredLostRobotsKnowWhereTheyAreAfterATour) 
     ++found;
     worst = std::max(worst, distance(filter.estimate().estimate.pose, stops.back().truth));
   }
-  std::cout << found << " of 100 know where they are, the worst of them to " << 1000 * worst
-            << " mm\n";
+  RecordProperty("found_of_100", found);
+  RecordProperty("worst_of_them_mm", std::to_string(1000 * worst));
   EXPECT_GE(found, 95);
 }
 
@@ -46,7 +46,7 @@ TEST(MonteCarloSeeds, NineOfTenRobotsThatSomebodyCarriedAwayAreFoundAgain) {
     follow(filter, stops, 60);
     found += knows(filter, stops.back().truth) ? 1 : 0;
   }
-  std::cout << found << " of 20 are found again\n";
+  RecordProperty("found_of_20", found);
   EXPECT_GE(found, 18);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -44,6 +45,8 @@ TEST(ScanMatcher, FindsNoisyScansInAMapToACentimetreAndHalfADegree) {
     ASSERT_TRUE(match);
     add_error(errors, match->estimate, stop.truth);
   }
+  RecordProperty("worst_m", std::to_string(errors.distance));
+  RecordProperty("worst_degrees", std::to_string(rad_to_deg(errors.turn)));
   EXPECT_LE(errors.distance, 0.01);
   EXPECT_LE(errors.turn, deg_to_rad(0.5));
   // 3 where the covariance is right.
