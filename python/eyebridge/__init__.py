@@ -17,13 +17,17 @@ ranges and failures: __init__.pyi; training: Episode and VectorEnv. For robot pr
 from ._core import (
     Camera,
     ConfigError,
+    MonteCarlo,
     OccupancyGrid,
+    PurePursuit,
     Robot,
     RobotMapper,
     Scenario,
     Simulation,
     default_scenario,
+    explore,
     load_scenario,
+    plan,
 )
 from .episode import Episode
 
@@ -31,14 +35,18 @@ __all__ = [
     "Camera",
     "ConfigError",
     "Episode",
+    "MonteCarlo",
     "OccupancyGrid",
+    "PurePursuit",
     "Robot",
     "RobotMapper",
     "Scenario",
     "Simulation",
     "VectorEnv",
     "default_scenario",
+    "explore",
     "load_scenario",
+    "plan",
 ]
 
 

@@ -253,6 +253,64 @@ class RobotMapper:
     ) -> None:
         """A scan, as Robot.lidar() gives it; a full circle unless said otherwise."""
 
+def plan(
+    grid: OccupancyGrid, start: tuple[float, float], goal: tuple[float, float], *, radius: float = 0.0,
+    method: Literal["astar", "theta_star", "dstar_lite", "wavefront", "rrt_star"] = "astar",
+    unknown_blocks: bool = False, shorten: bool = False, seed: int = 1,
+) -> NDArray[numpy.float64] | None:
+    """A way for a robot of `radius` through what is not occupied (and not unknown, with `unknown_blocks`): way-points, one row
+    each. None where no way is found. `shorten` takes out those that are not needed; `seed` is rrt_star's. Raises
+    ValueError for ends that are outside or blocked. Sources of the methods: docs/mapping.md."""
+
+def explore(
+    grid: OccupancyGrid, position: tuple[float, float], *, radius: float = 0.0, smallest: int = 1
+) -> NDArray[numpy.float64] | None:
+    """The way over free cells to the nearest border of the unknown of at least `smallest` cells. None: all that can be
+    reached is known. Raises ValueError where the robot stands in no free cell."""
+
+class PurePursuit:
+    """Follows a path by aiming at a place some way ahead on it."""
+
+    def __init__(
+        self, path: ArrayLike, *, lookahead: float = ..., speed: float = ..., max_angular: float = ...,
+        deceleration: float = ..., tolerance: float = ...,
+    ) -> None:
+        """`path`: way-points, a pair each. Raises ValueError for none and for settings that are not positive."""
+    def follow(self, pose: tuple[float, float, float]) -> tuple[float, float]:
+        """Linear and angular speed to drive from `pose` until the next call; 0 once arrived."""
+    @property
+    def has_arrived(self) -> bool:
+        """The last follow() was at the path's end."""
+
+class MonteCarlo:
+    """Where a robot is on a known map, by its odometry and scans: particles. Same seed, same calls: same bits."""
+
+    def __init__(
+        self, grid: OccupancyGrid, *, sigma: float = 0.05, max_range: float = 10.0, particles: int = 20000, seed: int = 1
+    ) -> None:
+        """On a map; beams end within about `sigma` of something occupied. At most so many particles, which is also how many
+        a start anywhere spreads. Raises ValueError, also where nothing is free. Starts anywhere."""
+    def start_anywhere(self) -> None:
+        """Forgets everything."""
+    def start_at(self, pose: tuple[float, float, float], position_sigma: float = 0.1, heading_sigma: float = 0.1) -> None:
+        """Forgets everything: it is there, give or take."""
+    def predict(self, before: tuple[float, float, float], after: tuple[float, float, float]) -> None:
+        """The robot moved, by its odometry, from `before` to `after`."""
+    def correct(self, ranges: ArrayLike, bearings: ArrayLike, max_range: float = 9.999) -> None:
+        """It sees a scan: ranges along bearings in the robot; what is not in 0 … max_range is no hit. 60 hits are used."""
+    @property
+    def estimate(self) -> tuple[float, float, float]:
+        """Mean of the heaviest cluster of particles."""
+    @property
+    def deviation(self) -> tuple[float, float]:
+        """Its standard deviations: of the place, metres, and of the heading, radians."""
+    @property
+    def share(self) -> float:
+        """That cluster's share of the belief, 0 … 1."""
+    @property
+    def particles(self) -> NDArray[numpy.float64]:
+        """x, y, theta, weight, one row each. A copy."""
+
 class Episode(Simulation):
     """A simulation with a reward that is asked after every step and summed up."""
 

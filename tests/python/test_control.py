@@ -1,9 +1,13 @@
 """Control files: `def run(robot, keep_going, belief_space, map_space, interact)`."""
 
+import re
 import signal
 import subprocess
 import textwrap
+import unittest
 
+import eyebridge
+import numpy as np
 from support import BUILD, SOURCE, ProgramTest, main
 
 EYEBRIDGE = BUILD / "bin" / "eyebridge"
@@ -290,6 +294,86 @@ class Mistakes(ControlTest):
         run = self.control("pass", "--world", "nowhere.wld")
         self.assertIn("nowhere.wld", run.err)
         self.assertEqual(run.returncode, 2)
+
+
+class Examples(ControlTest):
+    def example(self, name, world, *options):
+        words = [EYEBRIDGE, "run", "--fast", "--no-gui", "--world", SOURCE / "worlds" / world, *options,
+                 SOURCE / "examples" / "control" / name]  # fmt: skip
+        run = self.run_words(words, {"log": "error"})
+        self.assertEqual(run.returncode, 0, run.err)
+        return run.out
+
+    def test_first_maps_what_it_passes(self):
+        out = self.example("first.py", "maze-8.maz", "--time-limit", "60s")
+        cells, share = re.fullmatch(r"(\d+) cells are known, (.*)% of them rightly\n", out).groups()
+        self.assertGreater(int(cells), 1000)
+        self.assertGreater(float(share), 97)
+
+    def test_explore_comes_to_know_all_rooms(self):
+        out = self.example("explore.py", "rooms.wld", "--time-limit", "400s")
+        known, share = re.fullmatch(r"(.*)% of what can be reached is known, (.*)% of it rightly\n", out).groups()
+        self.assertGreater(float(known), 95)
+        self.assertGreater(float(share), 97)
+
+    def test_localise_finds_out_where_it_is(self):
+        out = self.example("localise.py", "maze-8.maz", "--errors", "realistic", "--time-limit", "120s")
+        self.assertLess(float(re.search(r", (\d+) mm off", out).group(1)), 60)
+
+
+class Algorithms(unittest.TestCase):
+    """What control files have of planning and localisation."""
+
+    def setUp(self):
+        self.truth = eyebridge.OccupancyGrid.truth_of(eyebridge.load_scenario(SOURCE / "worlds" / "rooms.wld"))
+
+    def test_every_method_finds_a_way_that_touches_nothing(self):
+        lengths = {}
+        for method in ("astar", "theta_star", "dstar_lite", "wavefront", "rrt_star"):
+            path = eyebridge.plan(self.truth, (0.7, 1.5), (3.3, 2.5), radius=0.1, method=method, shorten=True)
+            steps = np.diff(path, axis=0)
+            lengths[method] = np.hypot(*steps.T).sum()
+            for (x, y), (dx, dy) in zip(path, steps):
+                for part in np.linspace(0, 1, 100):
+                    self.assertEqual(self.truth.state(x + part * dx, y + part * dy), "free", method)
+        self.assertGreater(min(lengths.values()), 2.7)
+        self.assertLess(max(lengths.values()), 1.2 * min(lengths.values()))
+
+    def test_no_way_is_none_and_bad_ends_are_errors(self):
+        walled = eyebridge.OccupancyGrid(1.0, 1.0, resolution=0.1)
+        for row in range(10):
+            walled.set_probability(0.55, 0.05 + row / 10, 0.99)
+        self.assertIsNone(eyebridge.plan(walled, (0.1, 0.1), (0.9, 0.9)))
+        with self.assertRaisesRegex(ValueError, "goal"):
+            eyebridge.plan(walled, (0.1, 0.1), (0.55, 0.55))
+        with self.assertRaisesRegex(ValueError, "expected astar, theta_star"):
+            eyebridge.plan(walled, (0.1, 0.1), (0.2, 0.2), method="magic")
+
+    def test_pursuit_drives_along_its_path(self):
+        pursuit = eyebridge.PurePursuit([(0, 0), (1, 0)], speed=0.2)
+        self.assertEqual(pursuit.follow((0, 0, 0)), (0.2, 0.0))
+        self.assertGreater(pursuit.follow((0.3, -0.1, 0))[1], 0)
+        pursuit.follow((1, 0, 0))
+        self.assertTrue(pursuit.has_arrived)
+
+    def test_particles_come_to_where_the_robot_is(self):
+        scenario = eyebridge.load_scenario(SOURCE / "worlds" / "slalom.wld")
+        grid = eyebridge.OccupancyGrid.truth_of(scenario)
+        where = eyebridge.MonteCarlo(grid, seed=3)
+        with eyebridge.Simulation(scenario) as sim:
+            robot = sim.robots[0]
+            where.start_at(robot.pose, 0.2, 0.2)
+            bearings = np.pi - 2 * np.pi * np.arange(360) / 360
+            for _ in range(30):
+                before = robot.odometry
+                robot.set_speed(0.1, 0.3)
+                sim.run(0.2)
+                where.predict(before, robot.odometry)
+                where.correct(robot.lidar(), bearings)
+            x, y, _ = robot.pose
+            self.assertLess(np.hypot(where.estimate[0] - x, where.estimate[1] - y), 0.05)
+        self.assertLess(where.deviation[0], 0.1)
+        self.assertAlmostEqual(where.particles[:, 3].sum(), 1.0)
 
 
 if __name__ == "__main__":

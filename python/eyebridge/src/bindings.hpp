@@ -8,6 +8,8 @@ namespace eyebridge::python {
 void bind_scenario(pybind11::module_& module);
 void bind_camera(pybind11::module_& module);
 void bind_mapping(pybind11::module_& module);
+void bind_planning(pybind11::module_& module);
+void bind_localisation(pybind11::module_& module);
 void bind_robot(pybind11::module_& module);
 void bind_likelihood(pybind11::module_& module);
 void bind_simulation(pybind11::module_& module);

@@ -17,4 +17,6 @@ PYBIND11_MODULE(_core, module) {
   eyebridge::python::bind_simulation(module);
   eyebridge::python::bind_batch(module);
   eyebridge::python::bind_mapping(module);
+  eyebridge::python::bind_planning(module);
+  eyebridge::python::bind_localisation(module);
 }

@@ -1,0 +1,114 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <pybind11/stl.h>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "checks.hpp"
+#include "eyebridge/localisation/monte_carlo.hpp"
+#include "eyebridge/localisation/scan.hpp"
+#include "eyebridge/mapping/occupancy_grid.hpp"
+
+namespace eyebridge::python {
+namespace {
+
+namespace py = pybind11;
+using localisation::MonteCarlo;
+using mapping::CellState;
+using mapping::OccupancyGrid;
+using Place = std::tuple<double, double, double>;
+using Scanned = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+constexpr std::size_t kBeams = 60;  // as many as say something new
+
+Pose pose_from(const Place& place) {
+  const auto [x, y, theta] = place;
+  for (const double value : {x, y, theta}) need_finite("pose", value);
+  return {x, y, theta};
+}
+
+/// On the map `grid`: beams meet what is occupied, robots are where it is free.
+MonteCarlo monte_carlo(const OccupancyGrid& grid, double sigma, double max_range,
+                       std::size_t particles, std::uint64_t seed) {
+  mapping::Raster<std::uint8_t> occupied(grid.geometry());
+  mapping::Raster<std::uint8_t> free(grid.geometry());
+  for (std::size_t i = 0; i < occupied.cells.size(); ++i) {
+    const CellState state = grid.state_of(grid.raster().cells[i]);
+    occupied.cells[i] = state == CellState::Occupied ? 1 : 0;
+    free.cells[i] = state == CellState::Free ? 1 : 0;
+  }
+  localisation::BeamSettings beams;
+  beams.sigma = sigma;
+  beams.max_range = max_range;
+  localisation::MonteCarloSettings settings;
+  settings.most_particles = particles;
+  settings.least_particles = std::min(settings.least_particles, particles);
+  auto field = std::make_shared<const localisation::LikelihoodField>(occupied, beams);
+  return {std::move(field), free, settings, seed};
+}
+
+void correct(MonteCarlo& filter, const Scanned& ranges, const Scanned& bearings, double max_range) {
+  if (ranges.ndim() != 1 || bearings.ndim() != 1 || ranges.size() != bearings.size()) {
+    throw std::invalid_argument("expected as many bearings as ranges");
+  }
+  localisation::Scan scan;
+  for (py::ssize_t i = 0; i < ranges.size(); ++i) {
+    const double range = ranges.at(i);
+    if (!(range > 0 && range < max_range)) continue;
+    need_finite("bearings", bearings.at(i));
+    scan.hits.push_back(range * Heading::from_angle(bearings.at(i)).forward());
+  }
+  filter.correct(scan.thinned(kBeams));
+}
+
+}  // namespace
+
+void bind_localisation(py::module_& module) {
+  py::class_<MonteCarlo>(module, "MonteCarlo")
+      .def(py::init(&monte_carlo), py::arg("grid"), py::kw_only(), py::arg("sigma") = 0.05,
+           py::arg("max_range") = 10.0, py::arg("particles") = 20000, py::arg("seed") = 1)
+      .def("start_anywhere", &MonteCarlo::start_anywhere)
+      .def(
+          "start_at",
+          [](MonteCarlo& filter, const Place& pose, double position, double heading) {
+            filter.start_at(pose_from(pose), position, heading);
+          },
+          py::arg("pose"), py::arg("position_sigma") = 0.1, py::arg("heading_sigma") = 0.1)
+      .def(
+          "predict",
+          [](MonteCarlo& filter, const Place& before, const Place& after) {
+            filter.predict(pose_from(before), pose_from(after));
+          },
+          py::arg("before"), py::arg("after"))
+      .def("correct", &correct, py::arg("ranges"), py::arg("bearings"),
+           py::arg("max_range") = 9.999)
+      .def_property_readonly("estimate",
+                             [](const MonteCarlo& filter) {
+                               const Pose& pose = filter.estimate().estimate.pose;
+                               return py::make_tuple(pose.x, pose.y, pose.theta);
+                             })
+      .def_property_readonly("deviation",
+                             [](const MonteCarlo& filter) {
+                               const auto spread = filter.estimate().estimate.covariance;
+                               return std::pair(std::sqrt(spread(0, 0) + spread(1, 1)),
+                                                std::sqrt(spread(2, 2)));
+                             })
+      .def_property_readonly("share",
+                             [](const MonteCarlo& filter) { return filter.estimate().share; })
+      .def_property_readonly("particles", [](const MonteCarlo& filter) {
+        const localisation::Particles& all = filter.particles();
+        std::vector<double> rows;
+        rows.reserve(4 * all.size());
+        for (std::size_t i = 0; i < all.size(); ++i) {
+          rows.insert(rows.end(), {all.x[i], all.y[i], all.theta[i], all.weight[i]});
+        }
+        return array_of(std::move(rows)).reshape({-1, 4});
+      });
+}
+
+}  // namespace eyebridge::python
