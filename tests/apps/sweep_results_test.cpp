@@ -177,10 +177,15 @@ TEST(Spread, IsThatOfTheNumbers) {
 }
 
 std::vector<ResultRow> rows() {
-  return {{{{"keep", "1"}, {"seed", "1"}, {"world", "/a/x.wld"}}, "ended", {{"time", 1.0}}},
-          {{{"keep", "2"}, {"seed", "1"}, {"world", "/a/x.wld"}}, "ended", {{"time", 5.0}}},
-          {{{"keep", "1"}, {"seed", "2"}, {"world", "/a/x.wld"}}, "time limit", {{"time", 3.0}}},
-          {{{"keep", "2"}, {"seed", "2"}, {"world", "/a/x.wld"}}, "crashed", {{"time", 100.0}}}};
+  const auto row = [](const char* keep, const char* seed, const char* how, double time) {
+    ResultRow out;
+    out.coordinates = {{"keep", keep}, {"seed", seed}, {"world", "/a/x.wld"}};
+    out.how = how;
+    out.values = {{"time", time}};
+    return out;
+  };
+  return {row("1", "1", "ended", 1.0), row("2", "1", "ended", 5.0),
+          row("1", "2", "time limit", 3.0), row("2", "2", "crashed", 100.0)};
 }
 
 TEST(Summary, GroupsByAllThatDiffersButTheSeed) {

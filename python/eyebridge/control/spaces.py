@@ -11,6 +11,7 @@ class Space:
         self._turns = turns
         self._robots = robots
         self.poses = {}  # of the robots in this space, by name: x, y, theta
+        self.is_used = False  # something was put into its cells
 
     def set_robot(self, name, x=None, y=None, theta=None):
         """Puts a robot into this space: at a pose, or where it is by its wheels now."""
@@ -48,6 +49,7 @@ class Space:
         """Makes the cell at (x, y) as probable as that."""
         self._turns.spend(COMMAND_COST)
         self.grid.set_probability(x, y, probability)
+        self.is_used = True
 
     def clear(self):
         """Forgets everything."""
@@ -102,6 +104,7 @@ class BeliefSpace(Space):
     def add(self, robot, sensor, reading, pose):
         """Takes one reading of `sensor`, made at `pose`."""
         mapper = self._mappers(robot.index)
+        self.is_used = True
         if sensor.kind == "lidar":
             mapper.insert_lidar(self.grid, pose, reading, robot._world.field_of_view(robot.index))
         else:

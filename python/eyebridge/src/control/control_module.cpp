@@ -147,6 +147,7 @@ PYBIND11_MODULE(_control, module) {
       .def("is_set",
            [](const World& world, const std::string& key) { return world.config().is_set(key); })
       .def("open_windows", &World::open_windows, py::arg("folder"), Release())
+      .def("note", &World::note, py::arg("name"), py::arg("value"))
       .def("finish", &World::finish, py::arg("how"), Release())
       .def("model_name",
            [](const World& world, std::size_t index) { return world.model(index).name; })
