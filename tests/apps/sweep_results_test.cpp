@@ -45,7 +45,7 @@ TEST(Outcome, ReadsReportAndResults) {
   const std::string report = folder.write(
       "r",
       "time =  12.500000\ndistance = 3.0\ncollisions =  2\nstate_hash = \"00000000000000ff\"\n"
-      "ended = true \n");
+      "ended = true \nend_x =  -1.250000\nb =  7.000000\n");
   const std::string output = folder.write(
       "o",
       "hello\nresult a 1\nresult b two words \nresult a 2\nresult\nresult c\nresult d/e 3\n"
@@ -56,7 +56,9 @@ TEST(Outcome, ReadsReportAndResults) {
   EXPECT_EQ(o.distance, 3.0);
   EXPECT_EQ(o.collisions, 2U);
   EXPECT_EQ(o.state_hash, "00000000000000ff");
-  EXPECT_THAT(o.results, ElementsAre(Pair("a", "2"), Pair("b", "two words"), Pair("f", "a?b")));
+  EXPECT_THAT(o.results,
+              ElementsAre(Pair("end_x", "-1.250000"), Pair("b", "7.000000"), Pair("a", "2"),
+                          Pair("result.b", "two words"), Pair("f", "a?b")));
 }
 
 TEST(Outcome, InventsNothingThatTheFilesDoNotSay) {
