@@ -1,7 +1,10 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -19,10 +22,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void make_folder(const std::string& out) {
+/// True for a folder that was not there.
+bool make_folder(const std::string& out) {
   std::error_code error;
-  fs::create_directories(out, error);
-  if (!error && fs::is_directory(out, error)) return;
+  const bool is_new = fs::create_directories(out, error);
+  if (!error && fs::is_directory(out, error)) return is_new;
   throw ConfigError({"--out"}, fmt::format("cannot make the folder {}: {}", out,
                                            error ? error.message() : "it is a file"));
 }
@@ -86,11 +90,17 @@ void add_assess(CLI::App& root, int& code) {
   command->add_flag("--keep", choices->keep, "Keeps the files of all runs");
   command->callback([command, flags, choices, &code] {
     Assessment assessment = make_assessment(*flags, command->remaining());
-    make_folder(flags->out);
+    const bool is_new = make_folder(flags->out);
     const auto shown = [&](const SweepPlan& plan, const std::vector<Cell>& cells) {
       show_assessment(assessment, flags->out, plan, cells);
     };
-    code = run_plan(assessment.plan, *choices, shown);
+    try {
+      code = run_plan(assessment.plan, *choices, shown);
+    } catch (const ConfigError&) {
+      std::error_code in_use;  // by what was run before
+      if (is_new) fs::remove(flags->out, in_use);
+      throw;
+    }
   });
 }
 

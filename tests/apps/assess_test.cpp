@@ -191,6 +191,7 @@ TEST_F(Assess, RefusesBeforeTheFirstRunWhatCannotBe) {
   expect_refused(with({"--worlds", room_, "--goal", "1,2,3", "--goal", "1,2,4"}),
                  "as a second goal");
   expect_refused(in_room("--time-limit", "soon"), "soon");
+  EXPECT_FALSE(fs::exists(folder_.path() + "/assessment")) << "nothing is left behind";
   expect_refused(in_room("--out", "prog"), "--out: cannot make the folder prog");
   expect_refused(in_room("--report", "x"), "--report: found 'report'");
   expect_refused(assess({"--worlds", room_}), "found no controller, expected: eyebridge assess");
