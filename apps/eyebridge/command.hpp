@@ -21,6 +21,7 @@ void add_add(CLI::App& root, int& code);
 void add_remove(CLI::App& root, int& code);
 void add_record(CLI::App& root, int& code);
 void add_sweep(CLI::App& root, int& code);
+void add_assess(CLI::App& root, int& code);
 void add_probe(CLI::App& root, int& code);
 void add_firmware(CLI::App& root, int& code);
 void add_world(CLI::App& root, int& code);

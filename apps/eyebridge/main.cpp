@@ -22,6 +22,7 @@ int run(int argc, char** argv) {
   add_remove(app, code);
   add_record(app, code);
   add_sweep(app, code);
+  add_assess(app, code);
   add_probe(app, code);
   add_firmware(app, code);
   add_world(app, code);

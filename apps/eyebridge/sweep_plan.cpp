@@ -136,9 +136,10 @@ void check_all_settings(const SweepPlan& plan, const RunSettings& settings) {
 
 }  // namespace
 
-void add_sweep_flags(CLI::App& command, SweepFlags& flags) {
+void add_axis_flags(CLI::App& command, SweepFlags& flags, const std::set<std::string>& except) {
   for (const hal::Setting& setting : hal::settings()) {
     const std::string key(setting.key);
+    if (except.contains(key)) continue;
     const auto store = [&flags, key](const CLI::results_t& values) {
       for (const std::string& value : values) {
         flags.settings.emplace_back(key, value.empty() ? "true" : value);
@@ -164,8 +165,6 @@ void add_sweep_flags(CLI::App& command, SweepFlags& flags) {
       ->expected(1)
       ->allow_extra_args(false)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  command.add_option("--results", flags.results, "The results, an SQLite file [sweep.db]")
-      ->type_name("FILE");
   command.add_option("--wall-limit", flags.wall_limit, "A run that takes longer hangs [10min]")
       ->type_name("TIME");
   command.add_option("--jobs", flags.jobs, "Runs at a time [one a core]")->type_name("N");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,9 +24,10 @@ struct SweepFlags {
   std::string jobs;
 };
 
-/// Adds the flags of a plan to `command`; what is given lands in `flags`, which must outlive the
+/// Adds the flags of a plan to `command`: a setting each but for those in `except`, --env,
+/// --parameter, --wall-limit, --jobs. What is given lands in `flags`, which must outlive the
 /// parsing.
-void add_sweep_flags(CLI::App& command, SweepFlags& flags);
+void add_axis_flags(CLI::App& command, SweepFlags& flags, const std::set<std::string>& except = {});
 
 /// The plan of `words` (a sweep file, or a program and its arguments, or nothing) and `flags`,
 /// which take the place of what the file says. Throws ConfigError.

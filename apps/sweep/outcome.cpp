@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <stdexcept>
 
@@ -43,12 +44,17 @@ std::string printable(std::string_view text) {
 }
 
 void read_report(Outcome& outcome, const std::filesystem::path& path) {
+  constexpr std::string_view kColumns[] = {"time", "distance", "collisions", "state_hash", "ended"};
   std::ifstream file(path);
   std::map<std::string, std::string> entries;
   for (std::string line; std::getline(file, line);) {
     const std::size_t equals = line.find('=');
     if (equals == std::string::npos) continue;
-    entries.emplace(trimmed(line.substr(0, equals)), trimmed(line.substr(equals + 1)));
+    const std::string name(trimmed(std::string_view(line).substr(0, equals)));
+    const std::string value(trimmed(std::string_view(line).substr(equals + 1)));
+    const bool is_new = entries.emplace(name, value).second;
+    const bool is_column = std::ranges::find(kColumns, name) != std::end(kColumns);
+    if (is_new && !is_column && number<double>(value)) outcome.results.emplace_back(name, value);
   }
   outcome.time = number<double>(entries["time"]);
   outcome.distance = number<double>(entries["distance"]);
@@ -60,14 +66,18 @@ void read_report(Outcome& outcome, const std::filesystem::path& path) {
 void read_results(Outcome& outcome, const std::filesystem::path& path) {
   constexpr std::string_view kWord = "result ";
   std::ifstream file(path, std::ios::binary);
+  const auto of_report = static_cast<std::ptrdiff_t>(outcome.results.size());
   for (std::string line; std::getline(file, line);) {
     if (!line.starts_with(kWord)) continue;
     const std::string_view rest = trimmed(std::string_view(line).substr(kWord.size()));
     const std::size_t blank = rest.find(' ');
-    const std::string_view name = rest.substr(0, blank);
+    std::string name(rest.substr(0, blank));
     if (blank == std::string_view::npos || !is_name(name)) continue;
     const std::string value = printable(trimmed(rest.substr(blank)).substr(0, kLongestValue));
     const auto same = [&](const auto& result) { return result.first == name; };
+    const auto measured = outcome.results.begin() + of_report;
+    // A program may call its own numbers as the report calls ours.
+    if (std::find_if(outcome.results.begin(), measured, same) != measured) name = "result." + name;
     const auto present = std::ranges::find_if(outcome.results, same);
     if (present != outcome.results.end()) {
       present->second = value;

@@ -24,7 +24,9 @@ struct Outcome {
   std::string state_hash;  ///< 16 hexadecimal digits; "" unless the program ended by itself.
   double wall = 0.0;       ///< Real time, s.
   double cpu = 0.0;        ///< Processor time with its children, s.
-  /// Lines "result NAME VALUE" of its output; the last of each name, in order of first appearance.
+  /// What else its report says (end_x, end_y, end_theta; coverage, observed, agreement of a control
+  /// file's belief), then lines "result NAME VALUE" of its output: the last of each name, in order
+  /// of first appearance; "result.NAME" where the report has that name, too.
   std::vector<std::pair<std::string, std::string>> results;
 
   [[nodiscard]] bool well() const { return how == "ended" || how == "time limit"; }

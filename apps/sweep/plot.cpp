@@ -69,26 +69,26 @@ class Chart {
     text(kLeft + kWidth / 2, kTop - 20, title, 0.5);
   }
 
-  void draw_group(std::size_t row, const Group& group, const std::string& value) {
+  void draw_row(std::size_t row, const PlotRow& what) {
     const double y = kTop + kRow * (static_cast<double>(row) + 0.5);
     ink(0.25, 0.25, 0.25);
-    const bool cut = group.label.size() > kLongestLabel;
-    text(kLeft - 12, y + 4, cut ? group.label.substr(0, kLongestLabel - 3) + "..." : group.label,
+    const bool cut = what.label.size() > kLongestLabel;
+    text(kLeft - 12, y + 4, cut ? what.label.substr(0, kLongestLabel - 3) + "..." : what.label,
          1.0);
-    const Spread spread = group.spread(value);
-    if (spread.count == 0) return;
-    ink(0.82, 0.88, 0.96);
-    cairo_rectangle(cairo_.get(), across(spread.mean - spread.deviation), y - 10,
-                    across(spread.mean + spread.deviation) - across(spread.mean - spread.deviation),
-                    20);
-    cairo_fill(cairo_.get());
-    for (const double number : group.values.at(value)) {
+    if (what.bar) {
+      ink(0.82, 0.88, 0.96);
+      cairo_rectangle(cairo_.get(), across(what.bar->low), y - 10,
+                      across(what.bar->high) - across(what.bar->low), 20);
+      cairo_fill(cairo_.get());
+    }
+    for (const double number : what.dots) {
       cairo_set_source_rgba(cairo_.get(), 0.15, 0.35, 0.7, 0.5);
       cairo_arc(cairo_.get(), across(number), y, 3, 0, 2 * M_PI);
       cairo_fill(cairo_.get());
     }
+    if (!what.bar) return;
     ink(0.75, 0.15, 0.1);
-    line(across(spread.mean), y - 11, across(spread.mean), y + 11, 2);
+    line(across(what.bar->mark), y - 11, across(what.bar->mark), y + 11, 2);
   }
 
   void write(const std::filesystem::path& file) {
@@ -140,23 +140,37 @@ void check_value(const std::vector<Group>& groups, const std::string& value) {
 
 }  // namespace
 
+void plot_rows(const std::vector<PlotRow>& rows, const std::string& title,
+               const std::filesystem::path& file, std::optional<std::pair<double, double>> bounds) {
+  if (rows.size() > kMostGroups) {
+    throw ConfigError(
+        {file.string()},
+        fmt::format("found {} groups, expected at most {} in a picture", rows.size(), kMostGroups));
+  }
+  Spread all;
+  for (const PlotRow& row : rows) {
+    for (const double dot : row.dots) all.add(dot);
+  }
+  if (!bounds) bounds.emplace(all.least, all.most);
+  Chart chart(rows.size(), bounds->first, bounds->second);
+  chart.draw_axis(title);
+  for (std::size_t row = 0; row < rows.size(); ++row) chart.draw_row(row, rows[row]);
+  chart.write(file);
+}
+
 void plot(const std::vector<Group>& groups, const std::string& value,
           const std::filesystem::path& file) {
   check_value(groups, value);
-  if (groups.size() > kMostGroups) {
-    throw ConfigError({"--by"}, fmt::format("found {} groups, expected at most {} in a picture",
-                                            groups.size(), kMostGroups));
-  }
-  Spread all;
+  std::vector<PlotRow> rows;
   for (const Group& group : groups) {
-    const auto found = group.values.find(value);
-    if (found == group.values.end()) continue;
-    for (const double number : found->second) all.add(number);
+    PlotRow& row = rows.emplace_back();
+    row.label = group.label;
+    const Spread spread = group.spread(value);
+    if (spread.count == 0) continue;
+    row.dots = group.values.at(value);
+    row.bar = PlotBar{spread.mean - spread.deviation, spread.mean, spread.mean + spread.deviation};
   }
-  Chart chart(groups.size(), all.least, all.most);
-  chart.draw_axis(value);
-  for (std::size_t row = 0; row < groups.size(); ++row) chart.draw_group(row, groups[row], value);
-  chart.write(file);
+  plot_rows(rows, value, file);
 }
 
 }  // namespace eyebridge::apps

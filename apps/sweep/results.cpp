@@ -138,13 +138,14 @@ void add_pair(const sqlite::Statement& add, std::int64_t run, const std::string&
 
 }  // namespace
 
-ResultsFile::ResultsFile(const std::filesystem::path& path) : file_(path.string()) {
+ResultsFile::ResultsFile(const std::filesystem::path& path, std::string flag)
+    : file_(path.string()), flag_(std::move(flag)) {
   lock_.reset(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
   if (!lock_.valid()) throw ConfigError({file_}, std::string("cannot write: ") + strerror(errno));
   if (flock(lock_.get(), LOCK_EX | LOCK_NB) != 0) {
-    throw ConfigError({file_},
-                      "another sweep is writing it; expected to be alone (--results "
-                      "names another file)");
+    throw ConfigError({file_}, fmt::format("another sweep is writing it; expected to be alone ({} "
+                                           "names another place)",
+                                           flag_));
   }
   try {
     database_ = open_file(path, SQLITE_OPEN_READWRITE);
@@ -164,8 +165,8 @@ void ResultsFile::note_input(const std::filesystem::path& path) {
     if (sqlite::text(present, 0) == hash) return;
     throw ConfigError({file_},
                       fmt::format("holds runs of another version of {}; expected the same, "
-                                  "or another file (--results)",
-                                  path.string()));
+                                  "or another place ({})",
+                                  path.string(), flag_));
   }
   const auto add = sqlite::prepare(database_.get(), "INSERT INTO input VALUES(?,?)");
   sqlite::bind(add, 1, path.string());
@@ -207,7 +208,9 @@ std::vector<ResultRow> read_results_file(const std::filesystem::path& path) {
     const sqlite::Database database = open_file(path, SQLITE_OPEN_READONLY);
     check_version(database.get());
     const auto runs = sqlite::prepare(
-        database.get(), "SELECT id,how,time,distance,collisions,wall,cpu FROM run ORDER BY id");
+        database.get(),
+        "SELECT id,how,time,distance,collisions,wall,cpu,key,reason,state_hash FROM run "
+        "ORDER BY id");
     const auto coordinates =
         sqlite::prepare(database.get(), "SELECT name,value FROM coordinate WHERE run=?");
     const auto results = sqlite::prepare(
@@ -217,6 +220,9 @@ std::vector<ResultRow> read_results_file(const std::filesystem::path& path) {
     while (sqlite::step(runs)) {
       ResultRow& row = rows.emplace_back();
       row.how = sqlite::text(runs, 1);
+      row.key = sqlite::text(runs, 7);
+      row.reason = sqlite::text(runs, 8);
+      if (!sqlite::is_null(runs, 9)) row.state_hash = sqlite::text(runs, 9);
       for (int i = 0; i < static_cast<int>(kColumns.size()); ++i) {
         if (sqlite::is_null(runs, 2 + i)) continue;
         row.values[std::string(kColumns[static_cast<std::size_t>(i)])] =

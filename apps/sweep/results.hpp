@@ -16,8 +16,11 @@ namespace eyebridge::apps {
 
 /// One run as the results hold it.
 struct ResultRow {
+  std::string key;                                 ///< Cell::key().
   std::map<std::string, std::string> coordinates;  ///< Cell::coordinates().
-  std::string how;
+  std::string how;                                 ///< Outcome::how.
+  std::string reason;                              ///< Outcome::reason.
+  std::string state_hash;                          ///< Outcome::state_hash.
   /// Numbers of the run by name: time, distance, collisions, wall, cpu, and its results that are
   /// numbers.
   std::map<std::string, double> values;
@@ -34,7 +37,8 @@ class ResultsFile {
  public:
   /// Opens or makes `path` for writing. Throws ConfigError: it is no such file, of another version,
   /// cannot be written, or another sweep is writing it.
-  explicit ResultsFile(const std::filesystem::path& path);
+  /// `flag` is what names another file, for messages.
+  explicit ResultsFile(const std::filesystem::path& path, std::string flag = "--results");
 
   /// Says which version of a program or world the runs use. Throws ConfigError when runs of another
   /// version are in the file: they cannot be compared.
@@ -51,6 +55,7 @@ class ResultsFile {
   UniqueFd lock_;  ///< Held until the database is closed.
   camera::sqlite::Database database_;
   std::string file_;
+  std::string flag_;
 };
 
 /// All runs in the file, in the order in which they ended. Throws ConfigError when it is missing or

@@ -59,7 +59,7 @@ constexpr auto kSettings = std::to_array<Setting>({
      "auto|on|off"},
     {"out", Kind::Path, "", "folder for pictures and trace; unset: none are written"},
     {"report", Kind::Path, "",
-     "file for what came of a simulated run: time, way, collisions, hash"},
+     "file for what came of a simulated run: time, way, collisions, end, hash"},
     {"id_as_ascii", Kind::Boolean, "false", "classic OSMachineID() gives '1', '2' instead of 1, 2"},
     {"record", Kind::Path, "", "file (.ebrec) for all exchanges with the devices, and frames"},
     {"record_frames", Kind::Text, "lossless", "how camera frames are kept in --record",

@@ -40,6 +40,7 @@ class SharedSim final : public SharedWorld {
     world_->step();
   }
   [[nodiscard]] Environment& environment() override { return *view_; }
+  void note(const std::string& name, double value) override { world_->note(name, value); }
   void end() noexcept override { world_->end_report(); }
   [[nodiscard]] StateHash hash() override;
   [[nodiscard]] bool is_locked() override { return world_->is_locked(); }

@@ -1,7 +1,9 @@
 #include "sim/run_report.hpp"
 
 #include <array>
+#include <cassert>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 
 #include <fcntl.h>
@@ -14,6 +16,7 @@ namespace eyebridge::hal {
 namespace {
 
 constexpr double kPeriod = 1.0;  // seconds of the robot's time
+constexpr std::size_t kLongestName = 32;
 
 }  // namespace
 
@@ -31,16 +34,36 @@ void RunReport::step(const robot::Simulation& simulation) {
   write(simulation, false);
 }
 
-// All texts are of one length, so that one write replaces the last one whole. A disk that is full
-// must not stop a robot: whoever reads the report finds none.
+void RunReport::note(const std::string& name, double value) {
+  assert(!name.empty() && name.size() <= kLongestName && std::isfinite(value));
+  notes_[name] = value;
+  assert(notes_.size() <= kMostNotes);
+}
+
+// No text is shorter than the one before, so that one write replaces that one whole. A disk that is
+// full must not stop a robot: whoever reads the report finds none.
 void RunReport::write(const robot::Simulation& simulation, bool ended) noexcept {
-  std::array<char, 256> text{};
-  const auto end = fmt::format_to_n(text.data(), text.size(),
-                                    "time = {:18.6f}\ndistance = {:18.6f}\ncollisions = {:18}\n"
-                                    "state_hash = \"{:016x}\"\nended = {:5}\n",
-                                    simulation.time(), tally_.distance(), tally_.collisions(),
-                                    simulation.state_hash(), ended);
-  [[maybe_unused]] const ssize_t written = pwrite(file_.get(), text.data(), end.size, 0);
+  std::array<char, 512 + kMostNotes*(kLongestName + 24)> text{};
+  char* end = text.data();
+  const auto left = [&] { return static_cast<std::size_t>(text.data() + text.size() - end); };
+  end = fmt::format_to_n(end, left(),
+                         "time = {:18.6f}\ndistance = {:18.6f}\ncollisions = {:18}\n"
+                         "state_hash = \"{:016x}\"\nended = {:5}\n",
+                         simulation.time(), tally_.distance(), tally_.collisions(),
+                         simulation.state_hash(), ended)
+            .out;
+  if (simulation.robot_count() > 0) {
+    const Pose pose = simulation.pose(0);
+    end =
+        fmt::format_to_n(end, left(), "end_x = {:18.6f}\nend_y = {:18.6f}\nend_theta = {:18.6f}\n",
+                         pose.x, pose.y, pose.theta)
+            .out;
+  }
+  for (const auto& [name, value] : notes_) {
+    end = fmt::format_to_n(end, left(), "{} = {:18.6f}\n", name, value).out;
+  }
+  const auto size = static_cast<std::size_t>(end - text.data());
+  [[maybe_unused]] const ssize_t written = pwrite(file_.get(), text.data(), size, 0);
 }
 
 }  // namespace eyebridge::hal

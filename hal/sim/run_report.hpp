@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <string>
 
 #include "eyebridge/base/unique_fd.hpp"
 #include "eyebridge/robot/tally.hpp"
@@ -9,7 +11,9 @@ namespace eyebridge::hal {
 
 /// What has come of a run so far, as a small text that is always whole (`--report`): lines
 /// "key = value" of `time` (s), `distance` (m, of all robots), `collisions`, `state_hash` (of
-/// everything that moves) and `ended` (the program did, by itself or by a signal).
+/// everything that moves), `ended` (the program did, by itself or by a signal), `end_x`, `end_y`
+/// (m) and `end_theta` (rad: where robot 1 is in the world, when there is one), and what note()
+/// was told.
 ///
 /// Written over once a second of the robot's time, so that a program that crashes or is killed
 /// leaves one, too. One thread at a time.
@@ -21,6 +25,11 @@ class RunReport {
   /// After every step.
   void step(const robot::Simulation& simulation);
   void collision(const robot::CollisionEvent& event) { tally_.add_collision(event); }
+  /// A number that whoever drives the robots knows of the run, `value` finite, as a line of its own
+  /// from the next time on that the report is written. `name`: a word, none of those above; the
+  /// last value of a name counts, and names past kMostNotes are our own bug.
+  void note(const std::string& name, double value);
+  static constexpr std::size_t kMostNotes = 8;
   /// When the program ends.
   void end(const robot::Simulation& simulation) noexcept { write(simulation, true); }
 
@@ -30,6 +39,7 @@ class RunReport {
   UniqueFd file_;
   robot::Tally tally_;
   double next_ = 0.0;  ///< When to write again, seconds.
+  std::map<std::string, double> notes_;
 };
 
 }  // namespace eyebridge::hal

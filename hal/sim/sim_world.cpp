@@ -116,6 +116,11 @@ void SimWorld::report_to(RunReport report) {
   report_.emplace(std::move(report));
 }
 
+void SimWorld::note(const std::string& name, double value) {
+  const std::lock_guard lock(mutex_);
+  if (report_) report_->note(name, value);
+}
+
 void SimWorld::end_report() noexcept {
   const std::lock_guard lock(mutex_);
   if (report_) report_->end(simulation_);

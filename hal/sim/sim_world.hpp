@@ -51,6 +51,8 @@ class SimWorld {
 
   /// Keeps a report of the run from now on.
   void report_to(RunReport report);
+  /// Adds a number to the report, if there is one: RunReport::note().
+  void note(const std::string& name, double value);
   /// The program has ended: the report says so.
   void end_report() noexcept;
 

@@ -45,7 +45,7 @@ TEST(Outcome, ReadsReportAndResults) {
   const std::string report = folder.write(
       "r",
       "time =  12.500000\ndistance = 3.0\ncollisions =  2\nstate_hash = \"00000000000000ff\"\n"
-      "ended = true \n");
+      "ended = true \nend_x =  -1.250000\nb =  7.000000\n");
   const std::string output = folder.write(
       "o",
       "hello\nresult a 1\nresult b two words \nresult a 2\nresult\nresult c\nresult d/e 3\n"
@@ -56,7 +56,9 @@ TEST(Outcome, ReadsReportAndResults) {
   EXPECT_EQ(o.distance, 3.0);
   EXPECT_EQ(o.collisions, 2U);
   EXPECT_EQ(o.state_hash, "00000000000000ff");
-  EXPECT_THAT(o.results, ElementsAre(Pair("a", "2"), Pair("b", "two words"), Pair("f", "a?b")));
+  EXPECT_THAT(o.results,
+              ElementsAre(Pair("end_x", "-1.250000"), Pair("b", "7.000000"), Pair("a", "2"),
+                          Pair("result.b", "two words"), Pair("f", "a?b")));
 }
 
 TEST(Outcome, InventsNothingThatTheFilesDoNotSay) {
@@ -177,10 +179,15 @@ TEST(Spread, IsThatOfTheNumbers) {
 }
 
 std::vector<ResultRow> rows() {
-  return {{{{"keep", "1"}, {"seed", "1"}, {"world", "/a/x.wld"}}, "ended", {{"time", 1.0}}},
-          {{{"keep", "2"}, {"seed", "1"}, {"world", "/a/x.wld"}}, "ended", {{"time", 5.0}}},
-          {{{"keep", "1"}, {"seed", "2"}, {"world", "/a/x.wld"}}, "time limit", {{"time", 3.0}}},
-          {{{"keep", "2"}, {"seed", "2"}, {"world", "/a/x.wld"}}, "crashed", {{"time", 100.0}}}};
+  const auto row = [](const char* keep, const char* seed, const char* how, double time) {
+    ResultRow out;
+    out.coordinates = {{"keep", keep}, {"seed", seed}, {"world", "/a/x.wld"}};
+    out.how = how;
+    out.values = {{"time", time}};
+    return out;
+  };
+  return {row("1", "1", "ended", 1.0), row("2", "1", "ended", 5.0),
+          row("1", "2", "time limit", 3.0), row("2", "2", "crashed", 100.0)};
 }
 
 TEST(Summary, GroupsByAllThatDiffersButTheSeed) {

@@ -68,6 +68,7 @@ class Run:
         for robot in robots:
             world.set_odometry(robot.index, *world.truth(robot.index))
         self._robots = {plain(robot.name): robot for robot in robots} | {str(n + 1): r for n, r in enumerate(robots)}
+        self._start = world.truth(0)[:2] if robots else None
         self._robot_of = {}  # routine -> the robot that it is of
         mappers = {}
 
@@ -98,6 +99,22 @@ class Run:
                     print("eyebridge: stopped", file=sys.stderr)
                     return 130
                 self._ask("Ctrl-C; again to stop at once")
+
+    def note_belief(self):
+        """What the belief came to, for the run's report: how much of the world it knows, and how much of that is right."""
+        if not self.belief_space.is_used or self._start is None or not self.world.is_set("report"):
+            return
+        truth = self.world.truth_grid(RESOLUTION)  # of map_space.grid a file may have made another
+        try:
+            found = self.belief_space.grid.agreement(truth)
+            share = self.belief_space.grid.coverage(truth, *self._start)
+        except (AttributeError, TypeError, ValueError) as error:  # the file's own grid, of another kind
+            print(f"eyebridge: the belief cannot be compared with the world: {error}", file=sys.stderr)
+            return
+        self.world.note("coverage", share)
+        self.world.note("observed", found["observed"])
+        if found["observed"] > 0:
+            self.world.note("agreement", found["share"])
 
     def _arguments(self):
         return self.robot, self.keep_going, self.belief_space, self.map_space, self.interact
@@ -195,6 +212,7 @@ def main(arguments):
         print(f"eyebridge: {error}", file=sys.stderr)
         return 1
     code = run.run(module)
+    run.note_belief()
     world.finish("ended" if code == 0 else f"ended with {code}")
     return code
 

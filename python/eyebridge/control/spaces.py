@@ -13,6 +13,7 @@ class Space:
         self._turns = turns
         self._robots = robots
         self._anchors = {}  # robot -> its pose here when it was put, and by its wheels then
+        self.is_used = False  # something was put into its cells
 
     def set_robot(self, name, x=None, y=None, theta=None):
         """Puts a robot into this space: at a pose, or where it is by its wheels. From there it moves as its wheels do."""
@@ -73,6 +74,7 @@ class Space:
         """Makes the cell at (x, y) as probable as that."""
         self._turns.spend(COMMAND_COST)
         self.grid.set_probability(x, y, probability)
+        self.is_used = True
 
     def clear(self):
         """Forgets everything."""
@@ -126,6 +128,7 @@ class BeliefSpace(Space):
     def add(self, robot, sensor, reading, pose):
         """Takes one reading of `sensor`, made at `pose`."""
         mapper = self._mappers(robot.index)
+        self.is_used = True
         if sensor.kind == "lidar":
             mapper.insert_lidar(self.grid, pose, reading, robot._world.field_of_view(robot.index))
         else:

@@ -84,6 +84,10 @@ class SharedWorld {
   virtual void step() = 0;
   /// As windows see it.
   [[nodiscard]] virtual Environment& environment() = 0;
+  /// A number that came of the run, `value` finite, for the run's report (`--report`), if there is
+  /// one: a line "name = value" besides those that every report has. At most eight names of at most
+  /// 32 letters; the last value of each counts. Before end().
+  virtual void note(const std::string& name, double value) = 0;
   /// The last program has ended: the run's report says so.
   virtual void end() noexcept = 0;
   /// The state of everything that moves: the same for the same run.

@@ -171,6 +171,7 @@ PYBIND11_MODULE(_control, module) {
              show(world.map_board(), grid, robots, world);
            })
       .def("open_windows", &World::open_windows, py::arg("folder"), Release())
+      .def("note", &World::note, py::arg("name"), py::arg("value"))
       .def("finish", &World::finish, py::arg("how"), Release())
       .def("model_name",
            [](const World& world, std::size_t index) { return world.model(index).name; })

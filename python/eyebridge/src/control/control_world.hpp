@@ -57,6 +57,9 @@ class ControlWorld {
   /// Collisions of robots so far. Any thread.
   [[nodiscard]] std::uint64_t collisions();
 
+  /// A number for the run's report, if one is kept (`report`): hal::SharedWorld::note().
+  void note(const std::string& name, double value) { world_->note(name, value); }
+
   /// Opens windows from the plug-in in `folder` where the configuration asks for them, or leaves it
   /// to us and there is a display. False where there are none. Throws ConfigError where `gui` is
   /// on and they cannot be.
