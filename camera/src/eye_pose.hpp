@@ -3,10 +3,10 @@
 #include <array>
 #include <optional>
 
+#include "eyebridge/base/matrix.hpp"
 #include "eyebridge/camera/calibration.hpp"
 #include "eyebridge/camera/fiducials.hpp"
 #include "render/lens.hpp"
-#include "src/small_matrix.hpp"
 
 namespace eyebridge::camera {
 

@@ -32,13 +32,13 @@ void PoseFilter::predict(Time time) {
 }
 
 std::optional<PosePrior> PoseFilter::prior() const {
-  const auto information = inverse(pose_covariance_);
+  const auto information = inverse_of(pose_covariance_, kNearlySingular);
   if (!information) return std::nullopt;
   return PosePrior{pose_, *information};
 }
 
 void PoseFilter::update(const PoseFit& fit) {
-  const auto information = inverse(pose_covariance_);
+  const auto information = inverse_of(pose_covariance_, kNearlySingular);
   if (!information) return;
   // The speed follows the pose as far as the two were tied to each other (conditioning of a
   // Gaussian: Bishop, Pattern Recognition and Machine Learning, 2.3.1).

@@ -59,7 +59,7 @@ std::optional<PoseFit> fit_pose(std::span<const Sighting> sightings, const Calib
   EyePose pose = start;
   std::optional<Normal> normal = normal_at(sightings, lens, prior, pose);
   for (int i = 0; normal && i < kMostSteps; ++i) {
-    const auto covariance = inverse(normal->information);
+    const auto covariance = inverse_of(normal->information, kNearlySingular);
     if (!covariance) return std::nullopt;
     Vector<6> step = *covariance * normal->gradient;
     double length = 0.0;
@@ -79,7 +79,7 @@ std::optional<PoseFit> fit_pose(std::span<const Sighting> sightings, const Calib
     normal = next;
   }
   if (!normal) return std::nullopt;
-  const auto covariance = inverse(normal->information);
+  const auto covariance = inverse_of(normal->information, kNearlySingular);
   if (!covariance) return std::nullopt;
   return PoseFit{pose, *covariance, normal->cost};
 }

@@ -8,6 +8,9 @@
 
 namespace eyebridge::camera {
 
+/// Of a value on a diagonal less than this share is left by rounding: no covariance follows.
+inline constexpr double kNearlySingular = 1e-14;
+
 /// A fiducial whose place is known and that is seen: its corners in the world, and where an
 /// undistorted picture shows them, pixels.
 struct Sighting {

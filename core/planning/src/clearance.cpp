@@ -4,10 +4,13 @@
 #include <cmath>
 #include <limits>
 
+#include "eyebridge/mapping/envelope.hpp"
+
 namespace eyebridge::planning {
 namespace {
 
-using Half = std::int64_t;  // lengths in halves of a cell, and their squares
+using mapping::Envelope;
+using Half = Envelope::Number;  // lengths in halves of a cell, and their squares
 constexpr Half kNothing = std::numeric_limits<Half>::max();
 
 /// Squared distance of each cell's centre to the nearest blocked square of its own column.
@@ -33,52 +36,6 @@ std::vector<Half> along_columns(const BlockedRaster& blocked) {
   return squared;
 }
 
-Half floor_of_ratio(Half above, Half below) {  // below > 0
-  return above >= 0 ? above / below : -((below - 1 - above) / below);
-}
-
-/// Lower envelope of parabolas (x - site)^2 + height, sites added from left to right.
-class Envelope {
- public:
-  explicit Envelope(std::size_t sites) : parabolas_(sites) {}
-
-  void clear() { count_ = 0; }
-  void add(Half site, Half height) {
-    Half first = std::numeric_limits<Half>::min();
-    while (count_ > 0) {
-      const Parabola& last = parabolas_[count_ - 1];
-      // The last x at which the older parabola is not above the new one.
-      const Half crossing = floor_of_ratio(
-          height + site * site - last.height - last.site * last.site, 2 * (site - last.site));
-      first = crossing + 1;
-      if (first > last.first) break;
-      first = std::numeric_limits<Half>::min();
-      --count_;
-    }
-    parabolas_[count_++] = {site, height, first};
-  }
-  /// Calls `visit(x, lowest)` for x = 1, 3, 5 … < `end`: the centres of cells.
-  template <class Visit>
-  void each_centre(Half end, const Visit& visit) const {
-    if (count_ == 0) return;
-    std::size_t at = 0;
-    for (Half x = 1; x < end; x += 2) {
-      while (at + 1 < count_ && parabolas_[at + 1].first <= x) ++at;
-      const Half away = x - parabolas_[at].site;
-      visit(x, away * away + parabolas_[at].height);
-    }
-  }
-
- private:
-  struct Parabola {
-    Half site = 0;
-    Half height = 0;
-    Half first = 0;  ///< From here on it is the lowest.
-  };
-  std::vector<Parabola> parabolas_;
-  std::size_t count_ = 0;
-};
-
 }  // namespace
 
 ClearanceRaster clearance_of(const BlockedRaster& blocked) {
@@ -101,7 +58,7 @@ ClearanceRaster clearance_of(const BlockedRaster& blocked) {
     }
     const Half end = 2 * static_cast<Half>(columns);
     if (before != kNothing) envelope.add(end, before);
-    envelope.each_centre(end, [&](Half x, Half lowest) {
+    envelope.each(1, 2, end, [&](Half x, Half lowest) {
       clearance.cells[row + static_cast<std::size_t>(x / 2)] =
           static_cast<float>(half_cell * std::sqrt(static_cast<double>(lowest)));
     });

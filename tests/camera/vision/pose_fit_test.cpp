@@ -215,12 +215,5 @@ TEST(PoseFilter, TheHeadingGoesRoundWithoutAJump) {
   EXPECT_GT(filter.speed()[kHeading], 0.0);
 }
 
-TEST(Inverse, TimesTheMatrixIsOne) {
-  const Matrix<3, 3> a{{4.0, 1.0, 0.5, 1.0, 3.0, 0.2, 0.5, 0.2, 2.0}};
-  const auto product = a * *inverse(a);
-  for (std::size_t i = 0; i < 9; ++i) EXPECT_NEAR(product.values[i], i % 4 == 0 ? 1.0 : 0.0, 1e-12);
-  EXPECT_FALSE(inverse(Matrix<2, 2>{{1.0, 1.0, 1.0, 1.0}}));
-}
-
 }  // namespace
 }  // namespace eyebridge::camera::testing

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "bad_numbers.hpp"
+#include "eyebridge/mapping/robot_mapper.hpp"
 
 namespace eyebridge::mapping {
 namespace {
@@ -131,6 +132,44 @@ TEST(ConeModel, SurvivesReadingsAndPosesThatAreNone) {
                std::invalid_argument);
   EXPECT_THROW(static_cast<void>(insert_cone(grid, sonar(200), {0, 0, 0}, 1.0)),
                std::invalid_argument);
+}
+
+TEST(ConeModel, OfASensorCountsWhatItsSurfacesMirrorAwayAsDropout) {
+  robot::RangeSensorModel sensor;
+  sensor.kind = robot::RangeKind::Ultrasound;
+  sensor.ultrasound = {.beam_width = 0.4, .critical_angle = kPi / 2};
+  sensor.error.dropout = 0.2;
+  EXPECT_DOUBLE_EQ(cone_model_of(sensor).beam_width, 0.4);
+  EXPECT_DOUBLE_EQ(cone_model_of(sensor).beam.dropout, 0.2) << "rough walls are always heard";
+  sensor.ultrasound.critical_angle = kPi / 8;
+  EXPECT_DOUBLE_EQ(cone_model_of(sensor).beam.dropout, 1 - 0.25 * 0.8);
+}
+
+TEST(RobotMapper, TakesAnEchoForAnArcAndARayForALine) {
+  robot::RobotModel robot;
+  robot.range_sensors.emplace_back().max_range = 3.0;
+  robot.range_sensors.emplace_back(robot.range_sensors[0]).kind = robot::RangeKind::Ultrasound;
+  RobotMapper mapper(robot);
+  OccupancyGrid by_ray({{-2.0, -2.0}, 0.1, 50, 40});
+  OccupancyGrid by_cone(by_ray.geometry());
+  for (int i = 0; i < 5; ++i) {
+    ASSERT_TRUE(mapper.insert_range(by_ray, {0.0, 0.05, 0.0}, 0, 1.5));
+    ASSERT_TRUE(mapper.insert_range(by_cone, {0.0, 0.05, 0.0}, 1, 1.5));
+  }
+  const Vec2 beside{0.95, 0.15};  // six degrees off the axis
+  EXPECT_EQ(by_ray.probability(beside), 0.5);
+  EXPECT_LT(by_cone.probability(beside), 0.4);
+  EXPECT_LT(by_cone.probability(Vec2{0.95, 0.05}), by_cone.probability(beside)) << "on the axis";
+}
+
+TEST(BeamModel, OfAnInfraredSensorKnowsThatNearThingsReadAsFarOnes) {
+  robot::RangeSensorModel sensor;
+  sensor.kind = robot::RangeKind::Infrared;
+  sensor.min_range = 0.1;
+  sensor.max_range = 0.8;
+  EXPECT_DOUBLE_EQ(beam_model_of(sensor).fold, 0.125);
+  sensor.kind = robot::RangeKind::Ray;
+  EXPECT_EQ(beam_model_of(sensor).fold, 0.0);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "eyebridge/localisation/matrix.hpp"
 #include "eyebridge/localisation/motion_model.hpp"
+#include "eyebridge/localisation/pose_estimate.hpp"
 
 namespace eyebridge::localisation {
 

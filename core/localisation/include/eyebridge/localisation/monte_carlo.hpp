@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "eyebridge/localisation/likelihood_field.hpp"
-#include "eyebridge/localisation/matrix.hpp"
 #include "eyebridge/localisation/motion_model.hpp"
+#include "eyebridge/localisation/pose_estimate.hpp"
 #include "eyebridge/localisation/scan.hpp"
 
 namespace eyebridge::localisation {

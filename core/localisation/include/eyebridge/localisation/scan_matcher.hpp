@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "eyebridge/base/units.hpp"
-#include "eyebridge/localisation/matrix.hpp"
+#include "eyebridge/localisation/pose_estimate.hpp"
 #include "eyebridge/localisation/scan.hpp"
 #include "eyebridge/mapping/raster.hpp"
 

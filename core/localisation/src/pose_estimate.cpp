@@ -1,4 +1,4 @@
-#include "eyebridge/localisation/matrix.hpp"
+#include "eyebridge/localisation/pose_estimate.hpp"
 
 namespace eyebridge::localisation {
 
