@@ -104,6 +104,23 @@ TEST_F(CodeRun, AMessageOfAWorldOpensTheWorld) {
   EXPECT_EQ(editor().line(), 2);
 }
 
+TEST_F(CodeRun, AControlFileDrivesItsRobotsAndItsMistakesAreFound) {
+  const std::string head =
+      "def run(robot, keep_going, belief_space, map_space, interact):\n"
+      "    robot('Robot 1').start()\n"
+      "    robot('Robot 1').set_wheel('left', 8)\n"
+      "    robot('Robot 1').set_wheel('right', 8)\n"
+      "    interact.wait(1)\n"
+      "    belief_space.update('Robot 1')\n"
+      "    interact.print('free', belief_space.is_known(*robot(1).pose[:2]))\n";
+  open_without_windows({write("drive.py", head + "    robot('Robot 9')\n")});
+  press(Qt::Key_F5);
+  wait_for_end();
+  EXPECT_THAT(said(), HasSubstr("free ")) << window().state().toStdString();
+  click_output("drive.py:8");
+  EXPECT_EQ(editor().line(), 8) << said();
+}
+
 TEST_F(CodeRun, ClassicProgramsAreBuiltAsSuch) {
   open_without_windows({QString(EYEBRIDGE_SOURCE_DIR "/examples/classic_patrol.c")});
   window().run_bar().choose_world(settings_.worlds + "/empty-room.wld");

@@ -96,7 +96,7 @@ Errors errors_of(const Walk& walk, double seconds) {
     errors.place_mm.push_back(1000.0 * std::hypot(x, y));
     errors.heading_deg.push_back(std::abs(rad_to_deg(turn)));
     const Matrix<3, 3> covariance{found->covariance};
-    if (const auto information = inverse(covariance)) {
+    if (const auto information = inverse_of(covariance)) {
       const Vector<3> off{x, y, turn};
       const Vector<3> pull = *information * off;
       errors.in_deviations.push_back(off[0] * pull[0] + off[1] * pull[1] + off[2] * pull[2]);
