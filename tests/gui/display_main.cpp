@@ -46,7 +46,8 @@ int main(int argc, char** argv) {
   // Neither what a person has set, nor leave anything behind.
   const std::string folder = "/tmp/eyebridge-gui-test-" + std::to_string(getpid());
   setenv("XDG_CONFIG_HOME", folder.c_str(), 1);
-  setenv("QT_SCALE_FACTOR", "1", 1);
+  const char* const scale = std::getenv("EYEBRIDGE_TEST_SCALE");  // of the display: high_dpi_test
+  setenv("QT_SCALE_FACTOR", scale == nullptr ? "1" : scale, 1);
   int result = 0;
   {
     const QApplication application(argc, argv);
