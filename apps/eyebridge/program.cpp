@@ -121,7 +121,8 @@ void become(const fs::path& program, const std::vector<std::string>& arguments) 
 
 void become_control(const fs::path& program, const std::vector<std::string>& arguments) {
   // -P: a folder `eyebridge` where the user is is not our package.
-  std::vector<std::string> words{python_of_modules(), "-P", "-m", "eyebridge.control", program.string()};
+  std::vector<std::string> words{python_of_modules(), "-P", "-m", "eyebridge.control",
+                                 program.string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   become_words(std::move(words));
 }

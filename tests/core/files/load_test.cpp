@@ -278,8 +278,9 @@ TEST(Load, MissingFilesAndNamesAreErrorsAtTheirLine) {
       HasSubstr("a.sim:1:7: no file 'C:\\no\\such.wld': expected it in the working folder"));
   EXPECT_THAT(load_error(folder.write("b.sim", "world empty-room.wld\nrobot no.robi\n")),
               HasSubstr("b.sim:2:7: no file 'no.robi'"));
-  EXPECT_THAT(load_error(folder.write("c.sim", "S5 1 2 3\n")),
-              HasSubstr("c.sim:1:1: no robot or object 'S5': expected S4, LabBot, Mouse, Car or Omni"));
+  EXPECT_THAT(
+      load_error(folder.write("c.sim", "S5 1 2 3\n")),
+      HasSubstr("c.sim:1:1: no robot or object 'S5': expected S4, LabBot, Mouse, Car or Omni"));
   EXPECT_THAT(load_error(folder.write("d.sim", "world maze-5.maz\nS4 L\n")),
               HasSubstr("d.sim:2:1: no start 'L' left"));
   EXPECT_EQ(load_error(folder.path() / "none.wld"),
