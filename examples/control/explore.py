@@ -3,14 +3,18 @@
 eyebridge run examples/control/explore.py --world worlds/rooms.wld
 """
 
+import math
+import time
+
 import eyebridge
 
-MARGIN = 0.02  # metres between the robot and what it drives around
+MARGIN = 0.03  # metres between the robot and what it drives around
 
 
 def drive(one, keep_going, belief_space, path):
-    """Along the path, mapping on the way; until it is there, or something is in its way."""
-    pursuit = eyebridge.PurePursuit(path, lookahead=0.12, speed=0.2)
+    """Along the path, mapping on the way; until it is there, something is in its way, or it is stuck."""
+    pursuit = eyebridge.PurePursuit(path, lookahead=0.1, speed=0.2)
+    last, since = one.pose, time.time()
     while keep_going():
         linear, angular = pursuit.follow(belief_space.robot(one))
         one.set_twist(linear, angular)
@@ -19,6 +23,25 @@ def drive(one, keep_going, belief_space, path):
         belief_space.update(one)
         if any(belief_space.is_occupied(x, y) for x, y in path):
             return
+        pose = one.pose
+        if math.dist(pose, last) > 0.02:  # metres and radians alike: it moves
+            last, since = pose, time.time()
+        elif time.time() - since > 1.0:
+            one.set_twist(-0.1)
+            time.sleep(0.5)
+            return
+
+
+def way_on(grid, place, radius):
+    """To the nearest border of the unknown; nearer to walls than it would like to be, if it must. None: all is known."""
+    for margin in (MARGIN, 0.01, -0.02):
+        try:
+            path = eyebridge.explore(grid, place, radius=radius + margin, smallest=3)
+        except ValueError:  # so near to a wall does it stand
+            continue
+        if path is not None:
+            return path
+    return None
 
 
 def run(robot, keep_going, belief_space, map_space, interact):
@@ -29,13 +52,7 @@ def run(robot, keep_going, belief_space, map_space, interact):
         belief_space.update(one)
     while keep_going():
         x, y, theta = belief_space.robot(one)
-        # Nearer to walls than it would plan to be, if it must.
-        for margin in (MARGIN, 0.0, -0.02):
-            try:
-                path = eyebridge.explore(belief_space.grid, (x, y), radius=one.radius + margin, smallest=3)
-                break
-            except ValueError:
-                path = None
+        path = way_on(belief_space.grid, (x, y), one.radius)
         if path is None:
             break
         drive(one, keep_going, belief_space, path)

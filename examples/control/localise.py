@@ -20,7 +20,7 @@ def run(robot, keep_going, belief_space, map_space, interact):
         interact.wait(0.3)
         now = one.pose
         where.predict(before, now)
-        where.correct(lidar.read(), lidar.bearings, lidar.max_range)
+        where.correct(lidar.read(), lidar.bearings)
         before = now
         map_space.set_robot(one, *where.estimate)
     one.stop()

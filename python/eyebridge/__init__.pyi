@@ -214,7 +214,8 @@ class OccupancyGrid:
         """Counts changes."""
     @property
     def log_odds(self) -> NDArray[numpy.float32]:
-        """All cells, [row, column] from the lower left one: a read-only view, of this moment until the bounds move."""
+        """All cells, [row, column] from the lower left one: a read-only view, always of this moment; of a grid that grows
+        a copy."""
     @property
     def probabilities(self) -> NDArray[numpy.float64]:
         """The same as probabilities. A copy."""
@@ -286,9 +287,9 @@ class MonteCarlo:
     """Where a robot is on a known map, by its odometry and scans: particles. Same seed, same calls: same bits."""
 
     def __init__(
-        self, grid: OccupancyGrid, *, sigma: float = 0.05, max_range: float = 10.0, particles: int = 20000, seed: int = 1
+        self, grid: OccupancyGrid, *, sigma: float = 0.05, max_range: float = 9.999, particles: int = 20000, seed: int = 1
     ) -> None:
-        """On a map; beams end within about `sigma` of something occupied. At most so many particles, which is also how many
+        """On a map; beams end within about `sigma` of something occupied, and look as far as `max_range`. At most so many particles, which is also how many
         a start anywhere spreads. Raises ValueError, also where nothing is free. Starts anywhere."""
     def start_anywhere(self) -> None:
         """Forgets everything."""
@@ -296,8 +297,8 @@ class MonteCarlo:
         """Forgets everything: it is there, give or take."""
     def predict(self, before: tuple[float, float, float], after: tuple[float, float, float]) -> None:
         """The robot moved, by its odometry, from `before` to `after`."""
-    def correct(self, ranges: ArrayLike, bearings: ArrayLike, max_range: float = 9.999) -> None:
-        """It sees a scan: ranges along bearings in the robot; what is not in 0 … max_range is no hit. 60 hits are used."""
+    def correct(self, ranges: ArrayLike, bearings: ArrayLike) -> None:
+        """It sees a scan: ranges along bearings in the robot; the full range, and more, is no hit. 60 hits are used."""
     @property
     def estimate(self) -> tuple[float, float, float]:
         """Mean of the heaviest cluster of particles."""

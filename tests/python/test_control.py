@@ -103,6 +103,29 @@ class Robots(ControlTest):
             interact.print("run")
         """)
 
+    def test_its_own_function_begins_once_however_often_it_is_started(self):
+        self.says(["1", "1"], """
+            robot(1).start()
+            interact.wait(0.2)
+            robot(1).start()
+            interact.wait(0.2)
+            interact.print(len(begun))
+        """, before="""
+            begun = []
+            def robot_1(robot, keep_going, belief_space, map_space, interact):
+                begun.append(1)
+                robot("Robot 1").start()
+                interact.wait(0.1)
+                interact.print(len(begun))
+                interact.wait(1)
+        """)
+
+    def test_wheels_are_those_of_the_robots_drive(self):
+        for model, motors in (("Car", ["drive"]), ("Omni", ["front left", "front right", "rear left", "rear right"])):
+            self.says([str(motors)], "interact.print(robot(1).motors)", "--robot", model)
+        self.fails("control.py:2: run: LookupError: found no wheel of Robot 1 'right', expected one of: drive, 1",
+                   'robot(1).set_wheel("right", 1)', "--robot", "Car")  # fmt: skip
+
     def test_all_robots_of_a_scenario_are_there(self):
         self.says(["Robot 1 Robot 2", "True"], """
             one, two = robot("Robot 1"), robot("Robot 2")
@@ -158,6 +181,15 @@ class Spaces(ControlTest):
             interact.print(cells.flags.writeable)
             interact.print(f"{belief_space.probability(1.0, 1.0):.1f}")
         """)
+
+    def test_readings_are_added_by_names_and_only_of_what_measures_distances(self):
+        self.says(["True"], """
+            for _ in range(4):
+                belief_space.add(1, "psd 1", 0.5, (1.0, 1.0, 0.0))
+            interact.print(belief_space.is_free(1.3, 1.0))
+        """)
+        self.fails("control.py:2: run: ValueError: <Robot 1: compass> measures no distance: expected a PSD, ultrasound, "
+                   "infrared or lidar", 'belief_space.add(1, "compass", 0.5, (1.0, 1.0, 0.0))')  # fmt: skip
 
     def test_a_robot_that_was_put_moves_with_its_wheels(self):
         self.says(["3.0 4.3 1.6"], """
@@ -243,6 +275,42 @@ class Ends(ControlTest):
         self.assertEqual((run.out, run.returncode), ("goodbye\n", 0), run.err)
 
 
+    def test_sigterm_is_polite_too_and_a_second_signal_ends_at_once(self):
+        text = HEAD + "    interact.print('up')\n    while keep_going():\n        pass\n    interact.print('goodbye')\n"
+        self.write("control.py", text + "    interact.prompt('? ')\n")
+        process = self.start([EYEBRIDGE, "run", "--no-gui", "control.py"], {"log": "error"})
+        process.stdout.readline()
+        process.send_signal(signal.SIGTERM)
+        run = self.finish(process)
+        self.assertEqual((run.out, run.returncode), ("goodbye\n? ", 0), run.err)  # nobody waits for an answer
+        self.write("control.py", HEAD + "    while True:\n        interact.print('on')\n        interact.wait(1)\n")
+        process = self.start([EYEBRIDGE, "run", "--no-gui", "--factor", "0.01", "control.py"], {"log": "error"})
+        process.stdout.readline()
+        process.send_signal(signal.SIGINT)
+        process.send_signal(signal.SIGTERM)
+        self.assertEqual(self.finish(process).returncode, 130)
+
+    def test_a_routine_that_begins_late_is_ended_too(self):
+        run = self.control("""
+            while keep_going():
+                interact.wait(0.5)
+            robot(1).start(late)
+        """, "--time-limit", "2s", before="""
+            def late(robot, keep_going, belief_space, map_space, interact):
+                while True:
+                    interact.wait(0.1)
+        """)
+        self.assertEqual(run.returncode, 0, run.err)
+
+    def test_who_waits_for_an_answer_does_not_hold_the_end(self):
+        self.write("control.py", HEAD + "    robot(1).start(ask)\n    interact.wait(3)\n"
+                   "def ask(robot, keep_going, belief_space, map_space, interact):\n    interact('? ')\n")  # fmt: skip
+        words = [str(word) for word in (EYEBRIDGE, "run", "--no-gui", "--factor", "10", "--time-limit", "1s", "control.py")]
+        with subprocess.Popen(words, cwd=self.folder, env=self.environment({}), stdin=subprocess.PIPE,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:  # fmt: skip
+            self.assertEqual(process.wait(timeout=120), 0)
+
+
 class Mistakes(ControlTest):
     def test_an_exception_names_its_line_and_others_go_on(self):
         run = self.fails("control.py:4: Robot 1: ZeroDivisionError: division by zero", """
@@ -277,7 +345,7 @@ class Mistakes(ControlTest):
         run = self.control('robot(1).read("PSD_FRNT")')
         self.assertIn("LookupError: found no sensor of Robot 1 'PSD_FRNT', expected one of: ", run.err)
         run = self.control('robot(1).set_wheel("middle", 1)')
-        self.assertIn("LookupError: found no wheel 'middle', expected one of: left, right", run.err)
+        self.assertIn("LookupError: found no wheel of Robot 1 'middle', expected one of: left, right", run.err)
         self.fails("control.py:2: run: ValueError: found nan for 'speed', expected a finite number",
                    'robot(1).set_wheel("left", float("nan"))')  # fmt: skip
 

@@ -332,6 +332,13 @@ class Grids(unittest.TestCase):
         del grid
         self.assertGreater(cells[0, 0], 2.0)
 
+    def test_a_view_of_a_grid_that_grows_stays_what_it_was(self):
+        grid = eyebridge.OccupancyGrid(1.0, 1.0, growing=True)
+        cells = grid.log_odds
+        grid.update(30.0, 30.0, 0.9)
+        self.assertGreater(grid.shape[0], 500)
+        self.assertEqual((cells.shape, float(abs(cells).sum())), ((20, 20), 0.0))
+
     def test_a_scan_makes_a_belief_that_agrees_with_the_truth(self):
         scenario = eyebridge.default_scenario()
         truth = eyebridge.OccupancyGrid.truth_of(scenario)
@@ -363,7 +370,7 @@ class Grids(unittest.TestCase):
             eyebridge.OccupancyGrid.load(self.folder / "bad.yaml")
         with self.assertRaisesRegex(ValueError, "expected .yaml or .csv"):
             eyebridge.OccupancyGrid.load(self.folder / "map.bmp")
-        for arguments in ((0.0, 1.0), (1.0, math.nan)):
+        for arguments in ((0.0, 1.0), (1.0, math.nan), (1e5, 1e5)):
             with self.assertRaises(ValueError):
                 eyebridge.OccupancyGrid(*arguments)
         grid = eyebridge.OccupancyGrid(1.0, 1.0)

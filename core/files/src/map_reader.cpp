@@ -191,8 +191,9 @@ MapDescription read_map_description(std::string_view text, const std::string& fi
 
 mapping::OccupancyGrid map_of(const MapDescription& description, const GreyPicture& picture) {
   mapping::OccupancySettings settings;
-  settings.occupied_above = description.occupied_thresh;
-  settings.free_below = description.free_thresh;
+  // Cells of which nothing is known stay so, wherever the thresholds lie.
+  settings.occupied_above = std::max(description.occupied_thresh, settings.prior);
+  settings.free_below = std::min(description.free_thresh, settings.prior);
   settings.max_cells = kMaxMapCells;
   mapping::OccupancyGrid grid(
       {description.origin, description.resolution, picture.columns, picture.rows}, settings);

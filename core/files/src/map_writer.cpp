@@ -77,6 +77,9 @@ MapTexts write_map(const mapping::OccupancyGrid& grid, const std::string& image,
 void save_map(const mapping::OccupancyGrid& grid, const std::filesystem::path& path, MapMode mode) {
   std::filesystem::path picture = path;
   picture.replace_extension(".pgm");
+  if (picture == path) {
+    throw ConfigError({path.string()}, "found a picture's name for a map, expected .yaml");
+  }
   const MapTexts texts = write_map(grid, picture.filename().string(), mode);
   write_file(picture, texts.pgm);
   write_file(path, texts.yaml);

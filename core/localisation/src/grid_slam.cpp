@@ -38,6 +38,9 @@ Result<void> GridSlam::draw(const Scan& scan) {
 }
 
 Result<GridSlam::Outcome> GridSlam::add(const Pose& odometry, const Scan& scan) {
+  if (!std::isfinite(odometry.x) || !std::isfinite(odometry.y) || !std::isfinite(odometry.theta)) {
+    return fail(Errc::OutOfRange, "SLAM: odometry that is not finite");
+  }
   const bool first = !odometry_;
   if (!first) pose_ = transform(pose_, relative_to(*odometry_, odometry));
   odometry_ = odometry;

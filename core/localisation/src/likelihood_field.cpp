@@ -11,8 +11,10 @@ namespace eyebridge::localisation {
 namespace {
 
 const BeamSettings& checked_beams(const BeamSettings& settings) {
-  const bool good = settings.sigma > 0.0 && settings.max_range > 0.0 && settings.z_hit >= 0.0 &&
-                    settings.z_hit <= 1.0 && settings.z_random > 0.0 && settings.z_random <= 1.0;
+  const bool good = settings.sigma > 0.0 && std::isfinite(settings.sigma) &&
+                    settings.max_range > 0.0 && std::isfinite(settings.max_range) &&
+                    settings.z_hit >= 0.0 && settings.z_hit <= 1.0 && settings.z_random > 0.0 &&
+                    settings.z_random <= 1.0;
   if (!good) throw std::invalid_argument("likelihood field: settings out of range");
   return settings;
 }
@@ -61,9 +63,10 @@ double LikelihoodField::log_likelihood(const Pose& pose, std::span<const Vec2> h
   const double y = (pose.y - geometry_.origin.y) * cells_per_metre_ + 1.0;
   const float* const table = table_.data();
   const auto look = [&](Vec2 hit) {
-    // Held within the border before the fraction goes: then cutting it off is rounding down.
-    const double column = std::min(std::max(x + (c * hit.x - s * hit.y), 0.0), last_column_);
-    const double row = std::min(std::max(y + (s * hit.x + c * hit.y), 0.0), last_row_);
+    // Held within the border before the fraction goes: then cutting it off is rounding down. What
+    // is no number becomes 0: the first argument of std::max() stays where nothing is greater.
+    const double column = std::min(std::max(0.0, x + (c * hit.x - s * hit.y)), last_column_);
+    const double row = std::min(std::max(0.0, y + (s * hit.x + c * hit.y)), last_row_);
     return static_cast<double>(
         table[static_cast<std::uint32_t>(static_cast<std::int32_t>(row)) * stride_ +
               static_cast<std::uint32_t>(static_cast<std::int32_t>(column))]);

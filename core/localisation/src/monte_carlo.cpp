@@ -89,6 +89,10 @@ void MonteCarlo::start_anywhere() {
 }
 
 void MonteCarlo::start_at(const Pose& pose, double position_sigma, double heading_sigma) {
+  const bool good = std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.theta) &&
+                    position_sigma >= 0.0 && std::isfinite(position_sigma) &&
+                    heading_sigma >= 0.0 && std::isfinite(heading_sigma);
+  if (!good) throw std::invalid_argument("Monte-Carlo localisation: a start that cannot be");
   particles_.clear();
   const std::size_t count = settings_.least_particles;
   for (std::size_t i = 0; i < count; ++i) {

@@ -90,7 +90,8 @@ void Particles::add(const Pose& pose, double share) {
 OdometryStep OdometryStep::between(const Pose& before, const Pose& after) {
   const Pose local = relative_to(before, after);
   const double travel = norm(local.position());
-  if (travel < kNoTravel) return {0.0, 0.0, local.theta};
+  // Too short to have a direction, but many such steps are a way.
+  if (travel < kNoTravel) return {0.0, local.x, local.theta};
   const double bearing = arc_tan2(local.y, local.x);
   if (std::abs(bearing) <= kPi / 2) return {bearing, travel, wrap_angle(local.theta - bearing)};
   // Backwards: not a turn by pi, which the robot did not make, with its error.

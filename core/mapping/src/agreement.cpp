@@ -26,8 +26,11 @@ Cell offset_between(const OccupancyGrid& from, const OccupancyGrid& to) {
 }
 
 bool occupied_near(const OccupancyGrid& grid, Cell cell, int tolerance) {
-  for (int row = cell.row - tolerance; row <= cell.row + tolerance; ++row) {
-    for (int column = cell.column - tolerance; column <= cell.column + tolerance; ++column) {
+  const GridGeometry& g = grid.geometry();
+  const int top = std::min(cell.row + tolerance, g.rows - 1);
+  const int right = std::min(cell.column + tolerance, g.columns - 1);
+  for (int row = std::max(cell.row - tolerance, 0); row <= top; ++row) {
+    for (int column = std::max(cell.column - tolerance, 0); column <= right; ++column) {
       if (grid.state(Cell{column, row}) == CellState::Occupied) return true;
     }
   }
@@ -37,7 +40,10 @@ bool occupied_near(const OccupancyGrid& grid, Cell cell, int tolerance) {
 }  // namespace
 
 Agreement agreement(const OccupancyGrid& belief, const OccupancyGrid& truth, int tolerance) {
-  if (tolerance < 0) throw std::invalid_argument("agreement: the tolerance is negative");
+  constexpr int kMostTolerance = 1000;
+  if (tolerance < 0 || tolerance > kMostTolerance) {
+    throw std::invalid_argument("agreement: the tolerance is not 0 to 1000 cells");
+  }
   const Cell offset = offset_between(belief, truth);
   const GridGeometry& g = belief.geometry();
   Agreement result;

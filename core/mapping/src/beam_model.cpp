@@ -41,7 +41,7 @@ double mixed_probability(const BeamModel& model, double said, double hidden) {
 }
 
 double BeamModel::sigma_at(double range) const {
-  const double noise = sigma + sigma_relative * std::abs(range);
+  const double noise = sigma + sigma_relative * std::abs(range) + sigma_quadratic * range * range;
   if (levels.size() < 2) return noise;
   // A reading stands for all that is rounded to it: evenly spread over the gap between the middles
   // to its neighbours, of which the standard deviation is the width / sqrt(12).
@@ -75,6 +75,7 @@ void BeamModel::check() const {
   require(std::isfinite(bias), "the bias is not finite");
   require(sigma >= 0.0 && std::isfinite(sigma), "sigma is no length");
   require(sigma_relative >= 0.0 && std::isfinite(sigma_relative), "sigma_relative is negative");
+  require(sigma_quadratic >= 0.0 && std::isfinite(sigma_quadratic), "sigma_quadratic is negative");
   require(std::all_of(levels.begin(), levels.end(), [](double v) { return std::isfinite(v); }),
           "a level is not finite");
   require(std::is_sorted(levels.begin(), levels.end()), "the levels do not ascend");
@@ -93,6 +94,7 @@ BeamModel beam_model_of(const robot::RangeSensorModel& sensor) {
   model.bias = sensor.error.bias;
   model.sigma = sensor.error.sigma;
   model.sigma_relative = sensor.error.sigma_relative;
+  model.sigma_quadratic = sensor.error.sigma_quadratic;
   model.dropout = sensor.error.dropout;
   if (sensor.error.quantised) model.levels = sensor.table.levels();
   if (sensor.kind == robot::RangeKind::Infrared) {

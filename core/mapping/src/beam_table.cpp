@@ -14,6 +14,7 @@ constexpr std::size_t kRangeBins = 512;  // of a sensor with a table
 // What lies farther off than this many standard deviations is left to the cells beside it.
 constexpr double kBlurWidth = 3.0;
 constexpr double kCellHalf = 0.5;
+constexpr double kWidest = 1 << 24;   // cells
 constexpr double kLeastSigma = 0.01;  // cells, as BeamModel::probability() has it
 
 }  // namespace
@@ -23,7 +24,7 @@ BeamTable::BeamTable(const BeamModel& model, double resolution)
       crossed_unmet(static_cast<float>(log_odds_of(model.probability_out_of_range()))),
       crossed_near(static_cast<float>(log_odds_of(
           mixed_probability(model, model.crossed, folded_probability(model, resolution))))),
-      simple_(model.levels.empty()),
+      simple_(model.levels.empty() && model.sigma_quadratic == 0.0),
       sigma_(model.sigma / resolution),
       sigma_relative_(model.sigma_relative / resolution) {
   double largest = sigma(model.max_range);
@@ -42,7 +43,8 @@ BeamTable::BeamTable(const BeamModel& model, double resolution)
     const double width = std::max(static_cast<double>(level) / levels_, kLeastSigma);
     Blur& blur = blurs_[level];
     blur.reach = kBlurWidth * width + kCellHalf;
-    blur.cells = static_cast<int>(2.0 * blur.reach) + 1;
+    // What is wider than any grid is refused by who asks for max_reach.
+    blur.cells = static_cast<int>(2.0 * std::min(blur.reach, kWidest)) + 1;
     blur.scale = Blur::kEntries / (2.0 * blur.reach + 1.0);
     for (int i = 0; i <= Blur::kEntries; ++i) {
       const double offset = (i + 0.5) / blur.scale - blur.reach;

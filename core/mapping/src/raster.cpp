@@ -1,5 +1,6 @@
 #include "eyebridge/mapping/raster.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace eyebridge::mapping {
@@ -8,7 +9,8 @@ namespace {
 // A floor of 2 m has 40 cells of 5 cm, though 2 / 0.05 may come out a little above 40.
 int cells_over(double length, double resolution) {
   constexpr double kSlack = 1e-9;
-  return static_cast<int>(std::ceil(length / resolution - kSlack));
+  constexpr double kMost = 1 << 30;  // more than any grid has; also for what is no number
+  return static_cast<int>(std::min(kMost, std::ceil(length / resolution - kSlack)));
 }
 
 }  // namespace

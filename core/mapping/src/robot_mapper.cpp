@@ -14,6 +14,10 @@ namespace {
 
 constexpr double kBearingSlack = 1e-9;  // radians
 
+bool is_cone(const robot::RangeSensorModel& sensor) {
+  return sensor.kind == robot::RangeKind::Ultrasound && sensor.ultrasound.beam_width > 0.0;
+}
+
 }  // namespace
 
 struct RobotMapper::Impl {
@@ -48,7 +52,8 @@ RobotMapper::RobotMapper(const robot::RobotModel& model) : impl_(std::make_uniqu
   impl_->model = model;
   for (const auto& sensor : model.range_sensors) {
     impl_->ranges.emplace_back(beam_model_of(sensor));
-    const bool hears = sensor.kind == robot::RangeKind::Ultrasound;
+    // Of a cone without width the beam is all there is.
+    const bool hears = is_cone(sensor);
     impl_->cones.push_back(hears ? cone_model_of(sensor) : ConeModel{});
   }
   if (model.lidar) impl_->lidar.emplace_back(beam_model_of(*model.lidar));
@@ -62,7 +67,7 @@ Result<void> RobotMapper::insert_range(OccupancyGrid& grid, const Pose& robot_in
   ScanMapper& mapper = impl_->ranges.at(sensor);
   const robot::RangeSensorModel& model = impl_->model.range_sensors[sensor];
   const Pose pose = transform(robot_in_world, model.pose_in_robot);
-  if (model.kind == robot::RangeKind::Ultrasound) {
+  if (is_cone(model)) {
     return insert_cone(grid, impl_->cones[sensor], pose, range);
   }
   const Vec2 direction = Heading::from_angle(pose.theta).forward();

@@ -34,7 +34,11 @@ Twist PurePursuit::follow(const Pose& pose) {
   const double left = norm(progress_.end() - position);
   arrived_ = left <= settings_.tolerance && progress_.remaining() <= settings_.lookahead;
   if (arrived_) return {};
-  const Vec2 aim = progress_.leaving_circle(position, settings_.lookahead);
+  Vec2 aim = progress_.leaving_circle(position, settings_.lookahead);
+  // A path that comes back before it has left the circle: its end is no aim yet.
+  if (aim == progress_.end() && progress_.remaining() > settings_.lookahead) {
+    aim = progress_.ahead(settings_.lookahead);
+  }
   const Vec2 local = Heading::from_angle(-pose.theta).rotate(aim - position);
   const double distance = norm(local);
   if (local.x < 0.5 * distance) {
@@ -43,7 +47,7 @@ Twist PurePursuit::follow(const Pose& pose) {
     const double share = arc_tan2(local.y, local.x) / (kPi / 2);
     return {0.0, settings_.max_angular * std::clamp(share, -1.0, 1.0)};
   }
-  const double curvature = 2.0 * local.y / (distance * distance);
+  const double curvature = distance > 0.0 ? 2.0 * local.y / (distance * distance) : 0.0;
   const double to_go = std::max(progress_.remaining(), left);
   double speed = std::min(settings_.speed, std::sqrt(2.0 * settings_.deceleration * to_go));
   if (std::abs(curvature) * speed > settings_.max_angular) {

@@ -21,7 +21,7 @@ constexpr double kBeyondBound = 1.1;
 
 double bucket_edge(const mapping::GridGeometry& grid, double step) {
   const double longest = std::max(grid.columns, grid.rows) * grid.resolution;
-  return std::max(step / kBucketsPerStep, longest / kMostBuckets);
+  return std::clamp(step / kBucketsPerStep, longest / kMostBuckets, longest);
 }
 
 class RrtStarTree {

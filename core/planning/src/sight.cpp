@@ -92,7 +92,8 @@ bool is_free_line(const BlockedRaster& blocked, Vec2 a, Vec2 b) {
 
 Vec2 farthest_in_sight(const BlockedRaster& blocked, const PathProgress& progress, Vec2 position,
                        double distance) {
-  for (double ahead = distance; ahead > 0.0; ahead -= blocked.geometry.resolution) {
+  for (double ahead = std::min(distance, progress.remaining()); ahead > 0.0;
+       ahead -= blocked.geometry.resolution) {
     const Vec2 place = progress.ahead(ahead);
     if (is_free_line(blocked, position, place)) return place;
   }

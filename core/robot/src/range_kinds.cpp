@@ -113,6 +113,7 @@ unsigned Simulation::cross_talkers(RobotIndex robot, std::size_t sensor) const {
   if (model.kind != RangeKind::Ultrasound) return 0;
   unsigned count = 0;
   for (RobotIndex other = 0; other < robot_count(); ++other) {
+    if (!is_there(other)) continue;
     const std::vector<RangeSensorModel>& sensors = impl_->devices[other].model.range_sensors;
     for (std::size_t i = 0; i < sensors.size(); ++i) {
       if (sensors[i].kind != RangeKind::Ultrasound) continue;

@@ -92,7 +92,9 @@ RobotIndex Simulation::add_robot(const RobotModel& model, const Pose& pose) {
 void Simulation::remove_robot(RobotIndex robot) {
   RobotState& state = impl_->command(robot);
   stop(robot);
-  state.driven = {};
+  state.halt();
+  state.driven = state.driven_before = {};
+  state.driven_left = state.driven_left_before = 0.0;
   state.measured = {};
   state.has_left = true;
   impl_->world.remove(state.body);

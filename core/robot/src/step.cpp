@@ -119,7 +119,7 @@ void Simulation::Impl::step_robot(RobotIndex robot) {
   }
   RobotState& state = states[robot];
   if (state.chassis) [[unlikely]] {
-    step_chassis(state);
+    if (!state.has_left) step_chassis(state);
     return;
   }
   if (!state.steady) {

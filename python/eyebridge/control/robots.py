@@ -9,7 +9,6 @@ READ_COST = 0.001
 COMMAND_COST = 0.0001
 SCAN_COST = 0.005
 
-WHEELS = {"left": 1, "right": 2, "front left": 1, "front right": 2, "rear left": 3, "rear right": 4}
 
 
 def plain(name):
@@ -84,6 +83,10 @@ class Robot:
         self._begin = begin  # starts the routine of this robot
         self._wheels = {}  # what it was told before start()
         self._twist = None
+        self._motors = {name: number for name, number in world.motors(index)}
+        self._motors |= {str(number): number for number in self._motors.values()}
+        self._encoders = {name: number for name, number in world.encoders(index)}
+        self._encoders |= {str(number): number for number in self._encoders.values()}
         self._sensors = {}
         counts = Counter()
         for kind, id, name, pose, reach in world.sensors(index):
@@ -114,9 +117,9 @@ class Robot:
         self.is_started = False
 
     def set_wheel(self, wheel, speed):
-        """Turns a wheel ("left", "right", or its number) at `speed`, radians a second, from now on; no faster than it
-        can."""
-        number = find("wheel", wheel, WHEELS | {str(n): n for n in WHEELS.values()})
+        """Turns a wheel (`motors`: "left", "right", or its number) at `speed`, radians a second, from now on; no faster
+        than it can."""
+        number = find(f"wheel of {self.name}", wheel, self._motors)
         speed = finite("speed", speed)
         self._turns.spend(COMMAND_COST)
         if self.is_started:
@@ -135,7 +138,7 @@ class Robot:
 
     def wheel(self, wheel):
         """The angle that a wheel has turned by its encoder, radians."""
-        number = find("wheel", wheel, WHEELS | {str(n): n for n in WHEELS.values()})
+        number = find(f"wheel of {self.name} with an encoder", wheel, self._encoders)
         self._turns.spend(READ_COST)
         return self._world.wheel_angle(self.index, number)
 
@@ -146,6 +149,11 @@ class Robot:
     def read(self, name):
         """sensor(name).read()"""
         return self.sensor(name).read()
+
+    @property
+    def motors(self):
+        """The names of its motors, which are those of its kind of drive: docs/drives.md."""
+        return [name for name in self._motors if not name.isdigit()]
 
     @property
     def sensors(self):

@@ -11,6 +11,7 @@ from .. import ConfigError, _control
 from .going import KeepGoing
 from .interact import Interact
 from .robots import Robot, find, plain
+from .signals import watched
 from .spaces import BeliefSpace, MapSpace
 from .turns import Turns
 
@@ -26,7 +27,7 @@ class ControlError(Exception):
 
 def load(path):
     """The module that the file is. ControlError for what cannot be read, compiled or has no run()."""
-    module = types.ModuleType(os.path.splitext(os.path.basename(path))[0])
+    module = types.ModuleType("__control__")
     module.__file__ = path
     try:
         with open(path, "rb") as file:
@@ -36,7 +37,8 @@ def load(path):
     except (SyntaxError, ValueError) as error:
         place = f"{path}:{error.lineno}:{error.offset}" if isinstance(error, SyntaxError) else path
         raise ControlError(f"{place}: {error.args[0]}") from error
-    sys.modules[module.__name__] = module
+    # Not by the file's name, which may be that of a module it imports.
+    sys.modules["__control__"] = module
     sys.path.insert(0, os.path.dirname(os.path.abspath(path)))
     exec(code, module.__dict__)
     run = getattr(module, "run", None)
@@ -60,6 +62,7 @@ class Run:
         self._is_fast = world.setting("fast") == "true"
         self._limit = world.number("time_limit") if world.is_set("time_limit") else None
         self._asked = False
+        self._interrupted = False
         self._shown = {}  # space -> what its window shows
         self.turns = Turns(world.step, round(world.step_length * 1e9), self._hang_limit)
         self.keep_going = KeepGoing(self.turns)
@@ -70,6 +73,7 @@ class Run:
         self._robots = {plain(robot.name): robot for robot in robots} | {str(n + 1): r for n, r in enumerate(robots)}
         self._start = world.truth(0)[:2] if robots else None
         self._robot_of = {}  # routine -> the robot that it is of
+        self._own_routines = {}  # robot -> the routine of its own function, the last one begun
         mappers = {}
 
         def mapper(index):
@@ -90,15 +94,17 @@ class Run:
         """Until all routines are over. 0, or 1 where one failed."""
         self._module = module
         self.turns.add("run", lambda: module.run(*self._arguments()))
-        while True:
-            try:
-                self.turns.run(self._before_step, self._tell_astray, self._tell_end)
-                return int(self.is_failed)
-            except KeyboardInterrupt:
-                if self._asked:
-                    print("eyebridge: stopped", file=sys.stderr)
-                    return 130
-                self._ask("Ctrl-C; again to stop at once")
+        self.turns.run(self._before_step, self._tell_astray, self._tell_end)
+        return int(self.is_failed)
+
+    def interrupted(self, count):
+        """Ctrl-C, or SIGTERM, for the first, second … time. Any thread."""
+        if count > 1:
+            print("eyebridge: stopped", file=sys.stderr)
+            self.world.give_up()
+            leave(130)
+        self._interrupted = True
+        self.world.resume()  # time may stand still
 
     def note_belief(self):
         """What the belief came to, for the run's report: how much of the world it knows, and how much of that is right."""
@@ -121,11 +127,20 @@ class Run:
 
     def _begin(self, robot, routine):
         function = routine or getattr(self._module, plain(robot.name).replace(" ", "_"), None)
-        if function is None:
+        own = routine is None
+        if function is None or (own and self._own_routine_goes_on(robot)):
             return
         if not callable(function):
             raise TypeError(f"{robot.name}: found {function!r}, expected a function({', '.join(PARAMETERS)})")
-        self._robot_of[self.turns.add(robot.name, lambda: function(*self._arguments()))] = robot
+        begun = self.turns.add(robot.name, lambda: function(*self._arguments()))
+        self._robot_of[begun] = robot
+        if own:
+            self._own_routines[robot] = begun
+
+    def _own_routine_goes_on(self, robot):
+        """Whether the file's function of this robot runs: start() within it, or again, begins no second one."""
+        begun = self._own_routines.get(robot)
+        return begun is not None and not begun.is_over and not begun.is_astray
 
     def _before_step(self):
         if self.world.has_windows and self.turns.now % SHOWN_EVERY < self.turns.step_length:
@@ -133,16 +148,21 @@ class Run:
             self._show(self.world.show_map, self.map_space)
         if self._limit is not None and self.turns.now >= self._limit * 1e9:
             self._ask(f"the time limit of {self._limit:g} s")
+        if self._interrupted:
+            self._ask("Ctrl-C; again to stop at once")
         if self.world.is_closed:
             self._ask("its windows are closed")
 
     def _show(self, show, space):
         """A space in its window, when it has changed."""
         poses = space.poses
-        now = space.grid.revision, poses
-        if self._shown.get(space) != now:
-            self._shown[space] = now
-            show(space.grid, [(robot.index + 1, *pose) for robot, pose in poses.items()])
+        try:
+            now = space.grid.revision, poses
+            if self._shown.get(space) != now:
+                self._shown[space] = now
+                show(space.grid, [(robot.index + 1, *pose) for robot, pose in poses.items()])
+        except (AttributeError, TypeError):
+            pass  # the file's own grid, of another kind: its window keeps the last one that could be shown
 
     def _ask(self, why):
         if self._asked:
@@ -211,10 +231,23 @@ def main(arguments):
     except ConfigError as error:
         print(f"eyebridge: {error}", file=sys.stderr)
         return 1
-    code = run.run(module)
-    run.note_belief()
-    world.finish("ended" if code == 0 else f"ended with {code}")
+    def work():
+        code = run.run(module)
+        run.note_belief()
+        world.end()
+        return code
+
+    code = watched(work, run.interrupted)
+    # Windows stay until a person closes them, or presses Ctrl-C.
+    watched(lambda: world.finish("ended" if code == 0 else f"ended with {code}"), lambda _count: leave(code))
     return code
+
+
+def leave(code):
+    """Ends the process now, whatever its threads do."""
+    sys.stdout.flush()
+    sys.stderr.flush()
+    os._exit(code)
 
 
 def follow_time(turns):

@@ -119,17 +119,25 @@ class BeliefSpace(Space):
         for sensor in [robot.sensor(each) for each in sensors] or robot.sensors:
             if sensor.kind not in ("psd", "lidar"):
                 if sensors:
-                    raise ValueError(f"{sensor!r} measures no distance: expected a PSD, ultrasound, infrared or lidar")
+                    self._need_range(sensor)
                 continue
             readings[sensor.name or f"{sensor.kind} {sensor.id}"] = reading = sensor.read()
             self.add(robot, sensor, reading, self._pose_of(robot))
         return readings
 
     def add(self, robot, sensor, reading, pose):
-        """Takes one reading of `sensor`, made at `pose`."""
+        """Takes one reading of a robot's sensor, by their names, made at `pose`: x, y, theta."""
+        robot = self._robots(robot)
+        sensor = robot.sensor(sensor) if isinstance(sensor, str) else sensor
+        self._need_range(sensor)
         mapper = self._mappers(robot.index)
         self.is_used = True
         if sensor.kind == "lidar":
             mapper.insert_lidar(self.grid, pose, reading, robot._world.field_of_view(robot.index))
         else:
             mapper.insert_range(self.grid, pose, sensor.index, reading)
+
+    @staticmethod
+    def _need_range(sensor):
+        if sensor.kind not in ("psd", "lidar"):
+            raise ValueError(f"{sensor!r} measures no distance: expected a PSD, ultrasound, infrared or lidar")

@@ -8,9 +8,11 @@ same run, whatever the computer does meanwhile.
 import ctypes
 import sys
 import threading
+import time
 import traceback
 
 NANOSECONDS = 1_000_000_000
+LOOK = 0.2  # seconds between two looks at a routine that computes
 
 
 class Stopped(BaseException):
@@ -26,6 +28,7 @@ class Routine:
         self.is_over = False
         self.is_astray = False  # it computes without a call: the others no longer wait for it
         self.is_outside = False  # it waits for something that is not the simulation's
+        self.inside_since = 0.0  # on the computer's clock: since then it has been computing, or longer
         self.deadline = None  # nanoseconds: its next call from then on raises Stopped
         self.error = None
         self._turns = turns
@@ -78,6 +81,7 @@ class Turns:
         self._routines = []
         self._back = threading.Semaphore(0)
         self._lock = threading.Lock()
+        self._deadline = None  # of all routines, nanoseconds
 
     @property
     def routine(self):
@@ -94,6 +98,7 @@ class Turns:
         """A routine that begins now, after those that are there."""
         caller = self.routine
         routine = Routine(self, name, function, self.now if caller is None else caller.now)
+        routine.deadline = self._deadline
         self._routines.append(routine)
         routine.begin()
         return routine
@@ -125,6 +130,7 @@ class Turns:
         try:
             return wait()
         finally:
+            routine.inside_since = time.monotonic()
             routine.is_outside = False
             if others_go_on:
                 routine.wait_for_turn()
@@ -138,10 +144,11 @@ class Turns:
                 self._back.release()
 
     def ask_to_end(self, grace):
-        """Every routine raises Stopped at the first call that is `grace` seconds from now, or later."""
+        """Every routine, of now or later, raises Stopped at the first call that is `grace` seconds from now, or later. Who
+        waits for a person is not waited for any more."""
+        self._deadline = self.now + round(grace * NANOSECONDS)
         for routine in self._routines:
-            if routine.deadline is None:
-                routine.deadline = self.now + round(grace * NANOSECONDS)
+            routine.deadline = self._deadline
 
     def run(self, before_step, tell_astray, tell_end):
         """Until all routines are over. `before_step()` is called between rounds; `tell_astray(routine)` and
@@ -149,7 +156,7 @@ class Turns:
         while self._routines:
             for routine in list(self._routines):
                 self._give_turn(routine, tell_astray)
-            for routine in [each for each in self._routines if each.is_over or each.is_astray]:
+            for routine in [each for each in self._routines if each.is_over or each.is_astray or self._is_left(each)]:
                 self._routines.remove(routine)
                 tell_end(routine)
             if not self._routines:
@@ -163,9 +170,13 @@ class Turns:
         if routine.is_over or routine.is_astray or routine.is_outside or not is_due:
             return
         routine.let_run()
-        while not self._back.acquire(timeout=self._hang_limit):
-            if routine.is_outside:
-                continue  # somebody thinks about an answer
+        began = time.monotonic()
+        while not self._back.acquire(timeout=min(LOOK, self._hang_limit)):
+            if self._is_left(routine):
+                return
+            computed = time.monotonic() - max(began, routine.inside_since)
+            if routine.is_outside or computed < self._hang_limit:
+                continue  # or somebody thinks about an answer
             with self._lock:
                 if self._back.acquire(blocking=False):
                     return
@@ -173,6 +184,10 @@ class Turns:
             tell_astray(routine)
             routine.interrupt()
             return
+
+    def _is_left(self, routine):
+        """It waits for a person, and the run ends."""
+        return routine.is_outside and routine.deadline is not None
 
     def _is_late(self, routine):
         return routine.deadline is not None and self.now >= routine.deadline

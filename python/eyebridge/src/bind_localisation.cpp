@@ -32,9 +32,15 @@ Pose pose_from(const Place& place) {
   return {x, y, theta};
 }
 
+/// A filter, and how far its scanner looks.
+struct Localiser {
+  MonteCarlo filter;
+  double max_range;
+};
+
 /// On the map `grid`: beams meet what is occupied, robots are where it is free.
-MonteCarlo monte_carlo(const OccupancyGrid& grid, double sigma, double max_range,
-                       std::size_t particles, std::uint64_t seed) {
+Localiser monte_carlo(const OccupancyGrid& grid, double sigma, double max_range,
+                      std::size_t particles, std::uint64_t seed) {
   mapping::Raster<std::uint8_t> occupied(grid.geometry());
   mapping::Raster<std::uint8_t> free(grid.geometry());
   for (std::size_t i = 0; i < occupied.cells.size(); ++i) {
@@ -49,59 +55,59 @@ MonteCarlo monte_carlo(const OccupancyGrid& grid, double sigma, double max_range
   settings.most_particles = particles;
   settings.least_particles = std::min(settings.least_particles, particles);
   auto field = std::make_shared<const localisation::LikelihoodField>(occupied, beams);
-  return {std::move(field), free, settings, seed};
+  return {{std::move(field), free, settings, seed}, max_range};
 }
 
-void correct(MonteCarlo& filter, const Scanned& ranges, const Scanned& bearings, double max_range) {
+void correct(Localiser& localiser, const Scanned& ranges, const Scanned& bearings) {
   if (ranges.ndim() != 1 || bearings.ndim() != 1 || ranges.size() != bearings.size()) {
     throw std::invalid_argument("expected as many bearings as ranges");
   }
   localisation::Scan scan;
   for (py::ssize_t i = 0; i < ranges.size(); ++i) {
     const double range = ranges.at(i);
-    if (!(range > 0 && range < max_range)) continue;
+    // What met nothing reads as the full range, give or take rounding.
+    if (!(range > 0 && range < localiser.max_range * (1 - 1e-6))) continue;
     need_finite("bearings", bearings.at(i));
     scan.hits.push_back(range * Heading::from_angle(bearings.at(i)).forward());
   }
-  filter.correct(scan.thinned(kBeams));
+  localiser.filter.correct(scan.thinned(kBeams));
 }
 
 }  // namespace
 
 void bind_localisation(py::module_& module) {
-  py::class_<MonteCarlo>(module, "MonteCarlo")
+  py::class_<Localiser>(module, "MonteCarlo")
       .def(py::init(&monte_carlo), py::arg("grid"), py::kw_only(), py::arg("sigma") = 0.05,
-           py::arg("max_range") = 10.0, py::arg("particles") = 20000, py::arg("seed") = 1)
-      .def("start_anywhere", &MonteCarlo::start_anywhere)
+           py::arg("max_range") = 9.999, py::arg("particles") = 20000, py::arg("seed") = 1)
+      .def("start_anywhere", [](Localiser& localiser) { localiser.filter.start_anywhere(); })
       .def(
           "start_at",
-          [](MonteCarlo& filter, const Place& pose, double position, double heading) {
-            filter.start_at(pose_from(pose), position, heading);
+          [](Localiser& localiser, const Place& pose, double position, double heading) {
+            localiser.filter.start_at(pose_from(pose), position, heading);
           },
           py::arg("pose"), py::arg("position_sigma") = 0.1, py::arg("heading_sigma") = 0.1)
       .def(
           "predict",
-          [](MonteCarlo& filter, const Place& before, const Place& after) {
-            filter.predict(pose_from(before), pose_from(after));
+          [](Localiser& localiser, const Place& before, const Place& after) {
+            localiser.filter.predict(pose_from(before), pose_from(after));
           },
           py::arg("before"), py::arg("after"))
-      .def("correct", &correct, py::arg("ranges"), py::arg("bearings"),
-           py::arg("max_range") = 9.999)
+      .def("correct", &correct, py::arg("ranges"), py::arg("bearings"))
       .def_property_readonly("estimate",
-                             [](const MonteCarlo& filter) {
-                               const Pose& pose = filter.estimate().estimate.pose;
+                             [](const Localiser& localiser) {
+                               const Pose& pose = localiser.filter.estimate().estimate.pose;
                                return py::make_tuple(pose.x, pose.y, pose.theta);
                              })
       .def_property_readonly("deviation",
-                             [](const MonteCarlo& filter) {
-                               const auto spread = filter.estimate().estimate.covariance;
+                             [](const Localiser& localiser) {
+                               const auto spread = localiser.filter.estimate().estimate.covariance;
                                return std::pair(std::sqrt(spread(0, 0) + spread(1, 1)),
                                                 std::sqrt(spread(2, 2)));
                              })
-      .def_property_readonly("share",
-                             [](const MonteCarlo& filter) { return filter.estimate().share; })
-      .def_property_readonly("particles", [](const MonteCarlo& filter) {
-        const localisation::Particles& all = filter.particles();
+      .def_property_readonly(
+          "share", [](const Localiser& localiser) { return localiser.filter.estimate().share; })
+      .def_property_readonly("particles", [](const Localiser& localiser) {
+        const localisation::Particles& all = localiser.filter.particles();
         std::vector<double> rows;
         rows.reserve(4 * all.size());
         for (std::size_t i = 0; i < all.size(); ++i) {

@@ -49,7 +49,14 @@ Grid make_grid(double width, double height, double resolution, std::pair<double,
                double prior, bool growing, double half_life) {
   if (!(width > 0 && width < 1e6)) refuse("width", width, "more than 0 m, less than 1e6");
   if (!(height > 0 && height < 1e6)) refuse("height", height, "more than 0 m, less than 1e6");
-  if (!(resolution > 0)) refuse("resolution", resolution, "more than 0 m");
+  if (!(resolution > 1e-6 && resolution < 1e6)) {
+    refuse("resolution", resolution, "more than 1e-6 m, less than 1e6");
+  }
+  constexpr double kMostCells = 1 << 24;
+  if (width / resolution * (height / resolution) > kMostCells) {
+    refuse("resolution", resolution,
+           fmt::format("cells of which at most {} make {:g} x {:g} m", kMostCells, width, height));
+  }
   mapping::OccupancySettings settings;
   settings.prior = prior;
   settings.growing = growing;
@@ -59,11 +66,13 @@ Grid make_grid(double width, double height, double resolution, std::pair<double,
       mapping::GridGeometry::covering(corner, width, height, resolution), settings);
 }
 
+/// What numpy looks at; of a grid that grows a copy, since its cells move when its bounds do.
 py::array_t<float> log_odds(const Grid& grid) {
-  const mapping::GridGeometry& geometry = grid->geometry();
+  const Grid owner = grid->settings().growing ? std::make_shared<OccupancyGrid>(*grid) : grid;
+  const mapping::GridGeometry& geometry = owner->geometry();
   return view_of(
-      grid->raster().cells.data(),
-      {static_cast<py::ssize_t>(geometry.rows), static_cast<py::ssize_t>(geometry.columns)}, grid);
+      owner->raster().cells.data(),
+      {static_cast<py::ssize_t>(geometry.rows), static_cast<py::ssize_t>(geometry.columns)}, owner);
 }
 
 const char* state_name(mapping::CellState state) {

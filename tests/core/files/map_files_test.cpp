@@ -180,6 +180,27 @@ TEST(Map, StandsForWhatMapServerMakesOfIt) {
   EXPECT_EQ(map_of(map, picture).state(Cell{1, 1}), CellState::Occupied);
 }
 
+TEST(Map, LeavesUnknownWhatItDoesNotKnowWhereverItsThresholdsLie) {
+  struct Row {
+    double occupied;
+    double free;
+    std::uint8_t unknown;  // a grey between the two
+  };
+  for (const Row& row : {Row{0.45, 0.196, 150}, Row{0.65, 0.55, 102}}) {
+    MapDescription description;
+    description.occupied_thresh = row.occupied;
+    description.free_thresh = row.free;
+    const mapping::OccupancyGrid grid = map_of(description, {3, 1, {0, row.unknown, 254}});
+    EXPECT_EQ(grid.state(mapping::Cell{0, 0}), mapping::CellState::Occupied);
+    EXPECT_EQ(grid.state(mapping::Cell{1, 0}), mapping::CellState::Unknown) << row.occupied;
+    EXPECT_EQ(grid.state(mapping::Cell{2, 0}), mapping::CellState::Free);
+  }
+}
+
+TEST(Map, IsNotSavedOverItsOwnPicture) {
+  EXPECT_THROW(save_map(mapping::OccupancyGrid({{}, 1.0, 1, 1}), "room.pgm"), ConfigError);
+}
+
 TEST(Map, SurvivesBeingWrittenAndRead) {
   const OccupancyGrid grid = checkered();
   for (const MapMode mode : {MapMode::Trinary, MapMode::Scale, MapMode::Raw}) {

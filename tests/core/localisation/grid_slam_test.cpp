@@ -1,6 +1,7 @@
 #include "eyebridge/localisation/grid_slam.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -134,6 +135,13 @@ TEST(GridSlam, GrowsWithWhatTheRobotSees) {
   settings.occupancy.max_cells = 600;
   GridSlam small(settings, stops[0].truth);
   EXPECT_FALSE(small.add(stops[0].odometry, stops[0].scan));
+}
+
+TEST(GridSlam, RefusesOdometryThatIsNoPlaceAndGoesOn) {
+  GridSlam slam(settings_for_the_flat("perfect"), {1, 1, 0});
+  EXPECT_FALSE(slam.add({std::nan(""), 0, 0}, {}));
+  EXPECT_EQ(slam.pose(), (Pose{1, 1, 0}));
+  EXPECT_TRUE(slam.add({0, 0, 0}, {}));
 }
 
 TEST(GridSlam, RefusesSettingsThatCannotBe) {

@@ -81,6 +81,9 @@ TEST(LikelihoodField, RefusesSettingsThatCannotBe) {
   EXPECT_THROW(LikelihoodField(one_cell(), {0.1, 0.9, 0.0, 10}), std::invalid_argument);
   EXPECT_THROW(LikelihoodField(one_cell(), {0.1, 1.1, 0.1, 10}), std::invalid_argument);
   EXPECT_THROW(LikelihoodField(one_cell(), {0.1, 0.9, 0.1, NAN}), std::invalid_argument);
+  EXPECT_THROW(LikelihoodField(one_cell(), {0.1, 0.9, 0.1, INFINITY}), std::invalid_argument);
+  const LikelihoodField field(one_cell(), {0.1, 0.9, 0.1, 10});
+  EXPECT_TRUE(std::isfinite(field.at({NAN, NAN}))) << "a place that is none lies nowhere else";
 }
 
 }  // namespace

@@ -60,6 +60,15 @@ TEST(BeamModel, OfASensorThatErrsMoreMovesTheBeliefLess) {
   }
 }
 
+TEST(BeamModel, KnowsErrorsThatGrowWithTheSquareOfTheRange) {
+  robot::RangeSensorModel sensor;
+  sensor.error.sigma = 0.01;
+  sensor.error.sigma_quadratic = 0.02;
+  const BeamModel model = beam_model_of(sensor);
+  EXPECT_DOUBLE_EQ(model.sigma_at(2.0), 0.01 + 0.02 * 4);
+  EXPECT_DOUBLE_EQ(model.sigma_at(2.0), sensor.error.sigma_at(2.0));
+}
+
 TEST(BeamModel, OutOfRangeMeansFreeAsFarAsDropoutLetsIt) {
   BeamModel model = two_metres();
   model.min_range = 0.1;

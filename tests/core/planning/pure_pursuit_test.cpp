@@ -36,6 +36,21 @@ TEST(PurePursuit, DrivesTheArcThatMeetsThePathAhead) {
   EXPECT_NEAR(twist.angular / twist.linear, -2 * 0.3 / 0.25, 1e-9);
 }
 
+TEST(PurePursuit, ComesBackOnAPathThatNeverLeavesItsCircle) {
+  const PurePursuitSettings settings;  // looks 0.25 m ahead
+  PurePursuit pursuit({{0, 0}, {0.2, 0}, {0, 0}}, settings);
+  const Twist first = pursuit.follow({0, 0, 0});
+  EXPECT_GT(first.linear, 0.0);
+  EXPECT_TRUE(std::isfinite(first.angular));
+  // As it goes there and back: at the far end what is left of the path is short enough.
+  EXPECT_FALSE(pursuit.has_arrived());
+  pursuit.follow({0.1, 0, 0});
+  pursuit.follow({0.2, 0, 0});
+  pursuit.follow({0.1, 0, kPi});
+  pursuit.follow({0, 0, kPi});
+  EXPECT_TRUE(pursuit.has_arrived());
+}
+
 TEST(PurePursuit, TurnsOnTheSpotTowardsAPathBehindIt) {
   PurePursuit pursuit({{0, 0}, {5, 0}});
   const Twist left = pursuit.follow({0.2, 0.0, -2.0});

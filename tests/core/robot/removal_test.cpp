@@ -39,8 +39,14 @@ TEST(RobotRemoval, NobodySensesIt) {
   EXPECT_EQ(rig.sim.read_range(rig.robot, 0), alone);
 }
 
-TEST(RobotRemoval, StopsItWhateverItIsTold) {
-  Rig rig({}, {1.0, 1.0, 0.0});
+class RemovalOf : public ::testing::TestWithParam<DriveKind> {};
+
+TEST_P(RemovalOf, StopsItWhateverItIsTold) {
+  RobotModel model;
+  model.drive.kind = GetParam();
+  model.drive.axle_distance = 0.16;
+  model.drive.motor_time_constant = 0.2;  // wheels that would roll on
+  Rig rig(model, {1.0, 1.0, 0.0});
   rig.sim.set_speed(rig.robot, {0.3, 0.0});
   rig.steps(200);
   const Pose last = rig.sim.pose(rig.robot);
@@ -56,6 +62,23 @@ TEST(RobotRemoval, StopsItWhateverItIsTold) {
   rig.steps(10);
   EXPECT_EQ(rig.sim.pose(rig.robot), last);
   EXPECT_EQ(rig.sim.twist(rig.robot), Twist{});
+  EXPECT_EQ(rig.sim.body_twist(rig.robot), HolonomicTwist{});
+  EXPECT_EQ(rig.sim.read_accelerometer(rig.robot), Vec2{});
+}
+
+INSTANTIATE_TEST_SUITE_P(Drives, RemovalOf,
+                         ::testing::Values(DriveKind::Differential, DriveKind::Ackermann,
+                                           DriveKind::Omni, DriveKind::Swedish,
+                                           DriveKind::Synchro));
+
+TEST(RobotRemoval, NobodyHearsItsSonar) {
+  RobotModel model;
+  model.range_sensors.emplace_back().kind = RangeKind::Ultrasound;
+  Rig rig(model, {1.0, 2.0, 0.0});
+  const RobotIndex other = rig.sim.add_robot(model, {2.0, 2.0, kPi});
+  ASSERT_EQ(rig.sim.cross_talkers(rig.robot, 0), 1u);
+  rig.sim.remove_robot(other);
+  EXPECT_EQ(rig.sim.cross_talkers(rig.robot, 0), 0u);
 }
 
 TEST(RobotRemoval, LeavesTheOthersAsTheyAre) {

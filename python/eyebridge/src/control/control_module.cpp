@@ -103,6 +103,31 @@ double wheel_angle(ControlWorld& world, std::size_t index, int wheel) {
   return count / ticks * 2 * std::numbers::pi;
 }
 
+using Wheels = std::vector<std::pair<std::string, int>>;
+
+/// What docs/drives.md calls the motors of this kind of drive, and their numbers.
+Wheels motors(const ControlWorld& world, std::size_t index) {
+  switch (world.model(index).drive.kind) {
+    case robot::DriveKind::Differential:
+      break;
+    case robot::DriveKind::Ackermann:
+      return {{"drive", 1}};
+    case robot::DriveKind::Omni:
+      return {{"front left", 1}, {"front right", 2}, {"rear left", 3}, {"rear right", 4}};
+    case robot::DriveKind::Swedish:
+      return {{"front left", 1}, {"front right", 2}, {"rear", 3}};
+    case robot::DriveKind::Synchro:
+      return {{"drive", 1}, {"steer", 2}};
+  }
+  return {{"left", 1}, {"right", 2}};
+}
+
+/// Those that have encoders: a car's are at its rear wheels.
+Wheels encoders(const ControlWorld& world, std::size_t index) {
+  if (world.model(index).drive.kind != robot::DriveKind::Ackermann) return motors(world, index);
+  return {{"left", 1}, {"right", 2}};
+}
+
 hal::Drive& drive_of(ControlWorld& world, std::size_t index) {
   return need(world.robot(index).drive(), "drive", 1);
 }
@@ -172,6 +197,9 @@ PYBIND11_MODULE(_control, module) {
            })
       .def("open_windows", &World::open_windows, py::arg("folder"), Release())
       .def("note", &World::note, py::arg("name"), py::arg("value"))
+      .def("resume", &World::resume)
+      .def("end", &World::end, Release())
+      .def("give_up", &World::give_up, Release())
       .def("finish", &World::finish, py::arg("how"), Release())
       .def("model_name",
            [](const World& world, std::size_t index) { return world.model(index).name; })
@@ -194,6 +222,8 @@ PYBIND11_MODULE(_control, module) {
       .def("truth_grid", &truth_grid, py::arg("resolution"))
       .def("mapper",
            [](const World& world, std::size_t index) { return RobotMapper(world.model(index)); })
+      .def("motors", &motors)
+      .def("encoders", &encoders)
       .def("set_wheel", &set_wheel)
       .def("wheel_angle", &wheel_angle)
       .def("set_twist",

@@ -76,7 +76,13 @@ std::uint64_t ControlWorld::collisions() {
 bool ControlWorld::open_windows(const std::filesystem::path& folder) {
   if (!wants_windows(config_)) return false;
   std::string why;
-  windows_ = robios::load_windows(folder, {[this] { is_closed_ = true; }, program_}, why);
+  windows_ = robios::load_windows(folder,
+                                  {[this] {
+                                     is_closed_ = true;
+                                     resume();
+                                   },
+                                   program_},
+                                  why);
   if (windows_ == nullptr) {
     if (config_.text("gui") != "on") return false;
     throw ConfigError(config_.value("gui").where,
@@ -90,10 +96,18 @@ bool ControlWorld::open_windows(const std::filesystem::path& folder) {
   return true;
 }
 
-void ControlWorld::finish(const std::string& how) {
+void ControlWorld::end() {
   for (const auto& robot : robots_) robot->stop();
   world_->end();
+}
+
+void ControlWorld::finish(const std::string& how) {
   if (windows_ != nullptr) windows_->finish(how);
+}
+
+void ControlWorld::give_up() {
+  world_->end();
+  if (windows_ != nullptr) windows_->complete_files();
 }
 
 }  // namespace eyebridge::python

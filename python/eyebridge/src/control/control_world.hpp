@@ -70,9 +70,15 @@ class ControlWorld {
   [[nodiscard]] bool has_windows() const { return windows_ != nullptr; }
   /// A person has closed the last window. Any thread.
   [[nodiscard]] bool is_closed() const { return is_closed_; }
-  /// The control file has ended, `how` in words: motors stop, the run's report is written, and
-  /// windows stay until a person closes them. Once.
+  /// Lets time go on that a person has paused. Any thread.
+  void resume() { world_->environment().time().resume(); }
+  /// The control file has ended: motors stop, the run's report is written. Once.
+  void end();
+  /// After end(): windows say `how` and stay until a person closes them.
   void finish(const std::string& how);
+  /// The process ends at once, whatever its threads do: what is being written is completed. Any
+  /// thread.
+  void give_up();
 
  private:
   /// Robots are used by one routine at a time, and none of them has a clock of its own.

@@ -60,6 +60,7 @@ class MonteCarlo {
   /// Forgets everything: the robot may be anywhere that is free, with any heading.
   void start_anywhere();
   /// Forgets everything: the robot is at `pose`, give or take the deviations (metres, radians).
+  /// Throws std::invalid_argument unless all are finite and the deviations not negative.
   void start_at(const Pose& pose, double position_sigma, double heading_sigma);
 
   /// The robot moved, as its odometry says, from `before` to `after`.

@@ -33,7 +33,8 @@ struct OdometryStep {
   double travel = 0.0;       ///< Metres, negative backwards.
   double second_turn = 0.0;  ///< Radians.
 
-  /// From two poses of one odometry. Less than 0.1 mm is no travel: its direction says nothing.
+  /// From two poses of one odometry. Of less than 0.1 mm the direction says nothing: it is
+  /// travel ahead or back.
   static OdometryStep between(const Pose& before, const Pose& after);
   /// Where it leads to from `pose`.
   [[nodiscard]] Pose applied_to(const Pose& pose) const;

@@ -22,7 +22,8 @@ struct BeamModel {
   double out_of_range = 9.999;   ///< The reading that means it, metres.
   double bias = 0.0;             ///< Of readings, metres: taken off.
   double sigma = 0.0;            ///< Standard deviation, metres, >= 0: sigma + sigma_relative *
-  double sigma_relative = 0.0;   ///< range.
+  double sigma_relative = 0.0;   ///< range +
+  double sigma_quadratic = 0.0;  ///< range squared; 1 / metre, >= 0.
   std::vector<double> levels{};  ///< Readings that there are, ascending, metres; empty: all.
   double dropout = 0.0;          ///< Probability that a surface within reach reads as out of range.
   /// Probability that a reading is of a surface nearer than `min_range` (the ambiguity of

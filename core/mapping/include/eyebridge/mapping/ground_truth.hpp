@@ -43,7 +43,7 @@ struct Agreement {
 /// at most t columns and t rows away; a free cell that is occupied in truth agrees when the belief
 /// has an occupied one as near. 0 compares each cell with itself only. Throws std::invalid_argument
 /// when the grids' resolutions differ, or their origins by what is no whole number of cells (both
-/// to 1e-6 of a cell), and for a negative tolerance.
+/// to 1e-6 of a cell), and for a tolerance that is not 0 … 1000.
 Agreement agreement(const OccupancyGrid& belief, const OccupancyGrid& truth, int tolerance = 1);
 
 /// Share, 0 … 1, of the cells of `truth` that a robot at `start` can reach, in steps to the four
