@@ -4,10 +4,7 @@ import re
 import signal
 import subprocess
 import textwrap
-import unittest
 
-import eyebridge
-import numpy as np
 from support import BUILD, SOURCE, ProgramTest, main
 
 EYEBRIDGE = BUILD / "bin" / "eyebridge"
@@ -277,12 +274,12 @@ class Ends(ControlTest):
 
     def test_sigterm_is_polite_too_and_a_second_signal_ends_at_once(self):
         text = HEAD + "    interact.print('up')\n    while keep_going():\n        pass\n    interact.print('goodbye')\n"
-        self.write("control.py", text + "    interact.prompt('? ')\n")
+        self.write("control.py", text + "    interact.prompt('? ', 'nobody')\n")
         process = self.start([EYEBRIDGE, "run", "--no-gui", "control.py"], {"log": "error"})
         process.stdout.readline()
         process.send_signal(signal.SIGTERM)
         run = self.finish(process)
-        self.assertEqual((run.out, run.returncode), ("goodbye\n? ", 0), run.err)  # nobody waits for an answer
+        self.assertEqual((run.out, run.returncode), ("goodbye\n? ", 0), run.err)
         self.write("control.py", HEAD + "    while True:\n        interact.print('on')\n        interact.wait(1)\n")
         process = self.start([EYEBRIDGE, "run", "--no-gui", "--factor", "0.01", "control.py"], {"log": "error"})
         process.stdout.readline()
@@ -387,61 +384,6 @@ class Examples(ControlTest):
     def test_localise_finds_out_where_it_is(self):
         out = self.example("localise.py", "maze-8.maz", "--errors", "realistic", "--time-limit", "120s")
         self.assertLess(float(re.search(r", (\d+) mm off", out).group(1)), 60)
-
-
-class Algorithms(unittest.TestCase):
-    """What control files have of planning and localisation."""
-
-    def setUp(self):
-        self.truth = eyebridge.OccupancyGrid.truth_of(eyebridge.load_scenario(SOURCE / "worlds" / "rooms.wld"))
-
-    def test_every_method_finds_a_way_that_touches_nothing(self):
-        lengths = {}
-        for method in ("astar", "theta_star", "dstar_lite", "wavefront", "rrt_star"):
-            path = eyebridge.plan(self.truth, (0.7, 1.5), (3.3, 2.5), radius=0.1, method=method, shorten=True)
-            steps = np.diff(path, axis=0)
-            lengths[method] = np.hypot(*steps.T).sum()
-            for (x, y), (dx, dy) in zip(path, steps):
-                for part in np.linspace(0, 1, 100):
-                    self.assertEqual(self.truth.state(x + part * dx, y + part * dy), "free", method)
-        self.assertGreater(min(lengths.values()), 2.7)
-        self.assertLess(max(lengths.values()), 1.2 * min(lengths.values()))
-
-    def test_no_way_is_none_and_bad_ends_are_errors(self):
-        walled = eyebridge.OccupancyGrid(1.0, 1.0, resolution=0.1)
-        for row in range(10):
-            walled.set_probability(0.55, 0.05 + row / 10, 0.99)
-        self.assertIsNone(eyebridge.plan(walled, (0.1, 0.1), (0.9, 0.9)))
-        with self.assertRaisesRegex(ValueError, "goal"):
-            eyebridge.plan(walled, (0.1, 0.1), (0.55, 0.55))
-        with self.assertRaisesRegex(ValueError, "expected astar, theta_star"):
-            eyebridge.plan(walled, (0.1, 0.1), (0.2, 0.2), method="magic")
-
-    def test_pursuit_drives_along_its_path(self):
-        pursuit = eyebridge.PurePursuit([(0, 0), (1, 0)], speed=0.2)
-        self.assertEqual(pursuit.follow((0, 0, 0)), (0.2, 0.0))
-        self.assertGreater(pursuit.follow((0.3, -0.1, 0))[1], 0)
-        pursuit.follow((1, 0, 0))
-        self.assertTrue(pursuit.has_arrived)
-
-    def test_particles_come_to_where_the_robot_is(self):
-        scenario = eyebridge.load_scenario(SOURCE / "worlds" / "slalom.wld")
-        grid = eyebridge.OccupancyGrid.truth_of(scenario)
-        where = eyebridge.MonteCarlo(grid, seed=3)
-        with eyebridge.Simulation(scenario) as sim:
-            robot = sim.robots[0]
-            where.start_at(robot.pose, 0.2, 0.2)
-            bearings = np.pi - 2 * np.pi * np.arange(360) / 360
-            for _ in range(30):
-                before = robot.odometry
-                robot.set_speed(0.1, 0.3)
-                sim.run(0.2)
-                where.predict(before, robot.odometry)
-                where.correct(robot.lidar(), bearings)
-            x, y, _ = robot.pose
-            self.assertLess(np.hypot(where.estimate[0] - x, where.estimate[1] - y), 0.05)
-        self.assertLess(where.deviation[0], 0.1)
-        self.assertAlmostEqual(where.particles[:, 3].sum(), 1.0)
 
 
 if __name__ == "__main__":
