@@ -329,13 +329,13 @@ class Mistakes(ControlTest):
             robot(1).start(stuck)
             interact.wait(1)
             interact.print("still here")
-        """, "--hang-limit", "0.5s", before="""
+        """, "--hang-limit", "3s", before="""
             def stuck(robot, keep_going, belief_space, map_space, interact):
                 while True:
                     pass
         """)
         self.assertEqual((run.out, run.returncode), ("still here\n", 1))
-        self.assertRegex(run.err, r"^eyebridge: control\.py:[34]: Robot 1 has computed for 0\.5 s without a call; expected ")
+        self.assertRegex(run.err, r"^eyebridge: control\.py:[34]: Robot 1 has computed for 3 s without a call; expected ")
 
     def test_robots_and_sensors_that_are_not_there(self):
         self.fails("control.py:2: run: LookupError: found no robot 'Robot 7', expected one of: robot 1, 1; most like it: robot 1", 'robot("Robot 7")')
