@@ -39,7 +39,10 @@ Fiber::Stack::Stack(std::size_t size)
   mprotect(base_, kGuardSize, PROT_NONE);
 }
 
-Fiber::Stack::~Stack() { munmap(base_, size_); }
+Fiber::Stack::~Stack() {
+  forget_stack(bottom(), usable());
+  munmap(base_, size_);
+}
 
 Fiber::Fiber(std::function<void()> body, std::size_t stack_size)
     : error_(&errno),

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #if defined(__SANITIZE_ADDRESS__)
+#include <sanitizer/asan_interface.h>
 #include <sanitizer/common_interface_defs.h>
 #endif
 #if defined(__SANITIZE_THREAD__)
@@ -10,6 +11,14 @@
 #endif
 
 namespace eyebridge::robios {
+
+/// A stack is about to be unmapped, perhaps in the middle of its functions: what lies there next
+/// has nothing to do with their variables.
+inline void forget_stack([[maybe_unused]] const void* bottom, [[maybe_unused]] std::size_t size) {
+#if defined(__SANITIZE_ADDRESS__)
+  __asan_unpoison_memory_region(bottom, size);
+#endif
+}
 
 /// Tells the sanitizers of a switch between stacks; nothing without them.
 class SanitizedSwitch {

@@ -123,6 +123,8 @@ TEST_P(Remove, ARunWhoseLastProgramIsRemovedEnds) {
   EXPECT_THAT(error({"remove", "3"}), HasSubstr("remove: found no run of several robots"));
 }
 
+// Python knows no sanitizer; its processes under ASan are in tests/python.
+#if !defined(__SANITIZE_ADDRESS__)
 TEST_P(Remove, EndsAProgramInAProcessOfItsOwn) {
   folder_.write("turns.py",
                 "import time\nfrom eye import *\nRADIOInit()\nVWSetSpeed(0, 90)\n"
@@ -139,6 +141,7 @@ TEST_P(Remove, EndsAProgramInAProcessOfItsOwn) {
   EXPECT_EQ(run.wait(), 0) << run.said();
   EXPECT_THAT(run.said(), Not(HasSubstr("Traceback")));
 }
+#endif
 
 INSTANTIATE_TEST_SUITE_P(Clocks, Remove, ::testing::Values("--fast", "--factor=5"),
                          [](const auto& clock) {
