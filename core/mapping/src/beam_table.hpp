@@ -45,7 +45,8 @@ class BeamTable {
 
   /// Of a reading with this standard deviation.
   [[nodiscard]] const Blur& blur(double sigma) const {
-    const auto i = static_cast<std::size_t>(sigma * levels_ + 0.5);
+    constexpr double kHalf = 0.5;  // rounds: nothing here is negative
+    const auto i = static_cast<std::size_t>(sigma * levels_ + kHalf);
     return blurs_[i < blurs_.size() ? i : blurs_.size() - 1];
   }
   /// Standard deviation of a reading within reach, cells.

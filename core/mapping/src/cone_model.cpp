@@ -70,7 +70,7 @@ Result<void> insert_cone(OccupancyGrid& grid, const ConeModel& model, const Pose
   for (const Vec2 direction : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}}) {
     if (dot(direction, axis.forward()) >= least) enclose(direction);
   }
-  if (const auto covered = grid.cover(lower, upper); !covered) return covered;
+  if (auto covered = grid.cover(lower, upper); !covered) return covered;
 
   const GridGeometry& g = grid.geometry();
   const auto cut = [&](double place, double corner, int count) {

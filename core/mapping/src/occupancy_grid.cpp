@@ -104,7 +104,7 @@ Result<void> OccupancyGrid::update(Vec2 point, double probability) {
   if (!(probability >= 0.0 && probability <= 1.0)) {
     return fail(Errc::OutOfRange, "evidence with a probability that is not 0 to 1");
   }
-  if (const auto covered = cover(point, point); !covered) return covered;
+  if (auto covered = cover(point, point); !covered) return covered;
   const Cell cell = cell_at(point);
   if (raster_.geometry.contains(cell)) {
     add(cell, static_cast<float>(log_odds_of(probability) - log_odds_of(settings_.prior)));

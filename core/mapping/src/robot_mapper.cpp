@@ -80,7 +80,7 @@ Result<void> RobotMapper::insert_ranges(OccupancyGrid& grid, const Pose& robot_i
     throw std::out_of_range("insert_ranges: one range a sensor");
   }
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    if (const auto done = insert_range(grid, robot_in_world, i, ranges[i]); !done) return done;
+    if (auto done = insert_range(grid, robot_in_world, i, ranges[i]); !done) return done;
   }
   return {};
 }

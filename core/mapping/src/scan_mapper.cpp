@@ -216,7 +216,7 @@ Result<void> ScanMapper::Impl::insert(OccupancyGrid& grid, Vec2 from,
     upper = {std::max(upper.x, tip.x), std::max(upper.y, tip.y)};
   }
   if (!says_something) return {};
-  if (const auto covered = grid.cover(lower, upper); !covered) return covered;
+  if (auto covered = grid.cover(lower, upper); !covered) return covered;
 
   const GridGeometry& g = grid.geometry();
   const Vec2 first = per_metre * (lower - g.origin);
