@@ -124,7 +124,6 @@ class CodeWindow final : public QMainWindow {
   int zoom_ = 0;
   QPointer<Page> ran_;  ///< What runs, or ran last …
   ProgramSource source_;
-  bool jumped_ = false;  ///< The first message of this run was shown.
   bool is_closing_ = false;
 };
 
