@@ -31,7 +31,7 @@ class Assess : public ::testing::Test {
   /// A table that holds no quotes, by its names.
   std::vector<Row> table(const std::string& file) {
     std::istringstream text(testing::file_text(folder_.path() + "/assessment/" + file));
-    const auto fields = [](std::string line) {
+    const auto fields = [](const std::string& line) {
       std::vector<std::string> out(1);
       for (const char c : line) {
         if (c == ',') {

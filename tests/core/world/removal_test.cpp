@@ -24,8 +24,12 @@ class Removal : public ::testing::TestWithParam<int> {
   Removal() {
     mover_ = world_.add_robot({1, 1, 0}, 0.1, 0.1, {});
     in_the_way_ = world_.add_robot({2, 1, 0}, 0.1, 0.1, {});
-    for (int i = 0; i < GetParam(); ++i) {
-      world_.add_robot({0.5 + i % 10, 3.0 + i / 10, 0}, 0.1, 0.1, {});
+    add_rows_of_ten(GetParam(), 3);
+  }
+  void add_rows_of_ten(int count, int y) {
+    for (int i = 0; i < count; ++i) {
+      const int row = i / 10;
+      world_.add_robot({0.5 + i % 10, static_cast<double>(y + row), 0}, 0.1, 0.1, {});
     }
   }
   double ray() { return world_.cast_ray({1, 1}, {1, 0}, 20.0, mover_); }
@@ -67,7 +71,7 @@ TEST_P(Removal, ItsPlaceIsFreeForAnotherWhoGetsTheNextId) {
   EXPECT_EQ(world_.add_robot({2, 1, 0}, 0.1, 0.1, {}), before);
   EXPECT_NEAR(ray(), 0.9, 1e-12);
   EXPECT_FALSE(world_.is_there(in_the_way_));
-  for (int i = 0; i < 40; ++i) world_.add_robot({0.5 + i % 10, 8.0 + i / 10, 0}, 0.1, 0.1, {});
+  add_rows_of_ten(40, 8);
   world_.remove(static_cast<BodyId>(before));
   EXPECT_NEAR(ray(), 11.0, 1e-12) << "nor is it there once the grid was made anew";
 }
