@@ -3,15 +3,13 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
-#include <QSettings>
 
 #include "code/code_window.hpp"
+#include "parts/recent_files.hpp"
 
 namespace eyebridge::gui {
 namespace {
 
-const QString kRecentKey = "code/recent";
-constexpr int kMostRecent = 10;
 // Who writes a file in several steps gets this long, milliseconds.
 constexpr int kSettle_ms = 100;
 
@@ -92,7 +90,7 @@ Page* CodeWindow::open_file(const QString& path) {
     remove_page(page);
     return nullptr;
   }
-  remember(page.path());
+  remember_file(kRecentPrograms, page.path());
   return &page;
 }
 
@@ -160,14 +158,6 @@ void CodeWindow::keep_drafts() {
   }
 }
 
-void CodeWindow::remember(const QString& path) {
-  QSettings kept;
-  QStringList recent = kept.value(kRecentKey).toStringList();
-  recent.removeAll(path);
-  recent.prepend(path);
-  kept.setValue(kRecentKey, recent.mid(0, kMostRecent));
-}
-
 void CodeWindow::ask_for_files() {
   const QString folder = page() == nullptr ? QString() : QFileInfo(page()->path()).path();
   auto* const dialog = new QFileDialog(this, tr("Open"), folder,
@@ -190,7 +180,7 @@ bool CodeWindow::save_as(Page& page, const QString& path) {
   if (!page.path().isEmpty()) watcher_.removePath(page.path());
   const bool saved = page.save_as(path);
   page_changed(page);
-  if (saved) remember(page.path());
+  if (saved) remember_file(kRecentPrograms, page.path());
   return saved;
 }
 

@@ -1,14 +1,13 @@
 // The menus of the code panel.
-#include <QDir>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QMenuBar>
-#include <QSettings>
 #include <map>
 
 #include "code/code_window.hpp"
 #include "code/examples.hpp"
+#include "parts/recent_files.hpp"
 
 namespace eyebridge::gui {
 
@@ -40,8 +39,8 @@ void CodeWindow::make_file_menu() {
     add_action(fresh, text, {key}, [this, begin] { new_program(begin); });
   }
   add_action(menu, tr("&Open..."), {QKeySequence::Open}, [this] { ask_for_files(); });
-  recent_ = menu.addMenu(tr("Open &recent"));
-  connect(recent_, &QMenu::aboutToShow, this, [this] { fill_recent(); });
+  offer_recent_files(*menu.addMenu(tr("Open &recent")), {kRecentPrograms},
+                     [this](const QString& path) { open_file(path); });
   add_examples(*menu.addMenu(tr("&Examples")));
   menu.addSeparator();
   add_action(menu, tr("&Save"), {QKeySequence::Save}, [this] {
@@ -68,17 +67,6 @@ void CodeWindow::add_examples(QMenu& menu) {
                [this, path = example.path] { open_example(path); });
   }
   menu.setEnabled(!menu.isEmpty());
-}
-
-void CodeWindow::fill_recent() {
-  recent_->clear();
-  const QSettings kept;
-  const QStringList paths = kept.value("code/recent").toStringList();
-  for (const QString& path : paths) {
-    QAction* const action = recent_->addAction(QDir::toNativeSeparators(path).replace('&', "&&"));
-    connect(action, &QAction::triggered, this, [this, path] { open_file(path); });
-  }
-  if (recent_->isEmpty()) recent_->addAction(tr("None yet"))->setEnabled(false);
 }
 
 void CodeWindow::make_edit_menu() {

@@ -67,7 +67,6 @@ class CodeWindow final : public QMainWindow {
   void make_run_menu();
   void add_examples(QMenu& menu);
   void add_generations(QMenu& menu);
-  void fill_recent();
   void ask_for_line();
 
   // code_files.cpp
@@ -79,7 +78,6 @@ class CodeWindow final : public QMainWindow {
   void page_changed(Page& page);
   void show_titles();
   void keep_drafts();
-  void remember(const QString& path);
   void ask_for_files();
   void save(Page& page, const std::function<void()>& then = {});
   void save_all(const std::function<void()>& then = {});
@@ -114,7 +112,6 @@ class CodeWindow final : public QMainWindow {
   Runner* runner_;
   QLabel* state_;
   QLabel* place_;
-  QMenu* recent_ = nullptr;
   QAction* run_ = nullptr;
   QAction* build_ = nullptr;
   QAction* stop_ = nullptr;

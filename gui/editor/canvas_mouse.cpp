@@ -309,10 +309,8 @@ void Canvas::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void Canvas::wheelEvent(QWheelEvent* event) {
-  constexpr double kStep = 120.0;  // of a wheel's notch, as Qt counts
-  constexpr double kFactor = 1.25;
   is_fitted_ = false;
-  view_.zoom_at(event->position(), std::pow(kFactor, event->angleDelta().y() / kStep));
+  view_.zoom_at(event->position(), zoom_of(*event));
   update();
 }
 

@@ -160,7 +160,7 @@ void EditorWindow::make_choices() {
 
 void EditorWindow::make_view_menu() {
   QMenu& menu = *menuBar()->addMenu(tr("&View"));
-  constexpr double kZoom = 1.25;
+  constexpr double kZoom = Viewport::kZoomStep;
   QAction* const fit = add_action(menu, tr("&Fit"), Qt::Key_F, [this] { canvas_->fit(); });
   add_action(menu, tr("Zoom &in"), QKeySequence::ZoomIn, [this] { canvas_->zoom(kZoom); });
   add_action(menu, tr("Zoom &out"), QKeySequence::ZoomOut, [this] { canvas_->zoom(1 / kZoom); });

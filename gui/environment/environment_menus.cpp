@@ -110,7 +110,7 @@ void EnvironmentWindow::make_robot_menu() {
 
 void EnvironmentWindow::make_view_menu() {
   QMenu& menu = *menuBar()->addMenu(tr("&View"));
-  constexpr double kZoom = 1.25;
+  constexpr double kZoom = Viewport::kZoomStep;
   QAction* const fit = add_action(menu, tr("&Fit"), Qt::Key_F, [this] {
     follow_->setChecked(false);
     view_->fit();

@@ -3,7 +3,6 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
-#include <cmath>
 
 #include "environment/paint_world.hpp"
 
@@ -87,9 +86,7 @@ void MapView::mouseMoveEvent(QMouseEvent* event) {
 void MapView::mouseDoubleClickEvent(QMouseEvent* /*event*/) { fit(); }
 
 void MapView::wheelEvent(QWheelEvent* event) {
-  constexpr double kNotch = 120.0;  // as Qt counts
-  constexpr double kFactor = 1.25;
-  viewport_.zoom_at(event->position(), std::pow(kFactor, event->angleDelta().y() / kNotch));
+  viewport_.zoom_at(event->position(), zoom_of(*event));
   is_placed_ = true;
   update();
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "environment/viewport.hpp"
 #include "eyebridge/base/config_error.hpp"
 #include "parts/frame_image.hpp"
 
@@ -131,9 +132,8 @@ void SceneView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void SceneView::wheelEvent(QWheelEvent* event) {
-  constexpr double kNotch = 120.0;  // as Qt counts
   constexpr double kFactor = 0.85;
-  orbit_.move_away(std::pow(kFactor, event->angleDelta().y() / kNotch));
+  orbit_.move_away(std::pow(kFactor, notches_of(*event)));
 }
 
 }  // namespace eyebridge::gui

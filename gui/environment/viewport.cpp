@@ -1,6 +1,8 @@
 #include "environment/viewport.hpp"
 
+#include <QWheelEvent>
 #include <algorithm>
+#include <cmath>
 
 namespace eyebridge::gui {
 
@@ -31,6 +33,15 @@ QPointF Viewport::to_pixel(Vec2 place) const {
 Vec2 Viewport::to_world(QPointF pixel) const {
   return {centre_.x + (pixel.x() - size_.width() / 2) / scale_,
           centre_.y - (pixel.y() - size_.height() / 2) / scale_};
+}
+
+double notches_of(const QWheelEvent& event) {
+  constexpr double kNotch = 120.0;  // as Qt counts
+  return event.angleDelta().y() / kNotch;
+}
+
+double zoom_of(const QWheelEvent& event) {
+  return std::pow(Viewport::kZoomStep, notches_of(event));
 }
 
 }  // namespace eyebridge::gui

@@ -5,6 +5,8 @@
 
 #include "eyebridge/base/pose.hpp"
 
+class QWheelEvent;
+
 namespace eyebridge::gui {
 
 /// Which part of the world a view shows: the world's y points up, the view's down.
@@ -12,6 +14,7 @@ class Viewport {
  public:
   static constexpr double kFarthest = 1.0;     ///< Least pixels a metre.
   static constexpr double kNearest = 20000.0;  ///< Most.
+  static constexpr double kZoomStep = 1.25;    ///< Of a key or a notch of the wheel.
 
   /// Pixels of the view. Its middle stays where it is in the world.
   void resize(QSizeF size) { size_ = size; }
@@ -34,5 +37,10 @@ class Viewport {
   Vec2 centre_;
   double scale_ = 100.0;
 };
+
+/// How far the wheel was turned, forwards > 0.
+double notches_of(const QWheelEvent& event);
+/// By how much that enlarges what a Viewport shows.
+double zoom_of(const QWheelEvent& event);
 
 }  // namespace eyebridge::gui

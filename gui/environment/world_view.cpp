@@ -6,7 +6,6 @@
 #include <QPainter>
 #include <QWheelEvent>
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -300,10 +299,7 @@ void WorldView::contextMenuEvent(QContextMenuEvent* event) {
 }
 
 void WorldView::wheelEvent(QWheelEvent* event) {
-  constexpr double kStep = 120.0;  // of a wheel's notch, as Qt counts
-  constexpr double kFactor = 1.25;
-  const double notches = event->angleDelta().y() / kStep;
-  change_view([&](Viewport& view) { view.zoom_at(event->position(), std::pow(kFactor, notches)); });
+  change_view([&](Viewport& view) { view.zoom_at(event->position(), zoom_of(*event)); });
 }
 
 }  // namespace eyebridge::gui

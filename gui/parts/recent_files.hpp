@@ -19,7 +19,7 @@ void remember_file(const QString& kind, const QString& path);
 void offer_recent_files(QMenu& menu, const QStringList& kinds,
                         const std::function<void(const QString&)>& open);
 
-/// Kinds. The code panel keeps its own by the same rule.
+/// Kinds.
 inline const QString kRecentWorlds = "editor";
 inline const QString kRecentPrograms = "code";
 

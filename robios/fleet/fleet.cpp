@@ -17,6 +17,7 @@
 #include "session_parts.hpp"
 #include "signals.hpp"
 #include "windows/open_windows.hpp"
+#include "windows/session_windows.hpp"
 
 namespace eyebridge::robios {
 
@@ -39,7 +40,7 @@ Fleet::Fleet(hal::Config config, const std::vector<std::string>& words,
                                          : in_real_time()),
       scenario_(config_.is_set("world") ? config_.path("world") : "the empty room") {
   calls = robot_calls(scheduler_->strands());
-  windows_ = open_windows(config_, log_);
+  windows_ = open_session_windows(config_, log_);
   world_ = hal::open_shared_world(config_, log_, scheduler_->turns());
   add_robots(words);
 }
@@ -182,8 +183,8 @@ int Fleet::run() {
   }
   if (windows_ != nullptr) {
     show_world(*windows_, world_->environment(), this);
-  } else if (world_->environment().starts_paused()) {
-    log_.write(Severity::Info, kPauseIgnored);
+  } else {
+    tell_of_ignored_pause(world_->environment(), log_);
   }
   const auto start = std::chrono::steady_clock::now();
   for (Robot* const robot : robots_at_start) robot->start_process();  // all interpreters at once

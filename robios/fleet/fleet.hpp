@@ -13,8 +13,8 @@
 #include "eyebridge/hal/config.hpp"
 #include "eyebridge/hal/shared_world.hpp"
 #include "launcher.h"
+#include "log/stderr_log.hpp"
 #include "robot.hpp"
-#include "stderr_log.hpp"
 #include "windows/windows.hpp"
 
 namespace eyebridge::robios {

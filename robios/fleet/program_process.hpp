@@ -11,8 +11,8 @@
 #include "eyebridge/hal/backend.hpp"
 #include "eyebridge/hal/config.hpp"
 #include "eyebridge/hal/shared_world.hpp"
+#include "log/stderr_log.hpp"
 #include "robot_program.hpp"
-#include "stderr_log.hpp"
 
 namespace eyebridge::robios {
 

@@ -13,6 +13,7 @@
 #include "session_parts.hpp"
 #include "windows/first_use.hpp"
 #include "windows/open_windows.hpp"
+#include "windows/session_windows.hpp"
 
 namespace eyebridge::robios {
 namespace {
@@ -23,9 +24,8 @@ hal::BackendContext context_of(const hal::Config& config, LogSink& log, const Se
 
 void tell_of_pause(const hal::Environment* environment, const Windows* windows,
                    const std::string& name, LogSink& log) {
-  if (environment == nullptr || !environment->starts_paused()) return;
-  if (windows != nullptr || !name.empty()) return;  // who runs several tells once
-  log.write(Severity::Info, kPauseIgnored);
+  if (environment == nullptr || windows != nullptr) return;
+  if (name.empty()) tell_of_ignored_pause(*environment, log);  // who runs several tells once
 }
 
 /// Where results go; empty when none are wanted.
@@ -44,7 +44,7 @@ Session::Impl::Impl(SessionStart* start, hal::Config configuration)
       runner(start != nullptr ? start->runner : nullptr),
       name(start != nullptr ? start->name : name_among_several(config)),
       log(lowest_severity(config), name),
-      windows(robios::open_windows(config, log)),
+      windows(open_session_windows(config, log)),
       backend(hal::open_backend(context_of(config, log, start))),
       clock(backend->clock()),
       is_virtual(clock.is_virtual()),

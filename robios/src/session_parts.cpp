@@ -7,20 +7,9 @@
 
 #include "eyebridge/camera/view.hpp"
 #include "eyebridge/hal/url.hpp"
-#include "stderr_log.hpp"
 #include "terminal/terminal_panel.hpp"
 
 namespace eyebridge::robios {
-
-Severity lowest_severity(const hal::Config& config) {
-  Severity severity = Severity::Warning;
-  if (!parse_severity(config.text("log"), severity)) {
-    throw ConfigError(config.value("log").where,
-                      fmt::format("'{}' is no log level; expected debug, info, warning or error",
-                                  config.text("log")));
-  }
-  return severity;
-}
 
 std::string name_among_several(const hal::Config& config) {
   const hal::ConfigValue& value = config.value("hal");

@@ -26,8 +26,6 @@ auto from_setting(const hal::Config& config, const char* name, Use&& use) {
   }
 }
 
-Severity lowest_severity(const hal::Config& config);
-
 /// "robot 2" where the settings say that this process has the program of one of several robots,
 /// whose world another process has; else "".
 std::string name_among_several(const hal::Config& config);

@@ -3,14 +3,11 @@
 #include <cstdlib>
 #include <mutex>
 #include <set>
+#include <string>
 #include <utility>
 
-#include <signal.h>
-#include <unistd.h>
-
+#include "eyebridge/base/config_error.hpp"
 #include "eyebridge/hal/environment.hpp"
-#include "generation.hpp"
-#include "host.hpp"
 #include "windows/load_windows.hpp"
 
 namespace eyebridge::robios {
@@ -21,12 +18,7 @@ bool is_set(const char* variable) {
   return value != nullptr && *value != '\0';
 }
 
-Windows* load(std::string& why) {
-  // As Ctrl-C does: motors stop, results are written.
-  const auto quit = [] { kill(getpid(), SIGTERM); };
-  return load_windows(library_folder(), {quit, program_file().filename().string()}, why);
-}
-
+/// Only what is watched has windows unless somebody says so.
 bool wants_windows(const hal::Config& config) {
   const std::string& gui = config.text("gui");
   if (gui != "auto") return gui == "on";
@@ -35,10 +27,11 @@ bool wants_windows(const hal::Config& config) {
 
 }  // namespace
 
-Windows* open_windows(const hal::Config& config, LogSink& log) {
+Windows* open_windows(const hal::Config& config, LogSink& log, const std::filesystem::path& folder,
+                      WindowsStart start) {
   if (!wants_windows(config)) return nullptr;
   static std::string why;
-  static Windows* const windows = load(why);
+  static Windows* const windows = load_windows(folder, std::move(start), why);
   if (windows != nullptr) return windows;
   if (config.text("gui") == "on") {
     throw ConfigError(config.value("gui").where,
@@ -55,6 +48,12 @@ void show_world(Windows& windows, hal::Environment& environment, Crew* crew) {
   if (!shown.insert(&environment).second) return;
   if (environment.starts_paused()) environment.time().pause();
   windows.open_environment(environment, crew);
+}
+
+void tell_of_ignored_pause(const hal::Environment& environment, LogSink& log) {
+  if (!environment.starts_paused()) return;
+  log.write(Severity::Info,
+            "the world asks to start paused: ignored, as there is no window that could resume it");
 }
 
 }  // namespace eyebridge::robios

@@ -6,9 +6,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
-#include "command.hpp"
+#include "many_runs.hpp"
 
 namespace eyebridge {
 namespace {
@@ -18,11 +17,10 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::ProgramRun;
 using testing::run_command;
-using testing::ScratchFolder;
 
 using Row = std::map<std::string, std::string>;
 
-class Assess : public ::testing::Test {
+class Assess : public testing::ManyRuns {
  protected:
   ProgramRun assess(std::vector<std::string> words) {
     words.insert(words.begin(), "assess");
@@ -54,16 +52,7 @@ class Assess : public ::testing::Test {
     }
     return rows;
   }
-  void write_program(const std::string& text) {
-    chmod(folder_.write("prog", "#!/bin/sh\n" + text).c_str(), 0755);
-  }
-  void expect_refused(const ProgramRun& r, const std::string& message) {
-    EXPECT_EQ(r.exit_code, 2) << r.err;
-    EXPECT_THAT(r.err, HasSubstr(message));
-    EXPECT_FALSE(fs::exists(folder_.path() + "/started"));
-  }
 
-  ScratchFolder folder_;
   const std::string cell_ = EYEBRIDGE_TEST_ASSESS_CELL;
   const std::string room_ = EYEBRIDGE_SOURCE_DIR "/worlds/empty-room.wld";    // from 1000, 1000
   const std::string corridor_ = EYEBRIDGE_SOURCE_DIR "/worlds/corridor.wld";  // from 300, 300
@@ -117,9 +106,10 @@ TEST_F(Assess, JudgesWhatWasRunByOtherCriteriaWithoutARun) {
 
 TEST_F(Assess, EndsOfOtherKindsAreFailuresAndStopNoOtherRun) {
   write_program(
-      "case \"$EYEBRIDGE_FLAGS\" in\n*seed=1*) echo 'no, \"never\"' >&2; exit 3;;\n"
+      "prog",
+      "#!/bin/sh\ncase \"$EYEBRIDGE_FLAGS\" in\n*seed=1*) echo 'no, \"never\"' >&2; exit 3;;\n"
       "*seed=2*) kill -SEGV $$;;\nesac\nexec " +
-      cell_ + " $1\n");
+          cell_ + " $1\n");
   const ProgramRun r = assess({"--worlds", room_, "--seeds", "4", "--goal", "1500,1000,20",
                                "--time-limit", "10s", "./prog", "500"});
   ASSERT_EQ(r.exit_code, 0) << r.err;
@@ -166,7 +156,7 @@ TEST_F(Assess, ComparesWhatElseIsVaried) {
 }
 
 TEST_F(Assess, RefusesBeforeTheFirstRunWhatCannotBe) {
-  write_program("touch " + folder_.path() + "/started\n");
+  write_program("prog", "#!/bin/sh\ntouch " + folder_.path() + "/started\n");
   const auto with = [&](std::vector<std::string> words) {
     words.emplace_back("./prog");
     return assess(words);
@@ -201,9 +191,9 @@ TEST_F(Assess, RefusesBeforeTheFirstRunWhatCannotBe) {
 }
 
 TEST_F(Assess, AnotherVersionOfAControllerWantsAnotherFolder) {
-  write_program("exit 0\n");
+  write_program("prog", "#!/bin/sh\nexit 0\n");
   ASSERT_EQ(assess({"--worlds", room_, "--seeds", "1", "./prog"}).exit_code, 0);
-  write_program("exit 1\n");
+  write_program("prog", "#!/bin/sh\nexit 1\n");
   const ProgramRun r = assess({"--worlds", room_, "--seeds", "1", "./prog"});
   EXPECT_EQ(r.exit_code, 2);
   EXPECT_THAT(r.err, HasSubstr("another version of"));

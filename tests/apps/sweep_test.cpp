@@ -4,10 +4,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
-#include "command.hpp"
 #include "eyebridge/camera/recording/sqlite.hpp"
+#include "many_runs.hpp"
 
 namespace eyebridge {
 namespace {
@@ -19,14 +18,9 @@ using ::testing::Not;
 using testing::ProgramRun;
 using testing::run_command;
 using testing::run_shell;
-using testing::ScratchFolder;
 
-class Sweep : public ::testing::Test {
+class Sweep : public testing::ManyRuns {
  protected:
-  void write_program(const std::string& name, const std::string& text) {
-    const std::string path = folder_.write(name, text);
-    chmod(path.c_str(), 0755);
-  }
   ProgramRun sweep(std::vector<std::string> words) {
     words.insert(words.begin(), "sweep");
     return run_command(words, folder_.path());
@@ -47,14 +41,7 @@ class Sweep : public ::testing::Test {
     }
     return out;
   }
-  /// Nothing may have been started, and one line says why.
-  void expect_refused(const ProgramRun& r, const std::string& message) {
-    EXPECT_EQ(r.exit_code, 2) << r.err;
-    EXPECT_THAT(r.err, HasSubstr(message));
-    EXPECT_FALSE(fs::exists(folder_.path() + "/started"));
-  }
 
-  ScratchFolder folder_;
   const std::string cell_ = EYEBRIDGE_TEST_SWEEP_CELL;
   const std::string worlds_ = EYEBRIDGE_SOURCE_DIR "/worlds/";
 };

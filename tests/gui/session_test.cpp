@@ -6,6 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "eyebridge/base/jumping_clock.hpp"
+#include "eyebridge/camera/source.hpp"
 #include "person.hpp"
 #include "running_program.hpp"
 
@@ -38,15 +40,17 @@ int main(void) {
 
 class Session : public ::testing::Test {
  protected:
-  void SetUp() override {
-    folder_.write("drives.c", kProgram);
+  void SetUp() override { build("drives", kProgram); }
+  void build(const std::string& name, const std::string& text) {
+    folder_.write(name + ".c", text);
     const auto built = eyebridge::testing::run_program(
-        {{EYEBRIDGE_BIN "/eyebridge-cc", "drives.c", "-o", "drives"}, {}, folder_.path()});
+        {{EYEBRIDGE_BIN "/eyebridge-cc", name + ".c", "-o", name}, {}, folder_.path()});
     ASSERT_EQ(built.exit_code, 0) << built.err;
   }
-  [[nodiscard]] eyebridge::testing::ProgramStart start(std::vector<std::string> options) const {
+  [[nodiscard]] eyebridge::testing::ProgramStart start(std::vector<std::string> options,
+                                                       const std::string& name = "drives") const {
     options.insert(options.begin(), {EYEBRIDGE_BIN "/eyebridge", "run"});
-    options.push_back("./drives");
+    options.push_back("./" + name);
     return {options, {{"XDG_CONFIG_HOME", folder_.path()}}, folder_.path()};
   }
 
@@ -78,6 +82,21 @@ TEST_F(Session, ClosingTheWindowsEndsTheProgramPolitely) {
   EXPECT_NE(eyebridge::testing::file_text(folder_.path() + "/out/lcd.txt"), "");
 }
 
+TEST_F(Session, CtrlCCompletesAFilm) {
+  build("turns",
+        "#include <eyebot.h>\nint main(void) { VWSetSpeed(0, 90); return KEYWait(ANYKEY); }\n");
+  RunningProgram program(start({}, "turns"));
+  person_.type_control(person_.window("turns – environment"), 'r');
+  constexpr std::uint32_t kReturn = 0xff0d;
+  person_.press(person_.window("Film"), kReturn);  // the name that it proposes
+  const std::string film = folder_.path() + "/turns.mp4";
+  ASSERT_TRUE(QTest::qWaitFor([&] { return std::filesystem::exists(film); }));
+  EXPECT_EQ(program.finish(SIGINT), 128 + SIGINT) << program.said();
+  JumpingClock clock;
+  const auto source = camera::open_source("frames:" + film, {&clock, nullptr, nullptr});
+  EXPECT_TRUE(source->next(clock.now() + std::chrono::seconds(1)));
+}
+
 TEST_F(Session, WindowsInVirtualTimeWhereTheyAreAskedFor) {
   RunningProgram quiet(start({"--fast", "--keys", "KEY1@1s"}));
   EXPECT_EQ(quiet.wait(), 7) << quiet.said();
@@ -101,7 +120,8 @@ TEST_F(Session, SeveralRobotsHaveAPanelEach) {
 TEST_F(Session, OpensWindowsAtADisplayThatBeginsAnewWithoutClients) {
   // As a server does that nobody else is at: it says its number, and when its last client leaves,
   // it begins anew.
-  RunningProgram server({{"Xvfb", "-displayfd", "1", "-screen", "0", "800x600x24"}, {}, {}});
+  const std::string display = "exec Xvfb -displayfd 1 -screen 0 800x600x24 2>/dev/null";
+  RunningProgram server({{"sh", "-c", display}, {}, {}});
   const std::string& number = server.wait_for("\n");
   auto alone = start({"--gui", "--factor", "20", "--keys", "KEY1@1s"});
   alone.environment["DISPLAY"] = ":" + number.substr(0, number.find('\n'));
@@ -145,14 +165,16 @@ TEST_F(Session, NoWindowsWithoutThePlugIn) {
 
 TEST_F(Session, AFileThatIsOpenComesToTheFront) {
   folder_.write("room.wld", "floor 1000 1000\n0 0 1000 0\n");
+  folder_.write("last.wld", "floor 1000 1000\n0 0 1000 0\n");
   RunningProgram edit({{EYEBRIDGE_BIN "/eyebridge", "edit", "room.wld", "drives.c", "./room.wld",
-                        folder_.path() + "/drives.c"},
+                        folder_.path() + "/drives.c", "last.wld"},
                        {{"XDG_CONFIG_HOME", folder_.path()}, {"XDG_DATA_HOME", folder_.path()}},
                        folder_.path()});
-  const xcb_window_t world = person_.window("room.wld");
+  const xcb_window_t last = person_.window("last.wld");  // all others were opened
   const xcb_window_t program = person_.window("drives.c");
-  person_.close(world);
+  person_.close(person_.window("room.wld"));
   person_.wait_until_gone("room.wld");  // there was one
+  person_.close(last);
   person_.close(program);
   EXPECT_EQ(edit.wait(), 0) << edit.said();
 }

@@ -2,24 +2,14 @@
 
 #include <cmath>
 
+#include "eyebridge/base/math.hpp"
+
 namespace eyebridge {
 namespace {
 
 constexpr double kRootOfTwoPi = 2.5066282746310005;
 constexpr double kFarOut = 38.5;   // beyond, the density is no normal double any more
 constexpr double kTailFrom = 2.5;  // where the series gets long and the fraction short
-
-/// e to the power of `x`, -750 <= x <= 0.
-double power_of_e(double x) {
-  // ln 2 in two pieces, as log_of() has it.
-  constexpr double kLn2High = 6.93147180369123816490e-01;
-  constexpr double kLn2Low = 1.90821492927058770002e-10;
-  const double k = std::nearbyint(x / (kLn2High + kLn2Low));
-  const double rest = (x - k * kLn2High) - k * kLn2Low;
-  double sum = 1.0;
-  for (int n = 15; n >= 1; --n) sum = 1.0 + rest / n * sum;
-  return std::ldexp(sum, static_cast<int>(k));  // exact, but for what is no normal double
-}
 
 /// The probability of more than `x` > 0.
 double upper_tail(double x) {
@@ -34,7 +24,7 @@ double upper_tail(double x) {
 
 double normal_density(double x) {
   if (!(std::abs(x) <= kFarOut)) return std::isnan(x) ? x : 0.0;
-  return power_of_e(-0.5 * x * x) / kRootOfTwoPi;
+  return exp_of(-0.5 * x * x) / kRootOfTwoPi;
 }
 
 double normal_below(double x) {

@@ -63,12 +63,8 @@ double read_value(const ErrorWord& word, const ErrorKind& kind, const ErrorParam
            in_quotes(word.text) + " found: expected " + name + ", " + in_unit(parameter));
   }
   if (value < parameter.low || value > parameter.high) {
-    const auto written = [](double number) {
-      char text[32];
-      return std::string(text, std::to_chars(text, text + sizeof text, number).ptr);
-    };
     reject(word.where, name + " is " + std::string(word.text) + ": expected " +
-                           written(parameter.low) + " to " + written(parameter.high) +
+                           decimal(parameter.low) + " to " + decimal(parameter.high) +
                            (parameter.unit.empty() ? "" : " " + std::string(parameter.unit)));
   }
   return value / parameter.divisor;

@@ -6,6 +6,9 @@
 #include <vector>
 
 #include "eyebridge/files/map_files.hpp"
+#include "eyebridge/files/readers.hpp"
+#include "file_bytes.hpp"
+#include "map_limits.hpp"
 #include "text.hpp"
 
 namespace eyebridge::files {
@@ -23,12 +26,12 @@ class MapCsvReader {
     next_line("resolution,0.05");
     expect_key("resolution");
     mapping::GridGeometry g;
-    g.resolution = number("the resolution", 1e-4, 1e3);
+    g.resolution = number("the resolution", kLeastResolution, kMostResolution);
     expect_end();
     next_line("origin,0,0");
     expect_key("origin");
-    g.origin.x = number("origin's x", -1e6, 1e6);
-    g.origin.y = number("origin's y", -1e6, 1e6);
+    g.origin.x = number("origin's x", -kMostOrigin, kMostOrigin);
+    g.origin.y = number("origin's y", -kMostOrigin, kMostOrigin);
     expect_end();
     std::vector<double> cells;
     while (next_row()) {
@@ -129,11 +132,6 @@ class MapCsvReader {
   int line_ = 0;
 };
 
-void append_number(std::string& out, double value) {
-  char buffer[64];
-  out.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
-}
-
 }  // namespace
 
 mapping::OccupancyGrid read_map_csv(std::string_view text, const std::string& file) {
@@ -143,13 +141,9 @@ mapping::OccupancyGrid read_map_csv(std::string_view text, const std::string& fi
 std::string write_map_csv(const mapping::OccupancyGrid& grid) {
   constexpr int kDecimals = 4;
   const mapping::GridGeometry& g = grid.geometry();
-  std::string out = "resolution,";
-  append_number(out, g.resolution);
-  out += "\norigin,";
-  append_number(out, g.origin.x);
-  out += ',';
-  append_number(out, g.origin.y);
-  out += '\n';
+  need_readable(g);
+  std::string out = "resolution," + decimal(g.resolution) + "\norigin," + decimal(g.origin.x) +
+                    ',' + decimal(g.origin.y) + '\n';
   for (int row = g.rows - 1; row >= 0; --row) {
     for (int column = 0; column < g.columns; ++column) {
       char buffer[32];
@@ -161,7 +155,16 @@ std::string write_map_csv(const mapping::OccupancyGrid& grid) {
     }
     out += '\n';
   }
+  if (out.size() > kMaxFileSize) {
+    throw ConfigError({}, "map of " + std::to_string(out.size()) +
+                              " bytes as CSV: expected at most " + std::to_string(kMaxFileSize) +
+                              ", or a .yaml with its picture");
+  }
   return out;
+}
+
+void save_map_csv(const mapping::OccupancyGrid& grid, const std::filesystem::path& path) {
+  write_bytes(path, write_map_csv(grid));
 }
 
 }  // namespace eyebridge::files

@@ -8,14 +8,11 @@
 #include "eyebridge/files/map_files.hpp"
 #include "eyebridge/files/readers.hpp"
 #include "file_bytes.hpp"
+#include "map_limits.hpp"
 #include "text.hpp"
 
 namespace eyebridge::files {
 namespace {
-
-constexpr double kLeastResolution = 1e-4;  // metres
-constexpr double kMostResolution = 1e3;
-constexpr double kMostOrigin = 1e6;
 
 constexpr std::array<std::string_view, 7> kMapKeys = {
     "image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh", "mode"};

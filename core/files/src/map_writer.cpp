@@ -1,21 +1,14 @@
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <string>
 
 #include "eyebridge/files/map_files.hpp"
 #include "eyebridge/mapping/picture.hpp"
+#include "file_bytes.hpp"
+#include "map_limits.hpp"
 #include "text.hpp"
 
 namespace eyebridge::files {
 namespace {
-
-/// The shortest decimal number that is read back as `value`.
-std::string decimal(double value) {
-  char buffer[64];
-  const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
-  return {buffer, result.ptr};
-}
 
 std::uint8_t rounded(double value) { return static_cast<std::uint8_t>(std::nearbyint(value)); }
 
@@ -44,14 +37,22 @@ std::string pgm_of(const mapping::OccupancyGrid& grid, MapMode mode) {
   return pgm;
 }
 
-void write_file(const std::filesystem::path& path, const std::string& bytes) {
-  std::ofstream out(path, std::ios::binary);
-  out << bytes;
-  out.flush();
-  if (!out) throw ConfigError({path.string(), 0, 0}, "cannot be written");
-}
-
 }  // namespace
+
+void need_readable(const mapping::GridGeometry& geometry) {
+  const auto need = [](bool holds, const std::string& text) {
+    if (!holds) throw ConfigError({}, text);
+  };
+  need(geometry.resolution >= kLeastResolution && geometry.resolution <= kMostResolution,
+       "map with cells of " + decimal(geometry.resolution) + " m: expected " +
+           decimal(kLeastResolution) + " to " + decimal(kMostResolution));
+  need(std::abs(geometry.origin.x) <= kMostOrigin && std::abs(geometry.origin.y) <= kMostOrigin,
+       "map whose origin is at " + decimal(geometry.origin.x) + ", " + decimal(geometry.origin.y) +
+           " m: expected at most " + decimal(kMostOrigin));
+  need(geometry.size() <= kMaxMapCells, "map of " + std::to_string(geometry.size()) +
+                                            " cells: expected at most " +
+                                            std::to_string(kMaxMapCells));
+}
 
 MapTexts write_map(const mapping::OccupancyGrid& grid, const std::string& image, MapMode mode) {
   const std::string word = write_word(image);
@@ -59,6 +60,7 @@ MapTexts write_map(const mapping::OccupancyGrid& grid, const std::string& image,
     throw ConfigError({image, 0, 0}, "name of a picture that no line can say");
   }
   const mapping::GridGeometry& g = grid.geometry();
+  need_readable(g);
   // Of the greys of a trinary map, ROS's thresholds part the three; other thresholds may not.
   const bool scaled = mode == MapMode::Scale;
   const double occupied = scaled ? grid.settings().occupied_above : 0.65;
@@ -81,8 +83,8 @@ void save_map(const mapping::OccupancyGrid& grid, const std::filesystem::path& p
     throw ConfigError({path.string()}, "found a picture's name for a map, expected .yaml");
   }
   const MapTexts texts = write_map(grid, picture.filename().string(), mode);
-  write_file(picture, texts.pgm);
-  write_file(path, texts.yaml);
+  write_bytes(picture, texts.pgm);
+  write_bytes(path, texts.yaml);
 }
 
 }  // namespace eyebridge::files

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -29,11 +28,6 @@ std::string word(const std::string& text) {
   return out;
 }
 
-std::string number(double value) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
-}
-
 std::string place(Vec2 p) { return write_millimetres(p.x) + ' ' + write_millimetres(p.y); }
 std::string pose_words(const Pose& pose) {
   return place(pose.position()) + ' ' + write_degrees(pose.theta);
@@ -55,17 +49,17 @@ std::string plain_degrees(double angle) {
   for (int i = 0; i <= 2 * kMostTurns; ++i) {
     const int turns = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
     const double degrees = bare + turns * kTurn;
-    if (reads_back(std::nearbyint(degrees))) return number(std::nearbyint(degrees));
+    if (reads_back(std::nearbyint(degrees))) return decimal(std::nearbyint(degrees));
     double above = degrees;
     double below = degrees;
     for (int k = 0; k <= kUlps; ++k) {
-      if (reads_back(above)) return number(above);
-      if (reads_back(below)) return number(below);
+      if (reads_back(above)) return decimal(above);
+      if (reads_back(below)) return decimal(below);
       above = std::nextafter(above, HUGE_VAL);
       below = std::nextafter(below, -HUGE_VAL);
     }
   }
-  return number(bare);
+  return decimal(bare);
 }
 
 std::string path_line(const world::Path& path) {
@@ -77,9 +71,9 @@ std::string path_line(const world::Path& path) {
 /// The lines after that of an object, where they differ from `usual`.
 std::string matter_lines(const world::Matter& matter, double usual_mass) {
   std::string out;
-  if (matter.mass != usual_mass) out += "mass " + number(matter.mass) + '\n';
-  if (matter.friction) out += "friction " + number(*matter.friction) + '\n';
-  if (matter.restitution) out += "restitution " + number(*matter.restitution) + '\n';
+  if (matter.mass != usual_mass) out += "mass " + decimal(matter.mass) + '\n';
+  if (matter.friction) out += "friction " + decimal(*matter.friction) + '\n';
+  if (matter.restitution) out += "restitution " + decimal(*matter.restitution) + '\n';
   if (matter.fixed) out += "fixed\n";
   return out;
 }
@@ -105,9 +99,9 @@ std::string object_lines(const world::ObjectSpec& object) {
 
 std::string trait_lines(const ObjectTraits& traits) {
   std::string out;
-  if (traits.mass) out += "mass " + number(*traits.mass) + '\n';
-  if (traits.friction) out += "friction " + number(*traits.friction) + '\n';
-  if (traits.restitution) out += "restitution " + number(*traits.restitution) + '\n';
+  if (traits.mass) out += "mass " + decimal(*traits.mass) + '\n';
+  if (traits.friction) out += "friction " + decimal(*traits.friction) + '\n';
+  if (traits.restitution) out += "restitution " + decimal(*traits.restitution) + '\n';
   if (traits.fixed) out += "fixed\n";
   return traits.path ? out + path_line(*traits.path) : out;
 }
@@ -121,12 +115,12 @@ std::string parameter_text(const ErrorParameter& parameter, double value) {
   for (int i = 0; i < kTries; ++i) {
     for (const double candidate : {above, below}) {
       const bool is_allowed = candidate >= parameter.low && candidate <= parameter.high;
-      if (is_allowed && candidate / parameter.divisor == value) return number(candidate);
+      if (is_allowed && candidate / parameter.divisor == value) return decimal(candidate);
     }
     above = std::nextafter(above, HUGE_VAL);
     below = std::nextafter(below, -HUGE_VAL);
   }
-  return number(written);
+  return decimal(written);
 }
 
 std::string error_line(const ErrorRule& rule) {
@@ -229,7 +223,7 @@ class SimWriter {
       out_ += line;
     }
     out_ += '\n' + trait_lines(robot.traits);
-    if (robot.enters) out_ += "enters " + number(*robot.enters) + '\n';
+    if (robot.enters) out_ += "enters " + decimal(*robot.enters) + '\n';
   }
 
   const SimFile& sim_;

@@ -38,12 +38,6 @@ std::optional<double> parse(std::string_view text, int shift = 0) {
   return value;
 }
 
-std::string shown(double value) {
-  char buffer[64];
-  const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
-  return {buffer, result.ptr};
-}
-
 std::string plain(double value) {
   char buffer[400];
   const auto result =
@@ -124,6 +118,11 @@ double Statement::degrees(std::size_t i, std::string_view what) const {
   return deg_to_rad(number(i, what, -36000, 36000));
 }
 
+std::string decimal(double value) {
+  char buffer[32];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+}
+
 std::string write_millimetres(double metres) {
   if (metres == 0) return "0";
   char buffer[64];
@@ -156,9 +155,9 @@ std::string write_degrees(double radians) {
   const double degrees = rad_to_deg(radians);
   for (const double candidate : {std::nearbyint(degrees), degrees, std::nextafter(degrees, 1e9),
                                  std::nextafter(degrees, -1e9)}) {
-    if (deg_to_rad(candidate) == radians) return shown(candidate == 0 ? 0.0 : candidate);
+    if (deg_to_rad(candidate) == radians) return decimal(candidate == 0 ? 0.0 : candidate);
   }
-  return shown(radians) + "rad";
+  return decimal(radians) + "rad";
 }
 
 std::string write_word(std::string_view word) {

@@ -112,6 +112,8 @@ class StatementReader {
   int line_ = 0;
 };
 
+/// The shortest decimal number that is read back as `value`.
+std::string decimal(double value);
 /// `metres` as a decimal number of millimetres that Statement::millimetres() reads back unchanged.
 std::string write_millimetres(double metres);
 /// `radians` in degrees, or with the suffix `rad` where no number of degrees reads back unchanged.

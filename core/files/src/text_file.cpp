@@ -1,3 +1,4 @@
+#include <cerrno>
 #include <fstream>
 #include <string>
 #include <system_error>
@@ -29,6 +30,14 @@ std::string read_bytes(const std::filesystem::path& path, const std::string& wha
   if (in.bad()) refuse("cannot be read");
   text.resize(static_cast<std::size_t>(in.gcount()));  // it may have shrunk meanwhile
   return text;
+}
+
+void write_bytes(const std::filesystem::path& path, const std::string& bytes) {
+  std::ofstream out(path, std::ios::binary);
+  out << bytes << std::flush;
+  if (out) return;
+  const std::error_code error(errno, std::generic_category());
+  throw ConfigError({path.string(), 0, 0}, "cannot be written: " + error.message());
 }
 
 std::string read_text_file(const std::filesystem::path& path) {

@@ -63,12 +63,7 @@ Result<GridSlam::Outcome> GridSlam::add(const Pose& odometry, const Scan& scan) 
 }
 
 mapping::Raster<std::uint8_t> GridSlam::occupied() const {
-  mapping::Raster<std::uint8_t> out(map_.geometry());
-  const std::vector<float>& values = map_.raster().cells;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    out.cells[i] = map_.state_of(values[i]) == mapping::CellState::Occupied ? 1 : 0;
-  }
-  return out;
+  return cells_in(map_, {mapping::CellState::Occupied});
 }
 
 }  // namespace eyebridge::localisation

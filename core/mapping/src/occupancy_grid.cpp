@@ -182,4 +182,19 @@ void OccupancyGrid::decay(double seconds) {
   ++revision_;
 }
 
+Raster<CellState> states_of(const OccupancyGrid& grid) {
+  Raster<CellState> states(grid.geometry());
+  std::ranges::transform(grid.raster().cells, states.cells.begin(),
+                         [&](float log_odds) { return grid.state_of(log_odds); });
+  return states;
+}
+
+Raster<std::uint8_t> cells_in(const OccupancyGrid& grid, std::initializer_list<CellState> states) {
+  Raster<std::uint8_t> cells(grid.geometry());
+  std::ranges::transform(grid.raster().cells, cells.cells.begin(), [&](float log_odds) {
+    return std::ranges::find(states, grid.state_of(log_odds)) != states.end() ? 1 : 0;
+  });
+  return cells;
+}
+
 }  // namespace eyebridge::mapping

@@ -12,12 +12,13 @@ namespace eyebridge::planning {
 namespace {
 
 using mapping::Cell;
+using mapping::CellState;
 
 bool is_frontier(const KnowledgeRaster& known, Cell cell) {
-  if (known[cell] != Knowledge::Free) return false;
+  if (known[cell] != CellState::Free) return false;
   const auto unknown = [&](int right, int up) {
     const Cell beside{cell.column + right, cell.row + up};
-    return known.geometry.contains(beside) && known[beside] == Knowledge::Unknown;
+    return known.geometry.contains(beside) && known[beside] == CellState::Unknown;
   };
   return unknown(1, 0) || unknown(0, 1) || unknown(-1, 0) || unknown(0, -1);
 }
@@ -50,11 +51,11 @@ Frontier take_piece(mapping::Raster<std::uint8_t>& open, Cell seed) {
 BlockedRaster blocked_for(const KnowledgeRaster& known, double radius) {
   BlockedRaster occupied(known.geometry);
   for (std::size_t i = 0; i < known.cells.size(); ++i) {
-    occupied.cells[i] = known.cells[i] == Knowledge::Occupied ? 1 : 0;
+    occupied.cells[i] = known.cells[i] == CellState::Occupied ? 1 : 0;
   }
   BlockedRaster blocked = widened(clearance_of(occupied), radius);
   for (std::size_t i = 0; i < known.cells.size(); ++i) {
-    if (known.cells[i] == Knowledge::Unknown) blocked.cells[i] = 1;
+    if (known.cells[i] == CellState::Unknown) blocked.cells[i] = 1;
   }
   return blocked;
 }

@@ -5,6 +5,10 @@ import math
 from .robots import COMMAND_COST, READ_COST, finite
 
 
+def measures_distance(sensor):
+    return sensor.kind in ("psd", "lidar")
+
+
 class Space:
     """A grid of the floor with a probability in each cell that something stands there. x, y in metres, in the world."""
 
@@ -116,11 +120,8 @@ class BeliefSpace(Space):
         robot is in this space; a robot that was never put here is where its wheels say. The readings, by sensor."""
         robot = self._robots(name)
         readings = {}
-        for sensor in [robot.sensor(each) for each in sensors] or robot.sensors:
-            if sensor.kind not in ("psd", "lidar"):
-                if sensors:
-                    self._need_range(sensor)
-                continue
+        for sensor in [robot.sensor(each) for each in sensors] or filter(measures_distance, robot.sensors):
+            self._need_range(sensor)
             readings[sensor.name or f"{sensor.kind} {sensor.id}"] = reading = sensor.read()
             self.add(robot, sensor, reading, self._pose_of(robot))
         return readings
@@ -139,5 +140,5 @@ class BeliefSpace(Space):
 
     @staticmethod
     def _need_range(sensor):
-        if sensor.kind not in ("psd", "lidar"):
+        if not measures_distance(sensor):
             raise ValueError(f"{sensor!r} measures no distance: expected a PSD, ultrasound, infrared or lidar")

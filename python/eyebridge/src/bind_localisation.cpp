@@ -41,13 +41,8 @@ struct Localiser {
 /// On the map `grid`: beams meet what is occupied, robots are where it is free.
 Localiser monte_carlo(const OccupancyGrid& grid, double sigma, double max_range,
                       std::size_t particles, std::uint64_t seed) {
-  mapping::Raster<std::uint8_t> occupied(grid.geometry());
-  mapping::Raster<std::uint8_t> free(grid.geometry());
-  for (std::size_t i = 0; i < occupied.cells.size(); ++i) {
-    const CellState state = grid.state_of(grid.raster().cells[i]);
-    occupied.cells[i] = state == CellState::Occupied ? 1 : 0;
-    free.cells[i] = state == CellState::Free ? 1 : 0;
-  }
+  const auto occupied = mapping::cells_in(grid, {CellState::Occupied});
+  const auto free = mapping::cells_in(grid, {CellState::Free});
   localisation::BeamSettings beams;
   beams.sigma = sigma;
   beams.max_range = max_range;

@@ -1,9 +1,6 @@
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <numbers>
 #include <stdexcept>
@@ -155,10 +152,7 @@ void save_grid(const OccupancyGrid& grid, const path& file) {
   if (file.extension() == ".yaml") return files::save_map(grid, file);
   if (file.extension() == ".png") return write_picture(grid, file);
   if (file.extension() != ".csv") refuse("path", file.string(), ".yaml, .csv or .png");
-  std::ofstream out(file, std::ios::binary);
-  out << files::write_map_csv(grid) << std::flush;
-  if (!out)
-    throw ConfigError({file.string()}, std::string("cannot be written: ") + strerror(errno));
+  files::save_map_csv(grid, file);
 }
 
 Grid load_grid(const path& file) {

@@ -37,12 +37,9 @@ Vec2 vec(const Point& point) { return {point.first, point.second}; }
 /// Where the centre of a robot of `radius` may not be.
 BlockedRaster blocked_of(const OccupancyGrid& grid, double radius, bool unknown_blocks) {
   if (!(radius >= 0)) refuse("radius", radius, "0 m or more");
-  BlockedRaster blocked(grid.geometry());
-  for (std::size_t i = 0; i < blocked.cells.size(); ++i) {
-    const CellState state = grid.state_of(grid.raster().cells[i]);
-    blocked.cells[i] =
-        state == CellState::Occupied || (unknown_blocks && state == CellState::Unknown) ? 1 : 0;
-  }
+  const BlockedRaster blocked =
+      unknown_blocks ? mapping::cells_in(grid, {CellState::Occupied, CellState::Unknown})
+                     : mapping::cells_in(grid, {CellState::Occupied});
   return planning::widened(planning::clearance_of(blocked), radius);
 }
 
@@ -89,14 +86,8 @@ std::optional<py::array_t<double>> plan(const OccupancyGrid& grid, const Point& 
 std::optional<py::array_t<double>> explore(const OccupancyGrid& grid, const Point& position,
                                            double radius, std::size_t smallest) {
   if (!(radius >= 0)) refuse("radius", radius, "0 m or more");
-  planning::KnowledgeRaster known(grid.geometry());
-  for (std::size_t i = 0; i < known.cells.size(); ++i) {
-    const CellState state = grid.state_of(grid.raster().cells[i]);
-    known.cells[i] = state == CellState::Occupied ? planning::Knowledge::Occupied
-                     : state == CellState::Free   ? planning::Knowledge::Free
-                                                  : planning::Knowledge::Unknown;
-  }
-  const auto next = planning::nearest_frontier(known, vec(position), {radius, smallest});
+  const auto next =
+      planning::nearest_frontier(mapping::states_of(grid), vec(position), {radius, smallest});
   if (next) return rows_of(next->path.points);
   if (next.error() == planning::NoPath::Unreachable) return std::nullopt;
   throw std::invalid_argument(planning::to_text(next.error()));

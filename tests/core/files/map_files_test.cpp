@@ -239,7 +239,8 @@ TEST(Map, IsSavedAndLoadedWithItsPicture) {
   EXPECT_EQ(error_of([&] { load_map(path, warnings); }),
             (folder.path() / "room.pgm").string() + ": is not a file: expected a picture");
   EXPECT_EQ(error_of([&] { save_map(grid, folder.path() / "no" / "room.yaml"); }),
-            (folder.path() / "no" / "room.pgm").string() + ": cannot be written");
+            (folder.path() / "no" / "room.pgm").string() +
+                ": cannot be written: No such file or directory");
 }
 
 TEST(MapCsv, SurvivesBeingWrittenAndRead) {
@@ -252,6 +253,30 @@ TEST(MapCsv, SurvivesBeingWrittenAndRead) {
   for (int column = 0; column < 7; ++column) {
     EXPECT_NEAR(again.probability(Cell{column, 4}), grid.probability(Cell{column, 4}), 6e-5);
   }
+}
+
+TEST(Map, ThatNoReaderWouldTakeIsNotWritten) {
+  const Folder folder;
+  const auto refused = [&](const mapping::GridGeometry& geometry) {
+    mapping::OccupancySettings settings;
+    settings.max_cells = 1U << 25U;
+    const OccupancyGrid grid(geometry, settings);
+    const std::string error = error_of([&] { save_map(grid, folder.path() / "room.yaml"); });
+    EXPECT_EQ(error_of([&] { save_map_csv(grid, folder.path() / "room.csv"); }), error);
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+    return error;
+  };
+  EXPECT_EQ(refused({{0, 0}, 2e3, 1, 1}), "map with cells of 2000 m: expected 1e-04 to 1000");
+  EXPECT_EQ(refused({{0, -2e6}, 1.0, 1, 1}),
+            "map whose origin is at 0, -2e+06 m: expected at most 1e+06");
+  EXPECT_EQ(refused({{0, 0}, 1.0, 4097, 4096}), "map of 16781312 cells: expected at most 16777216");
+}
+
+TEST(MapCsv, OfMoreThanAnyFileMayHaveIsNotWritten) {
+  const OccupancyGrid grid({{0, 0}, 1.0, 4096, 4096});
+  EXPECT_EQ(
+      error_of([&] { write_map_csv(grid); }),
+      "map of 117440536 bytes as CSV: expected at most 67108864, or a .yaml with its picture");
 }
 
 TEST(MapCsv, ThatIsBadIsAnErrorThatSaysWhatAndWhere) {

@@ -14,6 +14,7 @@ namespace eyebridge::planning {
 namespace {
 
 using mapping::Cell;
+using mapping::CellState;
 
 /// '?' unknown, '.' free, '#' occupied; the upper row first.
 KnowledgeRaster known_as(const std::vector<std::string_view>& rows, double resolution = 1.0) {
@@ -23,9 +24,9 @@ KnowledgeRaster known_as(const std::vector<std::string_view>& rows, double resol
     for (int column = 0; column < columns; ++column) {
       const std::string_view line = rows[rows.size() - 1 - static_cast<std::size_t>(row)];
       const char mark = line[static_cast<std::size_t>(column)];
-      known[{column, row}] = mark == '?'   ? Knowledge::Unknown
-                             : mark == '.' ? Knowledge::Free
-                                           : Knowledge::Occupied;
+      known[{column, row}] = mark == '?'   ? CellState::Unknown
+                             : mark == '.' ? CellState::Free
+                                           : CellState::Occupied;
     }
   }
   return known;
@@ -102,11 +103,11 @@ void look_around(const BlockedRaster& maze, Cell place, KnowledgeRaster& known) 
     for (int right = -kSight; right <= kSight; ++right) {
       const Cell cell{place.column + right, place.row + up};
       if (!maze.geometry.contains(cell) || !is_free_line(maze, place, cell)) continue;
-      known[cell] = Knowledge::Free;
+      known[cell] = CellState::Free;
       for (const Cell step : {Cell{1, 0}, Cell{-1, 0}, Cell{0, 1}, Cell{0, -1}}) {
         const Cell beside{cell.column + step.column, cell.row + step.row};
         if (maze.geometry.contains(beside) && maze[beside] != 0) {
-          known[beside] = Knowledge::Occupied;
+          known[beside] = CellState::Occupied;
         }
       }
     }
@@ -137,9 +138,9 @@ TEST(Frontiers, LeadAnExplorerThroughAWholeMaze) {
       for (int column = 0; column < grid.columns; ++column) {
         const Cell cell{column, row};
         if (std::isinf(field[cell])) {
-          EXPECT_NE(known[cell], Knowledge::Free);
+          EXPECT_NE(known[cell], CellState::Free);
         } else {
-          EXPECT_EQ(known[cell], Knowledge::Free) << column << ", " << row;
+          EXPECT_EQ(known[cell], CellState::Free) << column << ", " << row;
           ++covered;
         }
       }
@@ -176,7 +177,7 @@ TEST(Frontiers, KeepARobotOfSomeRadiusOffTheWalls) {
   }
   int missed = 0;
   for (std::size_t i = 0; i < fine.cells.size(); ++i) {
-    if (fine.cells[i] == 0 && known.cells[i] != Knowledge::Free) ++missed;
+    if (fine.cells[i] == 0 && known.cells[i] != CellState::Free) ++missed;
   }
   EXPECT_EQ(missed, 0);
 }

@@ -169,17 +169,9 @@ PYBIND11_MODULE(_control, module) {
   py::class_<World>(module, "World")
       .def(py::init<const std::filesystem::path&>(), py::arg("file"))
       .def("step", &World::step, Release())
-      .def_property_readonly("time", &World::time)
       .def_property_readonly("step_length", &World::step_length)
       .def_property_readonly("robot_count", &World::robot_count)
       .def_property_readonly("is_closed", &World::is_closed)
-      .def_property_readonly("state_hash", &World::hash)
-      .def_property_readonly("collisions", &World::collisions)
-      .def_property_readonly("size",
-                             [](const World& world) {
-                               const auto& model = *world.scene().model;
-                               return py::make_tuple(model.width, model.height);
-                             })
       .def("setting",
            [](const World& world, const std::string& key) { return world.config().text(key); })
       .def("number",

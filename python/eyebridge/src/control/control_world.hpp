@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "eyebridge/base/log.hpp"
 #include "eyebridge/hal/backend.hpp"
 #include "eyebridge/hal/config.hpp"
 #include "eyebridge/hal/environment.hpp"
 #include "eyebridge/hal/shared_world.hpp"
+#include "log/stderr_log.hpp"
 #include "windows/map_board.hpp"
 
 namespace eyebridge::robios {
@@ -40,8 +40,6 @@ class ControlWorld {
   /// One step of the simulation; waits while a person lets time stand still. Not while a robot is
   /// used.
   void step() { world_->step(); }
-  /// Seconds since the start.
-  [[nodiscard]] double time() { return to_seconds(world_->now()); }
   [[nodiscard]] double step_length() const { return to_seconds(world_->step_length()); }
   [[nodiscard]] std::size_t robot_count() const { return robots_.size(); }
   /// `index` from 0. Its devices: any thread.
@@ -53,9 +51,6 @@ class ControlWorld {
   [[nodiscard]] Pose truth(std::size_t index);
   /// The world before its first step.
   [[nodiscard]] const world::Scene& scene() const { return first_look_.scene; }
-  [[nodiscard]] std::uint64_t hash() { return world_->hash().value(); }
-  /// Collisions of robots so far. Any thread.
-  [[nodiscard]] std::uint64_t collisions();
 
   /// A number for the run's report, if one is kept (`report`): hal::SharedWorld::note().
   void note(const std::string& name, double value) { world_->note(name, value); }
@@ -90,17 +85,9 @@ class ControlWorld {
    private:
     const Time limit_{std::numeric_limits<Time::rep>::max()};
   };
-  class ErrorLog final : public LogSink {
-   public:
-    explicit ErrorLog(Severity least) : least_(least) {}
-    void write(Severity severity, std::string_view message) override;
-
-   private:
-    const Severity least_;
-  };
 
   const hal::Config config_;
-  ErrorLog log_;
+  robios::StderrLog log_;
   FreeTurns turns_;
   const std::string program_;
   std::shared_ptr<hal::SharedWorld> world_;

@@ -67,7 +67,8 @@ struct MapTexts {
 };
 /// Writes `grid` as a map whose picture will be called `image`. In Trinary mode its states survive,
 /// in the others its probabilities to one half per cent. Throws ConfigError for a name that cannot
-/// be written on a line.
+/// be written on a line, and for a grid that could not be read back: one of more than kMaxMapCells,
+/// for example.
 MapTexts write_map(const mapping::OccupancyGrid& grid, const std::string& image,
                    MapMode mode = MapMode::Trinary);
 /// Writes the map to `path`, a .yaml, and a .pgm of the same name beside it. Throws ConfigError
@@ -78,6 +79,9 @@ void save_map(const mapping::OccupancyGrid& grid, const std::filesystem::path& p
 /// CSV: a line `resolution,0.05`, a line `origin,-1,-2`, then a line for each row of cells, the
 /// upper one first: probabilities with four decimals, separated by commas. Throws ConfigError.
 mapping::OccupancyGrid read_map_csv(std::string_view text, const std::string& file);
+/// The same backwards. Throws ConfigError for a grid that could not be read back.
 std::string write_map_csv(const mapping::OccupancyGrid& grid);
+/// Writes that to `path`. Throws ConfigError when it cannot.
+void save_map_csv(const mapping::OccupancyGrid& grid, const std::filesystem::path& path);
 
 }  // namespace eyebridge::files

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 
 #include "eyebridge/base/pose.hpp"
 #include "eyebridge/base/result.hpp"
@@ -106,6 +107,11 @@ class OccupancyGrid {
   float free_below_ = 0.0F;
   std::uint64_t revision_ = 0;
 };
+
+/// What is held of each cell.
+Raster<CellState> states_of(const OccupancyGrid& grid);
+/// 1 where a cell is held to be in one of `states`, else 0.
+Raster<std::uint8_t> cells_in(const OccupancyGrid& grid, std::initializer_list<CellState> states);
 
 /// ln(p / (1 - p)); infinite for 0 and 1. `probability` is 0 … 1.
 double log_odds_of(double probability);

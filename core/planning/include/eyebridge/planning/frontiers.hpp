@@ -1,19 +1,17 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 #include <tl/expected.hpp>
 
+#include "eyebridge/mapping/occupancy_grid.hpp"
 #include "eyebridge/planning/path.hpp"
 
 namespace eyebridge::planning {
 
-/// What is known of a cell.
-enum class Knowledge : std::uint8_t { Unknown, Free, Occupied };
-
-using KnowledgeRaster = mapping::Raster<Knowledge>;
+/// What is known of each cell.
+using KnowledgeRaster = mapping::Raster<mapping::CellState>;
 
 /// Free cells at the edge of what is known, in one piece.
 struct Frontier {

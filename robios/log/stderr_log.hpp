@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "eyebridge/base/log.hpp"
+#include "eyebridge/hal/config.hpp"
 
 namespace eyebridge::robios {
 
@@ -23,7 +24,7 @@ class StderrLog final : public LogSink {
   std::mutex mutex_;
 };
 
-/// "debug", "info", "warning", "error"; anything else is nothing.
-bool parse_severity(std::string_view text, Severity& out);
+/// What the setting `log` asks for; ConfigError where it is none of debug, info, warning, error.
+Severity lowest_severity(const hal::Config& config);
 
 }  // namespace eyebridge::robios

@@ -1,7 +1,11 @@
-#include "stderr_log.hpp"
+#include "log/stderr_log.hpp"
 
 #include <array>
 #include <cstdio>
+
+#include <fmt/format.h>
+
+#include "eyebridge/base/config_error.hpp"
 
 namespace eyebridge::robios {
 namespace {
@@ -20,13 +24,14 @@ void StderrLog::write(Severity severity, std::string_view message) {
                name.data(), plain ? "" : ": ", static_cast<int>(message.size()), message.data());
 }
 
-bool parse_severity(std::string_view text, Severity& out) {
+Severity lowest_severity(const hal::Config& config) {
+  const hal::ConfigValue& wanted = config.value("log");
   for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (kNames[i] != text) continue;
-    out = static_cast<Severity>(i);
-    return true;
+    if (kNames[i] == wanted.text) return static_cast<Severity>(i);
   }
-  return false;
+  throw ConfigError(
+      wanted.where,
+      fmt::format("'{}' is no log level; expected debug, info, warning or error", wanted.text));
 }
 
 }  // namespace eyebridge::robios
