@@ -30,29 +30,52 @@ struct Box {
   }
 };
 
+/// Where beams begin: what all of them have in common. Places are in cells from the box's lower
+/// left corner.
+class BeamStart {
+ public:
+  /// `origin` lies within 2^24 cells of the box.
+  explicit BeamStart(Vec2 origin) : x_(origin.x), y_(origin.y) {}
+
+ private:
+  friend class BeamWalk;
+  struct Axis {
+    explicit Axis(double place) : at(place), cell(whole_below(place)) {
+      const auto begin = static_cast<double>(cell);
+      up = begin + 0.5 - at;
+      down = at - begin - 0.5;
+    }
+    double at;
+    std::int64_t cell;
+    double up;  // from there to the middle of its cell, for beams to either side
+    double down;
+  };
+  Axis x_;
+  Axis y_;
+};
+
 /// The cells of a box that a beam goes through: one in each column (of a steep beam: in each row),
-/// counted by `k` from the beam's origin, whose own cell is 0. Places are in cells from the box's
-/// lower left corner.
+/// counted by `k` from the beam's origin, whose own cell is 0.
 ///
 /// A digital differential analyser; the other coordinate is a fixed-point number with 32 bits of
 /// fraction, so that a step is one addition, without rounding that adds up over a beam's cells by
 /// more than 2^-20 of one.
 class BeamWalk {
  public:
-  /// `direction` is a unit vector, `origin` within 2^24 cells of the box.
-  BeamWalk(Vec2 origin, Vec2 direction) : steep_(std::abs(direction.y) > std::abs(direction.x)) {
-    const double along = steep_ ? origin.y : origin.x;
-    const double across = steep_ ? origin.x : origin.y;
+  /// `direction` is a unit vector.
+  BeamWalk(const BeamStart& start, Vec2 direction)
+      : steep_(std::abs(direction.y) > std::abs(direction.x)) {
+    const BeamStart::Axis& along = steep_ ? start.y_ : start.x_;
+    const BeamStart::Axis& across = steep_ ? start.x_ : start.y_;
     const double major = steep_ ? direction.y : direction.x;
     const double minor = steep_ ? direction.x : direction.y;
     step_ = major < 0.0 ? -1 : 1;
     share_ = std::abs(major);
-    const double slope = minor / share_;
-    first_ = whole_below(along);
-    const auto cell = static_cast<double>(first_);
-    offset_ = step_ > 0 ? cell + 0.5 - along : along - cell - 0.5;
-    slope_ = static_cast<std::int64_t>(slope * kOne);
-    across_ = whole_below((across + offset_ * slope) * kOne);
+    first_ = along.cell;
+    offset_ = step_ > 0 ? along.up : along.down;
+    const double slope = minor / share_ * kOne;
+    slope_ = static_cast<std::int64_t>(slope);
+    across_ = whole_below(across.at * kOne + offset_ * slope);
   }
 
   /// Share of a length along the beam that it makes along its columns, 0.7 … 1.
@@ -68,9 +91,9 @@ class BeamWalk {
   /// the columns; the box's size where that is outside.
   [[nodiscard]] std::size_t index_at(int k, double distance, const Box& box) const {
     const std::int64_t along = first_ + step_ * std::int64_t{k};
-    const std::int64_t across =
-        whole_below(static_cast<double>(across_) / kOne +
-                    (distance - offset_) * (static_cast<double>(slope_) / kOne));
+    const auto moved =
+        static_cast<std::int64_t>((distance - offset_) * static_cast<double>(slope_));
+    const std::int64_t across = (across_ + moved) >> kBits;
     return steep_ ? box.index_of(across, along) : box.index_of(along, across);
   }
 

@@ -57,11 +57,17 @@ struct ScanMapper::Impl {
   double per_metre = 0.0;   // cells
   std::vector<float> said;  // of the cells of a box, then of all others; between scans nothing
   std::vector<std::uint8_t> told;  // by tile of these: whether anything was said
-  std::vector<double> clear;       // by ray: how far it crosses cells for sure, cells
+  /// A beam that met something.
+  struct Met {
+    const BeamTable::Blur* blur = nullptr;  ///< Null for all others.
+    double place = 0.0;                     ///< Where, cells away.
+  };
+  std::vector<Met> met;       // by ray
+  std::vector<double> clear;  // by ray: how far it crosses cells for sure, cells
 
   // Of the scan at hand.
   Box box;
-  Vec2 origin;                     // in the box, cells
+  BeamStart start{{}};
   std::size_t own = 0;             // index of the sensor's cell; the box's size when it is outside
   bool clipped = false;            // whether beams may leave the box
   std::array<double, 32> close{};  // by level of beams: as far as the next ones lie close, cells
@@ -77,7 +83,7 @@ struct ScanMapper::Impl {
   void apply(OccupancyGrid& grid, Cell corner);
   void set_gap(double gap);
   [[nodiscard]] double shared(std::size_t ray) const;
-  void draw(Vec2 direction, double range, double skipped);
+  void draw(const BeamWalk& walk, const Met& beam, double skipped);
   void draw_unmet(const BeamWalk& walk, double skipped);
   Result<void> insert(OccupancyGrid& grid, Vec2 from, std::span<const Vec2> directions, double gap,
                       std::span<const double> ranges);
@@ -127,11 +133,9 @@ void ScanMapper::Impl::draw_unmet(const BeamWalk& walk, double skipped) {
 }
 
 /// Says what a beam does, but for what others say of cells nearer than `skipped`.
-void ScanMapper::Impl::draw(Vec2 direction, double range, double skipped) {
-  const BeamWalk walk(origin, direction);
-  if (model.is_out_of_range(range)) return draw_unmet(walk, skipped);
-  const BeamTable::Blur& blur = blur_of(range);
-  const double place = place_of(range) * walk.share();
+void ScanMapper::Impl::draw(const BeamWalk& walk, const Met& beam, double skipped) {
+  const BeamTable::Blur& blur = *beam.blur;
+  const double place = beam.place * walk.share();
   const int crossed = walk.first_at(place - blur.reach);
   int from = 1;  // the sensor's own cell, 0, may not be on the walk
   int end = std::max(crossed + blur.cells, from);
@@ -197,6 +201,7 @@ Result<void> ScanMapper::Impl::insert(OccupancyGrid& grid, Vec2 from,
   Vec2 upper = from;
   bool says_something = false;
   clear.assign(ranges.size(), 0.0);
+  met.assign(ranges.size(), {});
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     if (!is_finite(directions[i])) {
       return fail(Errc::OutOfRange, "a beam in a direction that is not finite");
@@ -206,10 +211,10 @@ Result<void> ScanMapper::Impl::insert(OccupancyGrid& grid, Vec2 from,
     double end = model.max_range;
     if (!model.is_out_of_range(ranges[i])) {
       // On a diagonal beam a column is sqrt(2) of a cell long.
-      const double reach = 1.5 * blur_of(ranges[i]).reach;
-      const double place = place_of(ranges[i]);
-      clear[i] = place - reach;
-      end = (place + reach + 1.5) * resolution;
+      met[i] = {&blur_of(ranges[i]), place_of(ranges[i])};
+      const double reach = 1.5 * met[i].blur->reach;
+      clear[i] = met[i].place - reach;
+      end = (met[i].place + reach + 1.5) * resolution;
     }
     const Vec2 tip = from + end * directions[i];
     lower = {std::min(lower.x, tip.x), std::min(lower.y, tip.y)};
@@ -236,7 +241,8 @@ Result<void> ScanMapper::Impl::insert(OccupancyGrid& grid, Vec2 from,
   box.stride = (((box.columns + kTile - 1) / kTile) | 1) * kTile;
   clipped = first.x < 1.0 || first.y < 1.0 || last.x >= g.columns - 1 || last.y >= g.rows - 1;
   const Vec2 shift{static_cast<double>(corner.column), static_cast<double>(corner.row)};
-  origin = per_metre * (from - g.origin) - shift;
+  const Vec2 origin = per_metre * (from - g.origin) - shift;
+  start = BeamStart(origin);
   own = box.index_of(whole_below(origin.x), whole_below(origin.y));
   if (said.size() <= box.size()) {
     said.resize(box.size() + 1, kNoEvidence);
@@ -244,7 +250,13 @@ Result<void> ScanMapper::Impl::insert(OccupancyGrid& grid, Vec2 from,
   }
   set_gap(gap);
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    if (BeamModel::is_reading(ranges[i])) draw(directions[i], ranges[i], shared(i));
+    if (!BeamModel::is_reading(ranges[i])) continue;
+    const BeamWalk walk(start, directions[i]);
+    if (met[i].blur != nullptr) {
+      draw(walk, met[i], shared(i));
+    } else {
+      draw_unmet(walk, shared(i));
+    }
   }
   apply(grid, corner);
   return {};
