@@ -44,20 +44,30 @@ void check_camera(const hal::ConfigValue& camera, hal::Backend* backend, LogSink
   }
 }
 
+[[noreturn]] void refuse(const SourceLocation& where, const fs::path& path,
+                         const std::string& reason) {
+  throw ConfigError(where, fmt::format("cannot write {}: {}", path.string(), reason));
+}
+
+/// A file that the program will write into a folder that is there.
+void check_file(const fs::path& file, const SourceLocation& where) {
+  std::error_code error;
+  if (!fs::exists(file, error)) {
+    const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
+    if (access(folder.c_str(), W_OK | X_OK) != 0) refuse(where, file, std::strerror(errno));
+    return;
+  }
+  if (fs::is_directory(file, error)) refuse(where, file, "it is a folder");
+  if (access(file.c_str(), W_OK) != 0) refuse(where, file, std::strerror(errno));
+}
+
 /// Makes the folder, as the program would: nothing else tells whether that is possible.
 void check_out(const fs::path& out, const SourceLocation& where) {
-  const auto refuse = [&](const fs::path& path, const std::string& reason) {
-    throw ConfigError(where, fmt::format("cannot write {}: {}", path.string(), reason));
-  };
   std::error_code error;
   fs::create_directories(out, error);
-  if (error) refuse(out, error.message());
-  if (!fs::is_directory(out, error)) refuse(out, "it is no folder");
-  if (access(out.c_str(), W_OK | X_OK) != 0) refuse(out, std::strerror(errno));
-  const fs::path trace = out / "trace.csv";
-  if (!fs::exists(trace, error)) return;
-  if (fs::is_directory(trace, error)) refuse(trace, "it is a folder");
-  if (access(trace.c_str(), W_OK) != 0) refuse(trace, std::strerror(errno));
+  if (error) refuse(where, out, error.message());
+  if (!fs::is_directory(out, error)) refuse(where, out, "it is no folder");
+  check_file(out / "trace.csv", where);
 }
 
 }  // namespace
@@ -70,13 +80,16 @@ void check_settings(const hal::Config& config) {
   static_cast<void>(hal::programs_wanted(config));
   std::unique_ptr<hal::Backend> backend;
   // The program opens it again, which is free for a world but not for a board.
-  // Without the person: that camera would be opened, too.
-  const hal::Config alone = config.with("drive", {{}, config.value("drive").where});
+  // Without the person: that camera would be opened, too. Without the report: this world's time may
+  // pass, and who runs many programs would take what it says for theirs.
+  const hal::Config alone = config.with("drive", {{}, config.value("drive").where})
+                                .with("report", {{}, config.value("report").where});
   if (!hal::opening_has_effects(config)) {
     backend = hal::open_backend({alone, log});
     hal::check_hand({config, log}, *backend);
   }
   check_camera(config.value("camera"), backend.get(), log);
+  if (config.is_set("report")) check_file(config.path("report"), config.value("report").where);
   if (config.is_set("out")) check_out(config.path("out"), config.value("out").where);
 }
 

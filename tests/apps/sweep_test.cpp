@@ -254,5 +254,12 @@ TEST_F(Sweep, ARunTellsOfItselfInAReport) {
   EXPECT_THAT(bad.err, HasSubstr("--report: cannot write"));
 }
 
+TEST_F(Sweep, WhatUsesNoRobotHasNoReport) {
+  write_program("prog", "#!/bin/sh\necho result n 4\n");
+  const ProgramRun r = run_command({"run", "--report", "r.txt", "./prog"}, folder_.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_FALSE(fs::exists(folder_.path() + "/r.txt"));
+}
+
 }  // namespace
 }  // namespace eyebridge
