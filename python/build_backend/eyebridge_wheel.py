@@ -10,8 +10,8 @@ import tomllib
 from wheel_file import WheelFile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-# libeyebridge, and what it loads when it is asked for a video or for markers.
-LIBRARIES = ("libeyebridge.so", "libeyebridge_video.so", "libeyebridge_vision.so")
+# libeyebridge, what it loads when it is asked for a video or for markers, and what it becomes for several robots.
+LIBRARIES = ("libeyebridge.so.0", "libeyebridge_video.so", "libeyebridge_vision.so", "eyebridge-robots")
 PACKED = (".py", ".pyi", ".typed")
 
 

@@ -10,6 +10,7 @@ import types as _types
 from . import _convert
 from ._signatures import SIGNATURES as _SIGNATURES
 
+_NAME = "libeyebridge.so.0"
 _HERE = _os.path.dirname(_os.path.abspath(__file__))
 # In a wheel; in a build tree; in an installation; in the source tree, of the release build.
 _PLACES = ("../eyebridge", "../../lib", "../../..", "../../build/release/lib")
@@ -17,10 +18,10 @@ _PLACES = ("../eyebridge", "../../lib", "../../..", "../../build/release/lib")
 
 def _find():
     for place in _PLACES:
-        path = _os.path.normpath(_os.path.join(_HERE, place, "libeyebridge.so"))
+        path = _os.path.normpath(_os.path.join(_HERE, place, _NAME))
         if _os.path.exists(path):
             return path
-    return "libeyebridge.so.0"  # wherever the system's loader looks
+    return _NAME  # wherever the system's loader looks
 
 
 def _open(path):
@@ -28,7 +29,7 @@ def _open(path):
         return _ctypes.CDLL(path)
     except OSError as error:
         searched = ", ".join(_os.path.normpath(_os.path.join(_HERE, place)) for place in _PLACES)
-        raise ImportError(f"cannot load libeyebridge.so ({error}); searched in {searched}") from error
+        raise ImportError(f"cannot load {_NAME} ({error}); searched in {searched}") from error
 
 
 _RESULTS = {

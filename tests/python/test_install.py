@@ -27,13 +27,18 @@ class Install(unittest.TestCase):
             wheel = [name for name in os.listdir(folder) if name.endswith(".whl")]
             self.assertEqual(len(wheel), 1)
             names = zipfile.ZipFile(os.path.join(folder, wheel[0])).namelist()
-            for name in ("eye/__init__.py", "eye/__init__.pyi", "eye/py.typed", "eyebridge/__init__.py", "eyebridge/libeyebridge.so"):
+            for name in ("eye/__init__.py", "eye/__init__.pyi", "eye/py.typed", "eyebridge/__init__.py", "eyebridge/libeyebridge.so.0",
+                         "eyebridge/eyebridge-robots"):
                 self.assertIn(name, names)
             self.run_words(python, "-m", "pip", "install", SOURCE, cwd=folder)
             out = self.run_words(python, SOURCE / "examples" / "wall_follow.py", cwd=folder)
             self.assertRegex(out, "^stopped at ")
             out = self.run_words(python, "-c", "import eye, eyebridge; print(eye.__file__, eyebridge.default_scenario().size)", cwd=folder)
             self.assertIn("site-packages", out)
+            with open(os.path.join(folder, "prog.py"), "w") as program:
+                program.write("import eye\nprint(eye.OSMachineID())\n")
+            out = self.run_words("env", "EYEBRIDGE_ROBOTS=2", python, "prog.py", cwd=folder)
+            self.assertEqual(sorted(out.split()), ["1", "2"])
             self.run_words(python, "-m", "pip", "uninstall", "-y", "eyebridge", cwd=folder)
 
 
