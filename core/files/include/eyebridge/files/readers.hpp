@@ -120,4 +120,10 @@ bool same_meaning(const SimFile& a, const SimFile& b);
 /// of other sizes than their kind has, words with both kinds of quotes.
 std::string write_sim(const SimFile& sim);
 
+/// One object as a `.sim` file says it: its line, and those of its traits. `name` is what errors
+/// call the text. Throws ConfigError for anything else in it.
+world::ObjectSpec read_object_text(std::string_view text, const std::string& name);
+/// Writes `object` so that read_object_text() gives an equal one back. Throws as write_sim() does.
+std::string write_object_text(const world::ObjectSpec& object);
+
 }  // namespace eyebridge::files
