@@ -209,56 +209,6 @@ class Spaces(ControlTest):
         """)
 
 
-class Objects(ControlTest):
-    def test_they_are_put_there_seen_moved_and_taken_away(self):
-        self.says(["True", "<object 1> 1.50 0.30 0.00", "True", "[<object 1>]", "False []"], """
-            x, y, theta = robot(1).true_pose
-            free = robot(1).read("psd 1")
-            can = map_space.add_object("can", x + 0.4 * math.cos(theta), y + 0.4 * math.sin(theta))
-            interact.print(robot(1).read("psd 1") < free - 0.2)
-            can.move(1.5, 0.3)
-            interact.print(can, "{:.2f} {:.2f} {:.2f}".format(*can.pose))
-            interact.print(robot(1).read("psd 1") == free)
-            interact.print(map_space.objects)
-            can.remove()
-            interact.print(can.is_there, map_space.objects)
-        """, before="import math\n")  # fmt: skip
-
-    def test_a_ball_is_kicked_and_a_path_is_gone(self):
-        self.says(["True", "True"], """
-            ball = map_space.add_object("soccer", 0.5, 0.3)
-            post = map_space.add_object("can", 0.5, 1.7, lines="path 100 back 1500 1700")
-            ball.set_velocity(0.5, 0.0)
-            interact.wait(1)
-            interact.print(0.7 < ball.pose[0] < 0.95)
-            interact.print(abs(post.pose[0] - 0.6) < 0.01)
-        """)
-
-    def test_mistakes_are_told(self):
-        self.fails("control.py:2: run: ValueError: can at (0.000, 1.000) m would stand in a wall",
-                   'map_space.add_object("can", 0.0, 1.0)')  # fmt: skip
-        self.fails("control.py:3: run: ValueError: object 1 does not roll or slide: expected a ball, or one with a "
-                   "friction, that is not fixed", """
-            can = map_space.add_object("can", 0.5, 0.3)
-            can.set_velocity(0.1, 0.0)
-        """)  # fmt: skip
-        self.fails("control.py:4: run: IndexError: object 1 has been removed", """
-            can = map_space.add_object("can", 0.5, 0.3)
-            can.remove()
-            can.move(1.0, 1.0)
-        """)  # fmt: skip
-
-    def test_the_same_calls_give_the_same_run(self):
-        body = """
-            ball = map_space.add_object("golf", 0.5, 0.3)
-            ball.set_velocity(0.3, 0.2)
-            robot(1).start().set_twist(0.2, 0.5)
-            interact.wait(3)
-            interact.print(repr(ball.pose), repr(robot(1).true_pose))
-        """
-        self.assertEqual(self.control(body).out, self.control(body).out)
-
-
 class Interaction(ControlTest):
     def answer(self, typed, body, *options):
         self.write("control.py", HEAD + textwrap.indent(textwrap.dedent(body), "    "))

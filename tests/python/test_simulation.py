@@ -215,40 +215,6 @@ class Simulations(unittest.TestCase):
         sim = eyebridge.Simulation(eyebridge.load_scenario(WORLDS / "colour-targets.sim"))
         np.testing.assert_allclose(sim.objects, [(1.5, 1.3, 0), (1.2, 0.7, 0)])
 
-    def test_objects_come_change_and_go_while_it_runs(self):
-        sim = eyebridge.Simulation()
-        robot = sim.robots[0]
-        x, y, theta = robot.pose
-        ahead = lambda d: (x + d * math.cos(theta), y + d * math.sin(theta))  # noqa: E731
-        free = robot.psd(1)
-        can = sim.add_object("can", *ahead(0.4))
-        box = sim.add_object("box", 0.3, 0.3, 0.5, size=(0.2, 0.1), friction=0.4, fixed=True)
-        self.assertEqual((can, box), (0, 1))
-        self.assertLess(robot.psd(1), free - 0.2)
-        np.testing.assert_allclose(sim.objects, [(*ahead(0.4), 0), (0.3, 0.3, 0.5)])
-        sim.set_object_pose(can, 0.3, 1.7)
-        self.assertEqual(robot.psd(1), free)
-        with self.assertRaisesRegex(ValueError, "a ball, or one with a friction, that is not fixed"):
-            sim.set_object_velocity(box, 0.1, 0.0)
-        sim.set_object_fixed(box, False)
-        sim.set_object_velocity(box, 0.2, 0.0)
-        sim.step()
-        self.assertGreater(sim.objects[box][0], 0.3)
-        sim.remove_object(can)
-        with self.assertRaisesRegex(IndexError, "object 0 has been removed"):
-            sim.set_object_pose(can, 1.0, 1.0)
-        with self.assertRaisesRegex(IndexError, "no object 2, the world has 2"):
-            sim.remove_object(2)
-        before = sim.state_hash
-        for wrong in [("chair", 1, 0.3), ("box", 1, 0.3), ("can", 0.0, 0.3), ("can", math.nan, 1)]:
-            with self.assertRaises(ValueError):
-                sim.add_object(*wrong)
-        with self.assertRaisesRegex(eyebridge.ConfigError, "add_object:2:"):
-            sim.add_object("can", 1, 0.3, lines="path 200")
-        self.assertEqual(sim.state_hash, before)
-        sim.reset()
-        self.assertEqual(sim.objects.shape, (0, 3))
-
     def test_threads_share_a_simulation(self):
         sim = eyebridge.Simulation()
         threads = [threading.Thread(target=lambda: [sim.step() for _ in range(500)]) for _ in range(4)]

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "eyebridge/base/units.hpp"
 #include "eyebridge/world/world.hpp"
 #include "scenes.hpp"
 

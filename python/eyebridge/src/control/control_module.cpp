@@ -167,9 +167,9 @@ PYBIND11_MODULE(_control, module) {
   using Release = py::call_guard<py::gil_scoped_release>;
   module.doc() = "The world of a control file; use it as `eyebridge.control`.";
   py::module_::import("eyebridge._core");  // has the classes of grids
-  py::class_<World> world(module, "World");
-  bind_things(world);
-  world.def(py::init<const std::filesystem::path&>(), py::arg("file"))
+  py::class_<World> bound(module, "World");
+  bind_things(bound);
+  bound.def(py::init<const std::filesystem::path&>(), py::arg("file"))
       .def("step", &World::step, Release())
       .def_property_readonly("step_length", &World::step_length)
       .def_property_readonly("robot_count", &World::robot_count)

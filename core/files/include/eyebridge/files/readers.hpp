@@ -70,6 +70,8 @@ struct ObjectTraits {
   bool fixed = false;
   std::optional<world::Path> path{};
   SourceLocation path_where;
+  std::optional<world::Reaction> reaction{};
+  std::optional<double> yields_within{};  ///< Metres.
 };
 
 /// One robot line of a `.sim`, before its model and its start letter are looked up.
