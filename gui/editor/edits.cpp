@@ -252,20 +252,36 @@ bool add_way_point(Plan& plan, const Item& item, std::size_t before, Vec2 at) {
   if (place == 0 && pose && same_point(pose->position(), at)) return false;
   world::Path* const way = make_way(plan, item);
   if (way == nullptr) return false;
-  way->points.insert(way->points.begin() + static_cast<std::ptrdiff_t>(place), at);
+  const auto index = static_cast<std::ptrdiff_t>(place);
+  way->points.insert(way->points.begin() + index, at);
+  // Both halves of the leg are as fast as it was, and nobody waits at the new point.
+  std::vector<double>& speeds = way->leg_speeds;
+  if (place < speeds.size()) speeds.insert(speeds.begin() + index, double{speeds[place]});
+  if (place < way->waits.size()) way->waits.insert(way->waits.begin() + index, 0.0);
   return true;
 }
 
 void remove_way_point(Plan& plan, const Item& item, std::size_t point) {
   const world::Path* const old = way_of(plan, item);
   if (old == nullptr || point >= old->points.size()) return;
-  std::vector<Vec2>& points = make_way(plan, item)->points;
-  points.erase(points.begin() + static_cast<std::ptrdiff_t>(point));
+  world::Path& way = *make_way(plan, item);
+  std::vector<Vec2>& points = way.points;
+  const auto index = static_cast<std::ptrdiff_t>(point);
+  points.erase(points.begin() + index);
+  if (point < way.leg_speeds.size()) way.leg_speeds.erase(way.leg_speeds.begin() + index);
+  if (point < way.waits.size()) way.waits.erase(way.waits.begin() + index);
   // Its neighbours may be one place.
   points.erase(std::unique(points.begin(), points.end(), same_point), points.end());
+  fit_profile(way);
   if (!points.empty()) return;
-  if (item.kind == Kind::Thing) plan.things[item.index].spec.path.reset();
-  if (item.kind == Kind::Robot) plan.robots[item.index].traits.path.reset();
+  if (item.kind == Kind::Thing) {
+    plan.things[item.index].spec.path.reset();
+    plan.things[item.index].spec.yields_within = 0.0;
+  }
+  if (item.kind == Kind::Robot) {
+    plan.robots[item.index].traits.path.reset();
+    plan.robots[item.index].traits.yields_within.reset();
+  }
 }
 
 void move_way_point(Plan& plan, const Item& item, std::size_t point, Vec2 to) {

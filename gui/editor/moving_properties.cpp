@@ -88,7 +88,10 @@ void Rows::add_way(std::vector<Property>& rows) {
         return way == nullptr ? QVariant() : QVariant(way->loop);
       },
       [](Plan& plan, const Item& item, const QVariant& value) {
-        if (way_of(plan, item) != nullptr) make_way(plan, item)->loop = value.toBool();
+        if (way_of(plan, item) == nullptr) return;
+        world::Path& way = *make_way(plan, item);
+        way.loop = value.toBool();
+        fit_profile(way);
       }));
 }
 

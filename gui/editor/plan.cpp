@@ -104,13 +104,21 @@ world::Path* make_way(Plan& plan, const Item& item) {
     files::ObjectTraits& traits = plan.robots[item.index].traits;
     traits.any = true;
     if (!traits.path) traits.path.emplace();
+    traits.reaction.reset();  // it goes its way, or does as it likes
     return &*traits.path;
   }
   if (item.kind != Kind::Thing) return nullptr;
   Thing& thing = plan.things[item.index];
   thing.is_drawn = false;
   if (!thing.spec.path) thing.spec.path.emplace();
+  thing.spec.reaction.reset();
   return &*thing.spec.path;
+}
+
+void fit_profile(world::Path& path) {
+  const std::size_t legs = path.leg_count();
+  if (path.leg_speeds.size() > legs) path.leg_speeds.resize(legs);
+  if (path.waits.size() > legs) path.waits.resize(legs);
 }
 
 Plan empty_plan(double width, double height) {

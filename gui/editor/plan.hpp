@@ -63,6 +63,8 @@ std::optional<Pose> pose_of(const Plan& plan, const Item& item);
 const world::Path* way_of(const Plan& plan, const Item& item);
 /// What a way starts with when a person gives a thing its first point.
 world::Path* make_way(Plan& plan, const Item& item);
+/// Takes speeds and waits off `path` that are for legs which it has no more.
+void fit_profile(world::Path& path);
 
 /// The ends of walls that are one point.
 inline constexpr double kSamePoint = 1e-6;  // metres

@@ -6,9 +6,9 @@ namespace eyebridge::gui {
 namespace {
 
 /// By the numbers that programs use.
-QString name_of(world::BodyId body, std::optional<robot::RobotIndex> robot) {
-  if (body == world::kNoBody) return EventLog::tr("a wall");
-  return robot ? EventLog::tr("robot %1").arg(*robot + 1) : EventLog::tr("object %1").arg(body + 1);
+QString name_of(std::optional<robot::RobotIndex> robot, std::optional<std::size_t> object) {
+  if (robot) return EventLog::tr("robot %1").arg(*robot + 1);
+  return object ? EventLog::tr("object %1").arg(*object + 1) : EventLog::tr("a wall");
 }
 
 }  // namespace
@@ -23,7 +23,7 @@ void EventLog::add(const hal::WorldLook& look) {
     if (!event.robot && !event.with_robot) continue;  // things among themselves
     add(tr("%1 s: %2 hit %3 at %4, %5 mm")
             .arg(event.time, 0, 'f', 2)
-            .arg(name_of(event.body, event.robot), name_of(event.with_body, event.with_robot))
+            .arg(name_of(event.robot, event.object), name_of(event.with_robot, event.with_object))
             .arg(m_to_mm(event.place.x), 0, 'f', 0)
             .arg(m_to_mm(event.place.y), 0, 'f', 0));
   }

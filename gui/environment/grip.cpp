@@ -17,7 +17,9 @@ std::optional<Grip> grip_at(const hal::WorldLook& look, Vec2 place, double slack
     const double away = norm(place - body.pose.position());
     if (away > body.radius + slack || (found && away >= nearest)) continue;
     nearest = away;
-    found = Grip{body.id, {}, body.pose, place, false};
+    const auto object = std::ranges::find(look.objects, body.id);
+    const auto number = static_cast<std::size_t>(object - look.objects.begin());
+    found = Grip{body.id, {}, number, body.pose, place, false};
     const auto robot = std::ranges::find(look.robots, body.id, &hal::RobotLook::body);
     if (robot == look.robots.end()) continue;
     found->robot = static_cast<std::size_t>(robot - look.robots.begin());

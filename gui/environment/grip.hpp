@@ -11,6 +11,7 @@ namespace eyebridge::gui {
 struct Grip {
   world::BodyId body = 0;
   std::optional<std::size_t> robot{};  ///< Its index; nothing for a thing.
+  std::size_t object = 0;              ///< Of a thing: its number, from 0.
   Pose start;                          ///< Of the body, when it was taken.
   Vec2 hold;                           ///< Where, in the world.
   bool turns = false;

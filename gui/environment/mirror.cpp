@@ -14,6 +14,19 @@ robot::RobotModel perfect(robot::RobotModel model) {
   return model;
 }
 
+/// What looks like `body`, and stands.
+world::ObjectSpec like(const world::BodyView& body) {
+  world::ObjectSpec object;
+  object.kind = body.shape == world::BodyShape::Ball  ? world::ObjectKind::Ball
+                : body.shape == world::BodyShape::Box ? world::ObjectKind::Box
+                                                      : world::ObjectKind::Can;
+  object.radius = body.radius;
+  object.height = body.height;
+  object.size = body.size;
+  object.colour = body.colour;
+  return object;
+}
+
 SensorRay ray(const Pose& sensor, double length, double range) {
   const Vec2 end = sensor.position() + length * Heading::from_angle(sensor.theta).forward();
   return {sensor.position(), end, range};
@@ -27,14 +40,15 @@ void Mirror::begin(const hal::WorldLook& look) {
 
 void Mirror::follow(const hal::WorldLook& look) {
   if (!world_ || &world_->world().model() != look.scene.model.get()) begin(look);
-  while (world_->robot_count() < look.robots.size()) {
-    // Where nobody stands: a person may have put robots into each other.
-    constexpr double kFarAway = 1e4;
-    const Pose place{-kFarAway - 10.0 * static_cast<double>(world_->robot_count()), -kFarAway, 0.0};
-    world_->add_robot(perfect(*look.robots[world_->robot_count()].model), place);
-  }
+  add_newcomers(look);
+  world::World& world = world_->world();
+  std::vector<bool> is_seen(world.body_count());
   for (const world::BodyView& body : look.scene.bodies) {
-    if (body.id < world_->world().object_count()) world_->world().set_pose(body.id, body.pose);
+    is_seen.at(body.id) = true;
+    if (body.shape != world::BodyShape::Robot) world.set_pose(body.id, body.pose);
+  }
+  for (const world::BodyId body : look.objects) {
+    if (!is_seen.at(body)) world.remove(body);
   }
   for (std::size_t i = 0; i < look.robots.size(); ++i) {
     const auto robot = static_cast<robot::RobotIndex>(i);
@@ -42,6 +56,27 @@ void Mirror::follow(const hal::WorldLook& look) {
       world_->set_pose(robot, look.robots[i].pose);
     } else if (world_->is_there(robot)) {
       world_->remove_robot(robot);
+    }
+  }
+}
+
+void Mirror::add_newcomers(const hal::WorldLook& look) {
+  world::World& world = world_->world();
+  while (true) {
+    // Where nobody stands: a person may have put bodies into each other.
+    constexpr double kFarAway = 1e4;
+    const auto next = static_cast<world::BodyId>(world.body_count());
+    const Pose place{-kFarAway - 10.0 * static_cast<double>(next), -kFarAway, 0.0};
+    if (std::ranges::find(look.objects, next) != look.objects.end()) {
+      const auto seen = std::ranges::find(look.scene.bodies, next, &world::BodyView::id);
+      world::ObjectSpec object;  // of one that came and went meanwhile no more than its id
+      if (seen != look.scene.bodies.end()) object = like(*seen);
+      object.pose = place;
+      world.add_object(object);
+    } else if (world_->robot_count() < look.robots.size()) {
+      world_->add_robot(perfect(*look.robots[world_->robot_count()].model), place);
+    } else {
+      return;
     }
   }
 }

@@ -20,7 +20,7 @@ struct SensorRay {
 /// and nobody waits. One thread.
 class Mirror {
  public:
-  /// Puts everything where `look` saw it; robots that are new are added, removed ones removed.
+  /// Puts everything where `look` saw it; what is new is added, what was removed removed.
   void follow(const hal::WorldLook& look);
 
   /// Of the robot with this index, in the order of its model. Without error.
@@ -35,6 +35,8 @@ class Mirror {
 
  private:
   void begin(const hal::WorldLook& look);
+  /// Adds what came after the mirror's own bodies, in their order, so that ids are the same here.
+  void add_newcomers(const hal::WorldLook& look);
 
   std::optional<robot::Simulation> world_;
   std::vector<double> ranges_;

@@ -241,9 +241,9 @@ void WorldView::carry(Vec2 place) {
     return;
   }
   hal::WorldControl& control = environment_.control();
-  const Result<void> done = grip_->robot
-                                ? control.set_robot_pose(static_cast<int>(*grip_->robot) + 1, pose)
-                                : control.set_object_pose(static_cast<int>(grip_->body) + 1, pose);
+  const Result<void> done =
+      grip_->robot ? control.set_robot_pose(static_cast<int>(*grip_->robot) + 1, pose)
+                   : control.set_object_pose(static_cast<int>(grip_->object) + 1, pose);
   tell_trouble(done ? QString() : QString::fromStdString(done.error().what));
   refresh();
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "eyebridge/camera/view.hpp"
+#include "eyebridge/files/readers.hpp"
 #include "seat/seat_view.hpp"
 #include "tap/carry_out.hpp"
 #include "tap/tapped_io.hpp"
@@ -24,6 +25,16 @@ Result<Values> done(const Result<void>& result) {
   return result.map([] { return Values{}; });
 }
 
+Result<Values> add_object(WorldControl& world, const std::string& text) {
+  try {
+    return world.add_object(files::read_object_text(text, "object")).map([](int id) {
+      return Values{static_cast<double>(id)};
+    });
+  } catch (const ConfigError& error) {
+    return fail(Errc::Corrupt, error.what());
+  }
+}
+
 Result<Values> set(WorldControl& world, const Call& call) {
   const Values& v = call.request;
   if (call.name == "set_errors" && !v.empty()) {
@@ -34,6 +45,14 @@ Result<Values> set(WorldControl& world, const Call& call) {
   }
   if (v.size() == 3 && call.name == "set_object_pose") {
     return done(world.set_object_pose(call.id, {v[0], v[1], v[2]}));
+  }
+  if (call.name == "add_object") return add_object(world, unpack_text(v));
+  if (call.name == "remove_object") return done(world.remove_object(call.id));
+  if (v.size() == 2 && call.name == "set_object_velocity") {
+    return done(world.set_object_velocity(call.id, {v[0], v[1]}));
+  }
+  if (v.size() == 1 && call.name == "set_object_fixed") {
+    return done(world.set_object_fixed(call.id, v[0] != 0.0));
   }
   return fail(Errc::Corrupt, fmt::format("a world has no {} of {} numbers", call.name, v.size()));
 }

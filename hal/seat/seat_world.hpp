@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "eyebridge/files/readers.hpp"
 #include "eyebridge/hal/world_control.hpp"
 #include "seat/seat_line.hpp"
 #include "tap/tapped_io.hpp"
@@ -22,6 +23,22 @@ class SeatWorld final : public WorldControl {
   Result<Pose> object_pose(int id) const override { return pose(id, "object_pose"); }
   Result<void> set_object_pose(int id, const Pose& pose) override {
     return command(id, "set_object_pose", AsValues<Pose>::pack(pose));
+  }
+  /// As text: numbers of objects that a `.sim` file cannot say are OutOfRange, too.
+  Result<int> add_object(const world::ObjectSpec& object) override {
+    try {
+      const Call call{"world", 0, "add_object", true, pack_bytes(files::write_object_text(object))};
+      return reply_as<int>(call, line_.ask(call));
+    } catch (const ConfigError& error) {
+      return fail(Errc::OutOfRange, error.what());
+    }
+  }
+  Result<void> remove_object(int id) override { return command(id, "remove_object", {}); }
+  Result<void> set_object_velocity(int id, Vec2 velocity) override {
+    return command(id, "set_object_velocity", {velocity.x, velocity.y});
+  }
+  Result<void> set_object_fixed(int id, bool fixed) override {
+    return command(id, "set_object_fixed", {fixed ? 1.0 : 0.0});
   }
   Result<void> set_errors(int id, const std::string& rules, double share) override {
     Values request = pack_bytes(rules);

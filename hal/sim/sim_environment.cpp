@@ -36,6 +36,10 @@ void SimEnvironment::look(WorldLook& look) {
   const std::lock_guard lock(mutex_);
   world_.locked([&](const robot::Simulation& sim) {
     look.scene = sim.world().scene(sim.time());
+    look.objects.clear();
+    for (std::size_t i = 0; i < sim.world().object_count(); ++i) {
+      look.objects.push_back(sim.world().object_body(i));
+    }
     look.robots.clear();
     for (std::size_t i = 0; i < sim.robot_count(); ++i) {
       const auto robot = static_cast<robot::RobotIndex>(i);

@@ -11,9 +11,9 @@ namespace eyebridge::hal {
 namespace {
 
 /// By the numbers that programs use.
-std::string name_of(world::BodyId body, std::optional<robot::RobotIndex> robot) {
-  if (body == world::kNoBody) return "wall";
-  return robot ? fmt::format("robot {}", *robot + 1) : fmt::format("object {}", body + 1);
+std::string name_of(std::optional<robot::RobotIndex> robot, std::optional<std::size_t> object) {
+  if (robot) return fmt::format("robot {}", *robot + 1);
+  return object ? fmt::format("object {}", *object + 1) : "wall";
 }
 
 }  // namespace
@@ -42,8 +42,8 @@ SimWorld::SimWorld(files::Scenario scenario, const robot::SimulationSettings& se
 
 void SimWorld::tell(const robot::CollisionEvent& event, LogSink& log) {
   if (!event.robot && !event.with_robot) return;  // things among themselves
-  const std::string who = name_of(event.body, event.robot);
-  const std::string with = name_of(event.with_body, event.with_robot);
+  const std::string who = name_of(event.robot, event.object);
+  const std::string with = name_of(event.with_robot, event.with_object);
   // To push a ball, or be met by one, is what a program wants; to run into what stands is not.
   const world::World& world = simulation_.world();
   const bool pushed =
@@ -88,12 +88,14 @@ Result<void> SimWorld::check_there(std::size_t index) {
 
 std::string SimWorld::obstacle_at(Vec2 centre, double radius) const {
   const world::World& world = simulation_.world();
-  const std::size_t objects = world.object_count();
   for (world::BodyId body = 0; body < world.body_count(); ++body) {
     if (!world.is_there(body)) continue;
     if (norm(centre - world.position(body)) >= radius + world.radius(body)) continue;
-    const auto robot = static_cast<robot::RobotIndex>(body - objects);
-    return name_of(body, body < objects ? std::nullopt : std::optional(robot));
+    const auto object = world.object_of(body);
+    if (object) return name_of(std::nullopt, object);
+    for (robot::RobotIndex robot = 0; robot < simulation_.robot_count(); ++robot) {
+      if (simulation_.body(robot) == body) return name_of(robot, std::nullopt);
+    }
   }
   return "a wall";
 }

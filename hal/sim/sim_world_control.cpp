@@ -1,5 +1,8 @@
 #include "sim/sim_world_control.hpp"
 
+#include <cmath>
+#include <stdexcept>
+
 #include "eyebridge/files/error_rules.hpp"
 
 namespace eyebridge::hal {
@@ -31,9 +34,14 @@ Result<robot::RobotIndex> SimWorldControl::robot_index(int id) const {
 }
 
 Result<world::BodyId> SimWorldControl::object_index(int id) const {
-  const int count = object_count();
-  if (id < 1 || id > count) return tl::unexpected(unknown("object", id, count));
-  return static_cast<world::BodyId>(id - 1);
+  return world_.locked([id](auto& sim) -> Result<world::BodyId> {
+    const world::World& world = sim.world();
+    const auto count = static_cast<int>(world.object_count());
+    if (id < 1 || id > count) return tl::unexpected(unknown("object", id, count));
+    const world::BodyId body = world.object_body(static_cast<std::size_t>(id - 1));
+    if (world.is_there(body)) return body;
+    return fail(Errc::OutOfRange, "object " + std::to_string(id) + " has been removed");
+  });
 }
 
 Result<Pose> SimWorldControl::robot_pose(int id) const {
@@ -59,6 +67,51 @@ Result<void> SimWorldControl::set_object_pose(int id, const Pose& pose) {
   if (!is_finite(pose)) return fail(Errc::OutOfRange, "set object: expected a finite pose");
   return object_index(id).map([&](world::BodyId index) {
     world_.locked([&](auto& sim) { sim.world().set_pose(index, pose); });
+  });
+}
+
+Result<int> SimWorldControl::add_object(const world::ObjectSpec& object) {
+  return world_.locked([&](auto& sim) -> Result<int> {
+    try {
+      sim.world().add_object(object);
+      return static_cast<int>(sim.world().object_count());
+    } catch (const std::invalid_argument& error) {
+      return fail(Errc::OutOfRange, error.what());
+    }
+  });
+}
+
+Result<void> SimWorldControl::remove_object(int id) {
+  return object_index(id).map(
+      [&](world::BodyId index) { world_.locked([&](auto& sim) { sim.world().remove(index); }); });
+}
+
+Result<void> SimWorldControl::set_object_velocity(int id, Vec2 velocity) {
+  if (!std::isfinite(velocity.x + velocity.y)) {
+    return fail(Errc::OutOfRange, "set object: expected a finite velocity");
+  }
+  const auto index = object_index(id);
+  if (!index) return tl::unexpected(index.error());
+  return world_.locked([&](auto& sim) -> Result<void> {
+    if (!sim.world().slides(*index)) {
+      return fail(Errc::OutOfRange, "object " + std::to_string(id) +
+                                        " does not roll or slide: expected a ball, or one with a "
+                                        "friction, that is not fixed");
+    }
+    sim.world().set_velocity(*index, velocity);
+    return {};
+  });
+}
+
+Result<void> SimWorldControl::set_object_fixed(int id, bool fixed) {
+  const auto index = object_index(id);
+  if (!index) return tl::unexpected(index.error());
+  return world_.locked([&](auto& sim) -> Result<void> {
+    if (sim.world().moves_by_itself(*index)) {
+      return fail(Errc::OutOfRange, "object " + std::to_string(id) + " moves by itself");
+    }
+    sim.world().set_fixed(*index, fixed);
+    return {};
   });
 }
 

@@ -17,6 +17,10 @@ class SimWorldControl final : public WorldControl, private SimDevice {
   Result<void> set_robot_pose(int id, const Pose& pose) override;
   [[nodiscard]] Result<Pose> object_pose(int id) const override;
   Result<void> set_object_pose(int id, const Pose& pose) override;
+  Result<int> add_object(const world::ObjectSpec& object) override;
+  Result<void> remove_object(int id) override;
+  Result<void> set_object_velocity(int id, Vec2 velocity) override;
+  Result<void> set_object_fixed(int id, bool fixed) override;
   Result<void> set_errors(int id, const std::string& rules, double share) override;
 
  private:

@@ -162,7 +162,32 @@ class Simulation:
         """Linear and angular speed of each robot; a view like poses."""
     @property
     def objects(self) -> NDArray[numpy.float64]:
-        """x, y, theta of each ball and can. A copy."""
+        """x, y, theta of each ball, can and box; of one that was removed as it was then. A copy."""
+    def add_object(
+        self,
+        kind: str,
+        x: float,
+        y: float,
+        theta: float = 0.0,
+        *,
+        size: tuple[float, float] | None = None,
+        mass: float | None = None,
+        friction: float | None = None,
+        restitution: float | None = None,
+        fixed: bool = False,
+        lines: str = "",
+    ) -> int:
+        """Puts a "golf", "soccer", "can", "crate" or "box" (then `size`: length and width) there, now; its row in objects.
+        `lines`: what more a .sim file can say of it (docs/worlds.md). reset() takes it away. Raises ValueError where there
+        is no room, or it cannot be; ConfigError for wrong lines."""
+    def remove_object(self, object: int) -> None:
+        """Takes an object out of the world, until reset(). Raises IndexError for one that is not there, as all of these do."""
+    def set_object_pose(self, object: int, x: float, y: float, theta: float = 0.0) -> None:
+        """Puts it somewhere, at rest; without a check."""
+    def set_object_velocity(self, object: int, x: float, y: float) -> None:
+        """Kicks it: metres a second in the world. Raises ValueError for what neither rolls nor slides by itself."""
+    def set_object_fixed(self, object: int, fixed: bool = True) -> None:
+        """Whether nothing pushes it away from now on. Raises ValueError for what moves by itself."""
     def set_speeds(self, speeds: ArrayLike) -> None:
         """set_speed() for all robots: one row each, linear and angular."""
     def cast_rays(

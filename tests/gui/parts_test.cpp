@@ -50,6 +50,44 @@ TEST(Mirror, KnowsWhatIsFree) {
   EXPECT_THAT(mirror.bumpers(0), Each(false));
 }
 
+TEST(Mirror, FollowsWhatComesAndGoes) {
+  testing::Room room;
+  Mirror mirror;
+  mirror.follow(look_at(room));
+  world::ObjectSpec box;
+  box.kind = world::ObjectKind::Box;
+  box.name = "box";
+  box.size = {0.1, 0.2};
+  box.pose = {0.9, 0.5, 0.0};
+  hal::WorldControl& control = room.environment().control();
+  ASSERT_EQ(control.add_object(box).value(), 2);
+  const hal::WorldLook look = look_at(room);
+  const world::BodyId body = look.objects.at(1);
+  mirror.follow(look);
+  EXPECT_FALSE(mirror.is_free(look.robots[0].body, {0.9, 0.5}));
+  const auto rays = mirror.distance_rays(0);
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const int id = look.robots[0].model->range_sensors[k].id;
+    EXPECT_NEAR(rays[k].range, room.robot().range_sensor(id)->read().value(), 1e-6);
+  }
+  const auto grip = grip_at(look, {0.9, 0.5}, 0.0);
+  ASSERT_TRUE(grip);
+  EXPECT_EQ(grip->body, body);
+  EXPECT_EQ(grip->object, 1U);
+  ASSERT_TRUE(control.remove_object(1));
+  ASSERT_TRUE(control.remove_object(2));
+  mirror.follow(look_at(room));
+  EXPECT_TRUE(mirror.is_free(look.robots[0].body, {0.9, 0.5}));
+  EXPECT_TRUE(mirror.is_free(look.robots[0].body, {1.0, 0.2})) << "where the can was";
+  ASSERT_EQ(control.add_object(box).value(), 3);
+  mirror.follow(look_at(room));
+  EXPECT_FALSE(mirror.is_free(look.robots[0].body, {0.9, 0.5}));
+  Mirror late;
+  late.follow(look_at(room));
+  EXPECT_FALSE(late.is_free(look.robots[0].body, {0.9, 0.5}));
+  EXPECT_TRUE(late.is_free(look.robots[0].body, {1.0, 0.2}));
+}
+
 TEST(Grip, TakesRobotsByMiddleAndRimAndThings) {
   testing::Room room;
   const hal::WorldLook look = look_at(room);

@@ -85,5 +85,36 @@ TEST_P(BackendContract, WorldControlMovesRobotsAndObjects) {
   EXPECT_NEAR(front(rig), 0.7 - world::ObjectSpec{}.radius, traits().range);
 }
 
+TEST_P(BackendContract, WorldControlAddsChangesAndRemovesObjects) {
+  const Rig rig = make(1.0);
+  WorldControl* world = rig.backend->world();
+  ASSERT_EQ(world != nullptr, traits().world);
+  if (world == nullptr) return;
+  world::ObjectSpec can;
+  can.kind = world::ObjectKind::Can;
+  can.name = "can";
+  can.radius = 0.033;
+  can.height = 0.115;
+  can.colour = {200, 30, 30};
+  can.matter.friction = 0.3;
+  can.pose = {facing(1.0).x + kFrontOffset + 0.5, kSideWall, 0.25};
+  EXPECT_EQ(must(world->add_object(can)), 2);
+  EXPECT_EQ(world->object_count(), 2);
+  EXPECT_EQ(must(world->object_pose(2)), can.pose);
+  EXPECT_NEAR(front(rig), 0.5 - can.radius, traits().range);
+  EXPECT_TRUE(world->set_object_velocity(2, {0.1, 0.0}));
+  EXPECT_TRUE(world->set_object_fixed(2, true));
+  EXPECT_EQ(world->set_object_velocity(2, {0.1, 0.0}).error().what,
+            "object 2 does not roll or slide: expected a ball, or one with a friction, that is not "
+            "fixed");
+  EXPECT_EQ(world->add_object(can).error().code, Errc::OutOfRange) << "one stands there";
+  ASSERT_TRUE(world->remove_object(2));
+  EXPECT_NEAR(front(rig), 1.0, traits().range);
+  EXPECT_EQ(world->object_count(), 2) << "numbers stay";
+  EXPECT_EQ(world->object_pose(2).error().what, "object 2 has been removed");
+  EXPECT_EQ(world->remove_object(2).error().code, Errc::OutOfRange);
+  EXPECT_EQ(world->remove_object(3).error().what, "no object 3, the world has 2");
+}
+
 }  // namespace
 }  // namespace eyebridge::hal

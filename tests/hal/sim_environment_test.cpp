@@ -108,6 +108,26 @@ TEST_F(SimEnvironmentTest, TakesErrorsFromAModelWithTheSameDevices) {
   EXPECT_EQ(refused.error().code, Errc::OutOfRange);
 }
 
+TEST_F(SimEnvironmentTest, ObjectsHaveNumbersThatAreNotThoseOfBodies) {
+  world::ObjectSpec post;
+  post.kind = world::ObjectKind::Can;
+  post.name = "can";
+  post.radius = 0.05;
+  post.matter.fixed = true;
+  const Pose robot = must(environment_->control().robot_pose(1));
+  post.pose = {robot.x + 0.4, robot.y, 0.0};
+  ASSERT_EQ(must(environment_->control().add_object(post)), 2);
+  EXPECT_EQ(look().objects, (std::vector<world::BodyId>{0, 3}));
+  ASSERT_TRUE(backend_->drive()->set_speed({0.3, 0.0}));
+  backend_->clock().wait_until(from_seconds(3.0));
+  ASSERT_EQ(look().collisions.size(), 1U);
+  EXPECT_EQ(look_.collisions[0].with_body, 3U);
+  EXPECT_EQ(look_.collisions[0].with_object, 1U);
+  const std::vector<std::string> told = log_.messages(Severity::Warning);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_TRUE(told[0].starts_with("robot 1 hit object 2 at")) << told[0];
+}
+
 TEST_F(SimEnvironmentTest, NobodyReachesARobotThatWasRemoved) {
   const Config config = rig_config({{"fast", "true"}, {"robots", "2"}});
   SharedSim shared(rig_scenario(1.0), config, &turns_, log_);

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 
+#include "motion_lines.hpp"
+
 namespace eyebridge::files {
 namespace {
 
@@ -39,7 +41,8 @@ world::Path read_path(const Statement& s) {
 }  // namespace
 
 bool is_object_trait(std::string_view keyword) {
-  return std::find(kTraits.begin(), kTraits.end(), keyword) != kTraits.end();
+  return std::find(kTraits.begin(), kTraits.end(), keyword) != kTraits.end() ||
+         is_motion_trait(keyword);
 }
 
 void read_object_trait(const Statement& s, ObjectTraits& traits) {
@@ -49,7 +52,10 @@ void read_object_trait(const Statement& s, ObjectTraits& traits) {
   if (keyword == "fixed") {
     s.expect_arguments(0, "fixed");
     traits.fixed = true;
+  } else if (is_motion_trait(keyword)) {
+    read_motion_trait(s, traits);
   } else if (keyword == "path") {
+    if (traits.reaction) s.fail(0, "'path' for one that moves otherwise: expected one of them");
     traits.path = read_path(s);
     traits.path_where = s.where(0);
   } else if (keyword == "mass") {
@@ -71,6 +77,8 @@ void apply(const ObjectTraits& traits, world::ObjectSpec& object) {
   if (traits.restitution) matter.restitution = traits.restitution;
   if (traits.fixed) matter.fixed = true;
   if (traits.path) object.path = traits.path;
+  if (traits.reaction) object.reaction = traits.reaction;
+  if (traits.yields_within) object.yields_within = *traits.yields_within;
 }
 
 world::ObjectSpec read_box(const Statement& s, const Pose& pose) {

@@ -9,7 +9,8 @@ namespace eyebridge::files {
 bool is_object_trait(std::string_view keyword);
 
 /// Reads "mass KG", "friction MU", "restitution E", "fixed" or "path MM_PER_SECOND loop|back x1 y1
-/// [x2 y2 ...]" into `traits`. Throws ConfigError for numbers that cannot be.
+/// [x2 y2 ...]" into `traits`, and the lines of motion_lines.hpp. Throws ConfigError for numbers
+/// that cannot be.
 void read_object_trait(const Statement& s, ObjectTraits& traits);
 
 /// What `traits` say, said of `object`.

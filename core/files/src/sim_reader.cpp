@@ -12,9 +12,10 @@ namespace eyebridge::files {
 namespace {
 
 constexpr std::size_t kMaxThings = 100000;
-constexpr std::array<std::string_view, 16> kSimKeywords = {
-    "world", "maze", "robi",  "robot",    "obj",         "object", "settings", "marker",
-    "box",   "mass", "fixed", "friction", "restitution", "path",   "error",    "enters"};
+constexpr std::array<std::string_view, 23> kSimKeywords = {
+    "world",  "maze",  "robi",         "robot",    "obj",         "object", "settings", "marker",
+    "box",    "mass",  "fixed",        "friction", "restitution", "path",   "error",    "enters",
+    "speeds", "waits", "acceleration", "yields",   "follow",      "flee",   "wander"};
 constexpr std::string_view kRobotForm = "NAME x y phi [program]' or 'NAME S [phi] [program]";
 
 bool is_start_letter(std::string_view word) {
@@ -104,10 +105,12 @@ class SimReader {
       s.fail(0, in_quotes(s.text(0)) + " before any object: expected the line of an object first");
     }
     if (last_ == Last::Robot) return read_object_trait(s, out_.robots.back().traits);
-    ObjectTraits traits;
+    ObjectTraits traits;  // some lines say more of what others said
+    traits.path = out_.objects.back().path;
+    traits.reaction = out_.objects.back().reaction;
     read_object_trait(s, traits);
     apply(traits, out_.objects.back());
-    if (traits.path) out_.path_places.back() = traits.path_where;
+    if (lower(s.text(0)) == "path") out_.path_places.back() = traits.path_where;
   }
 
   /// "enters SECONDS", after the line of a robot: it comes later than the others.

@@ -8,6 +8,7 @@
 #include "error_parameters.hpp"
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/files/readers.hpp"
+#include "motion_lines.hpp"
 #include "object_kinds.hpp"
 #include "text.hpp"
 
@@ -94,7 +95,8 @@ std::string object_lines(const world::ObjectSpec& object) {
     out = "object " + pose_words(object.pose) + " 0 " + word(object.name + ".ms3d");
   }
   out += '\n' + matter_lines(object.matter, mass);
-  return object.path ? out + path_line(*object.path) : out;
+  if (object.path) out += path_line(*object.path);
+  return out + motion_lines(object.path, object.reaction, object.yields_within);
 }
 
 std::string trait_lines(const ObjectTraits& traits) {
@@ -103,7 +105,8 @@ std::string trait_lines(const ObjectTraits& traits) {
   if (traits.friction) out += "friction " + decimal(*traits.friction) + '\n';
   if (traits.restitution) out += "restitution " + decimal(*traits.restitution) + '\n';
   if (traits.fixed) out += "fixed\n";
-  return traits.path ? out + path_line(*traits.path) : out;
+  if (traits.path) out += path_line(*traits.path);
+  return out + motion_lines(traits.path, traits.reaction, traits.yields_within.value_or(0.0));
 }
 
 /// `value` as a number that the reader, which divides it, reads back unchanged.
@@ -233,7 +236,8 @@ class SimWriter {
 
 bool same_traits(const ObjectTraits& a, const ObjectTraits& b) {
   return a.mass == b.mass && a.friction == b.friction && a.restitution == b.restitution &&
-         a.fixed == b.fixed && a.path == b.path;
+         a.fixed == b.fixed && a.path == b.path && a.reaction == b.reaction &&
+         a.yields_within == b.yields_within;
 }
 
 bool same_rule(const ErrorRule& a, const ErrorRule& b) {

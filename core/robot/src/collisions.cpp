@@ -1,11 +1,13 @@
+#include <algorithm>
+
 #include "simulation_impl.hpp"
 
 namespace eyebridge::robot {
 
 std::optional<RobotIndex> Simulation::Impl::robot_of(world::BodyId body) const {
-  const std::size_t first = world.object_count();  // robots are added after the objects, in order
-  if (body == world::kNoBody || body < first) return std::nullopt;
-  return static_cast<RobotIndex>(body - first);
+  const auto found = std::ranges::lower_bound(cruises, body, {}, &Cruise::body);
+  if (found == cruises.end() || found->body != body) return std::nullopt;
+  return static_cast<RobotIndex>(found - cruises.begin());
 }
 
 void Simulation::Impl::report_collisions() {
@@ -17,7 +19,8 @@ void Simulation::Impl::report_collisions() {
     }
     const double time = static_cast<double>(steps) * settings.step;
     collisions.push_back({time, bump.body, robot_of(bump.body), bump.other, robot_of(bump.other),
-                          bump.place, world.pose(bump.body)});
+                          bump.place, world.pose(bump.body), world.object_of(bump.body),
+                          world.object_of(bump.other)});
     if (listener) listener(collisions.back());
   }
 }

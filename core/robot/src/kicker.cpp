@@ -23,8 +23,9 @@ void Simulation::Impl::strike(RobotIndex robot, const KickerModel& kicker) {
   const double least_cosine = sin_cos(kicker.half_angle).cos;
   std::optional<world::BodyId> nearest;
   double least = kicker.reach;
-  for (world::BodyId id = 0; id < world.object_count(); ++id) {
-    const bool ball = world.model().objects[id].kind == world::ObjectKind::Ball;
+  for (std::size_t i = 0; i < world.object_count(); ++i) {
+    const world::BodyId id = world.object_body(i);
+    const bool ball = world.shape(id) == world::BodyShape::Ball;
     if (!ball || !world.gives_way(id)) continue;
     const Vec2 way = world.position(id) - centre;
     const double distance = norm(way);

@@ -59,7 +59,9 @@ std::uint32_t timeout_steps(const SimulationSettings& settings) {
 
 Simulation::Impl::Impl(std::shared_ptr<const world::WorldModel> model,
                        const SimulationSettings& given)
-    : settings(given), world(std::move(model)), stall_timeout_steps(timeout_steps(given)) {}
+    : settings(given),
+      world(std::move(model), given.seed),
+      stall_timeout_steps(timeout_steps(given)) {}
 
 Simulation::Simulation(std::shared_ptr<const world::WorldModel> model,
                        const SimulationSettings& settings)

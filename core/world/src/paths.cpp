@@ -35,6 +35,11 @@ void Mover::turn_to_next() {
 }
 
 void World::Impl::follow(Mover& mover, double dt) {
+  if (mover.yields_within > 0.0 && nearest_robot(mover.body, mover.yields_within) != kNoBody) {
+    mover.present = 0.0;
+    return;
+  }
+  if (!mover.profile.empty()) return follow_profile(mover, dt);
   double left = mover.speed * dt;
   // A way of no length would have no end; one that goes somewhere gets there in two rounds.
   for (std::size_t legs = 0; left > 0.0 && legs < 2 * mover.stops.size(); ++legs) {
@@ -50,7 +55,12 @@ void World::Impl::follow(Mover& mover, double dt) {
 }
 
 void World::Impl::add_mover(BodyId id, const ObjectSpec& object) {
-  movers.push_back({id, object.path->speed, object.path->loop, stops_of(object)});
+  const Path& path = *object.path;
+  Mover mover{id, path.speed, path.loop, stops_of(object)};
+  mover.yields_within = object.yields_within;
+  mover.acceleration = path.acceleration;
+  mover.profile = profile_of(path, mover.stops);
+  movers.push_back(std::move(mover));
 }
 
 std::optional<std::size_t> wall_on_path(const WorldModel& model, const ObjectSpec& object) {

@@ -10,7 +10,7 @@
 
 namespace eyebridge::world {
 
-World::Impl::Impl(std::shared_ptr<const WorldModel> world_model)
+World::Impl::Impl(std::shared_ptr<const WorldModel> world_model, std::uint64_t run_seed)
     : model(std::move(world_model)),
       walls(model->walls),
       rays(*model),
@@ -18,12 +18,13 @@ World::Impl::Impl(std::shared_ptr<const WorldModel> world_model)
       has_avx2(RayGrid::has_avx2()),
       near_walls(by_sweep ? outlines_of(model->walls) : std::vector<Segment>{}),
       bodies(model->width, model->height),
+      seed(run_seed),
       body_map(model->width, model->height) {
   for (const ObjectSpec& object : model->objects) add_object(object);
 }
 
-World::World(std::shared_ptr<const WorldModel> model)
-    : impl_(std::make_unique<Impl>(std::move(model))) {}
+World::World(std::shared_ptr<const WorldModel> model, std::uint64_t seed)
+    : impl_(std::make_unique<Impl>(std::move(model), seed)) {}
 World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
@@ -64,18 +65,9 @@ BodyId World::add_robot(const Pose& pose, double radius, double height, Rgb colo
                     colour);
 }
 
-void World::remove(BodyId id) {
-  if (id < object_count() || id >= body_count()) {
-    throw std::out_of_range(fmt::format("body {} is no robot's", id));
-  }
-  impl_->bodies.remove(id);
-  impl_->contacts.forget(id);
-}
-
 bool World::is_there(BodyId id) const { return impl_->bodies.is_there(id); }
 
 std::size_t World::body_count() const { return impl_->bodies.size(); }
-std::size_t World::object_count() const { return impl_->model->objects.size(); }
 
 Pose World::pose(BodyId id) const {
   const Vec2 p = position(id);
@@ -129,6 +121,15 @@ void World::add_to(StateHash& hash) const {
   for (const Mover& mover : impl_->movers) {
     hash.add(std::uint64_t{mover.target});
     hash.add(std::uint64_t{mover.forward});
+    if (mover.profile.empty()) continue;
+    hash.add(mover.present);
+    hash.add(mover.waits);
+  }
+  for (const Reactor& reactor : impl_->reactors) {
+    for (const double value : {reactor.direction.x, reactor.direction.y}) hash.add(value);
+  }
+  for (const Impl::Thing& thing : impl_->things) {
+    if (thing.changed) hash.add(std::uint64_t{thing.spec.matter.fixed});
   }
 }
 

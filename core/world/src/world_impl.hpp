@@ -10,13 +10,21 @@
 #include "eyebridge/world/world.hpp"
 #include "near_walls.hpp"
 #include "paths.hpp"
+#include "reactions.hpp"
 #include "sweep.hpp"
 #include "wall_index.hpp"
 
 namespace eyebridge::world {
 
 struct World::Impl {
-  explicit Impl(std::shared_ptr<const WorldModel> world_model);
+  Impl(std::shared_ptr<const WorldModel> world_model, std::uint64_t run_seed);
+
+  /// An object, in the order in which they came.
+  struct Thing {
+    BodyId body = kNoBody;
+    ObjectSpec spec;  ///< As it was added; `matter.fixed` as it is now.
+    bool changed = false;
+  };
 
   /// What a body's way ends at.
   struct Obstacle {
@@ -29,7 +37,13 @@ struct World::Impl {
   };
 
   // matter.cpp
-  void add_object(const ObjectSpec& object);
+  BodyId add_object(const ObjectSpec& object);
+  void set_fixed(Thing& thing, bool fixed);
+
+  // objects.cpp
+  /// Throws std::invalid_argument where `object` would stand in something.
+  void check_free(const ObjectSpec& object) const;
+  [[nodiscard]] const Thing* thing_of(BodyId id) const;
 
   // motion.cpp
   MoveResult drive(BodyId id, Vec2 motion, double dt);
@@ -62,6 +76,15 @@ struct World::Impl {
   void add_mover(BodyId id, const ObjectSpec& object);
   /// Moves it for `dt` seconds, or up to what stops it.
   void follow(Mover& mover, double dt);
+  /// The same for one with a profile of speeds, and waits.
+  void follow_profile(Mover& mover, double dt);
+
+  // reactions.cpp
+  void add_reactor(BodyId id, const ObjectSpec& object);
+  void react(Reactor& reactor, double dt);
+  /// The robot whose rim is nearest to that of `id`, and no farther than `range` metres; the lowest
+  /// id of equally near ones; or kNoBody.
+  [[nodiscard]] BodyId nearest_robot(BodyId id, double range) const;
 
   // contacts.cpp
   /// Remembers that `id` ran into `end`.
@@ -95,10 +118,16 @@ struct World::Impl {
   bool has_avx2;
   NearWalls near_walls;
   Bodies bodies;
+  std::uint64_t seed;
+  std::vector<Thing> things;
   std::vector<Mover> movers;
+  std::vector<Reactor> reactors;
   ContactBook contacts;
   BodyMap body_map;
 };
+
+/// Throws std::invalid_argument for an object that cannot be.
+void check_object(const ObjectSpec& object);
 
 /// Unit vector from `from` to `to`; null where they are one.
 inline Vec2 direction_to(Vec2 to, Vec2 from) {

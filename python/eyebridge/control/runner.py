@@ -82,7 +82,7 @@ class Run:
             return mappers[index]
 
         self.belief_space = BeliefSpace(world.belief(RESOLUTION), self.turns, self.robot, mapper)
-        self.map_space = MapSpace(world.truth_grid(RESOLUTION), self.turns, self.robot)
+        self.map_space = MapSpace(world.truth_grid(RESOLUTION), self.turns, self.robot, world)
 
     def robot(self, name):
         """The robot of that name ("Robot 1") or number; LookupError."""

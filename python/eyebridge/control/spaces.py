@@ -2,6 +2,7 @@
 
 import math
 
+from .objects import WorldObject
 from .robots import COMMAND_COST, READ_COST, finite
 
 
@@ -101,7 +102,25 @@ class Space:
 
 
 class MapSpace(Space):
-    """What is there: the world's walls, or a map that was loaded."""
+    """What is there: the world's walls, or a map that was loaded; and the objects of the world, which are in no cell."""
+
+    def __init__(self, grid, turns, robots, world):
+        super().__init__(grid, turns, robots)
+        self._world = world
+
+    def add_object(self, kind, x, y, theta=0.0, **traits):
+        """Puts a thing into the world: "golf", "soccer", "can", "crate" or "box" (then `size`, its length and width), its
+        middle at x, y. `mass`, `friction`, `restitution`, `fixed`, and `lines`, what more a .sim file can say of it
+        (docs/worlds.md). The WorldObject; ValueError where there is no room, or it cannot be."""
+        self._turns.spend(COMMAND_COST)
+        return WorldObject(self._world, self._turns, self._world.add_object(kind, x, y, theta, **traits))
+
+    @property
+    def objects(self):
+        """All objects that are there, those of the .sim file first."""
+        self._turns.spend(READ_COST)
+        numbers = range(1, self._world.object_count + 1)
+        return [WorldObject(self._world, self._turns, n) for n in numbers if self._world.is_object_there(n)]
 
     def load(self, path):
         """Takes the map in a .yaml (ROS) or .csv file for the truth. Raises eyebridge.ConfigError."""

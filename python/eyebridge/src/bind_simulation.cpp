@@ -59,18 +59,6 @@ py::array_t<double> twists(const SharedSimulation& shared) {
   return view_of(table->twists.data(), {static_cast<py::ssize_t>(shared.robot_count()), 2}, table);
 }
 
-py::array_t<double> objects(const SharedSimulation& shared) {
-  std::vector<double> rows = of(shared, [](auto& sim) {
-    std::vector<double> out;
-    for (world::BodyId id = 0; id < sim.world().object_count(); ++id) {
-      const Pose pose = sim.world().pose(id);
-      out.insert(out.end(), {pose.x, pose.y, pose.theta});
-    }
-    return out;
-  });
-  return array_of(std::move(rows)).reshape({-1, 3});
-}
-
 void set_speeds(SharedSimulation& shared, const Numbers& speeds) {
   const auto count = static_cast<py::ssize_t>(shared.robot_count());
   if (speeds.ndim() != 2 || speeds.shape(0) != count || speeds.shape(1) != 2) {
@@ -118,7 +106,9 @@ std::vector<RobotHandle> robot_handles(const Shared& shared) {
 }  // namespace
 
 void bind_simulation(py::module_& module) {
-  py::class_<SharedSimulation, Shared>(module, "Simulation")
+  py::class_<SharedSimulation, Shared> simulation(module, "Simulation");
+  bind_objects(simulation);
+  simulation
       .def(py::init(&make), py::arg("scenario") = py::none(), py::kw_only(), py::arg("seed") = 1,
            py::arg("step") = 0.01)
       .def("step", &step, py::arg("steps") = 1, Release())
@@ -134,7 +124,6 @@ void bind_simulation(py::module_& module) {
       .def_property_readonly("robots", &robot_handles)
       .def_property_readonly("poses", &poses)
       .def_property_readonly("twists", &twists)
-      .def_property_readonly("objects", &objects)
       .def("set_speeds", &set_speeds, py::arg("speeds"))
       .def("cast_rays", &cast_rays, py::arg("x"), py::arg("y"), py::arg("angles"),
            py::arg("max_range") = 9.999, py::arg("ignore") = py::none())

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <memory>
+
 #include <pybind11/pybind11.h>
+
+#include "shared_simulation.hpp"
 
 namespace eyebridge::python {
 
@@ -14,5 +18,8 @@ void bind_robot(pybind11::module_& module);
 void bind_likelihood(pybind11::module_& module);
 void bind_simulation(pybind11::module_& module);
 void bind_batch(pybind11::module_& module);
+/// What the class Simulation has of objects.
+void bind_objects(
+    pybind11::class_<SharedSimulation, std::shared_ptr<SharedSimulation>>& simulation);
 
 }  // namespace eyebridge::python

@@ -147,6 +147,59 @@ TEST(Sim, MistakesAboutPathsAreNamed) {
             "s.sim:2:19: a way-point where the one before it is: expected another place");
 }
 
+TEST(Sim, SaysHowThingsMoveByThemselves) {
+  using Kind = world::Reaction::Kind;
+  const SimFile sim = sim_of(
+      "Can 1 2 0\npath 150 loop 300 400 500 600\nspeeds 100 200\nwaits 0 2.5 1\n"
+      "acceleration 300\nyields 250\nCan 1 2 0\nfollow 200 1500\nGolf 1 2 0\nFLEE 100\n"
+      "box 1 2 0 30 40\nwander 50\nyields 80\n");
+  world::Path path{0.15, true, {{0.3, 0.4}, {0.5, 0.6}}};
+  path.leg_speeds = {0.1, 0.2};
+  path.waits = {0.0, 2.5, 1.0};
+  path.acceleration = 0.3;
+  EXPECT_EQ(sim.objects.at(0).path, path);
+  EXPECT_EQ(sim.path_places.at(0), (SourceLocation{"s.sim", 2, 1}));
+  EXPECT_EQ(sim.objects[0].yields_within, 0.25);
+  EXPECT_EQ(sim.objects.at(1).reaction, (world::Reaction{Kind::Follow, 0.2, 1.5}));
+  EXPECT_EQ(sim.objects.at(2).reaction, (world::Reaction{Kind::Flee, 0.1}));
+  EXPECT_EQ(sim.objects.at(3).reaction, (world::Reaction{Kind::Wander, 0.05}));
+  EXPECT_EQ(sim.objects[3].yields_within, 0.08);
+}
+
+TEST(Sim, MistakesAboutWhatMovesByItselfAreNamed) {
+  const auto error = [](const std::string& line) {
+    return error_of([&] { sim_of("Can 1 2 0\n" + line); });
+  };
+  EXPECT_EQ(error("speeds 100"), "s.sim:2:1: 'speeds' without a path: expected 'path' before it");
+  EXPECT_EQ(error("path 1 back 3 4\nspeeds 5 6"),
+            "s.sim:3:10: 2 numbers for a path of 1 legs: expected no more than that");
+  EXPECT_EQ(error("path 1 back 3 4\nwaits -1"),
+            "s.sim:3:7: the time in seconds is -1: expected 0 to 1000000");
+  EXPECT_EQ(error("path 1 back 3 4\nacceleration 0"),
+            "s.sim:3:14: the acceleration is 0: expected 1 to 100000");
+  EXPECT_EQ(error("yields 100"),
+            "s.sim:2:1: 'yields' of what stands: expected 'path', 'follow', 'flee' or 'wander' "
+            "before it");
+  EXPECT_EQ(error("path 1 back 3 4\nflee 5"),
+            "s.sim:3:1: 'flee' for one on a path: expected one of them");
+  EXPECT_EQ(error("wander 5\npath 1 back 3 4"),
+            "s.sim:3:1: 'path' for one that moves otherwise: expected one of them");
+  EXPECT_EQ(error("wander 5 6"),
+            "s.sim:2:10: 'wander' with 2 arguments: expected 'wander "
+            "MM_PER_SECOND'");
+  EXPECT_EQ(error("follow fast"), "s.sim:2:8: 'fast' found: expected the speed, a number");
+}
+
+TEST(Sim, OneObjectIsReadAndWrittenByItself) {
+  const std::string text = "Can 100 200 0\nfriction 0.5\nwander 300\n";
+  const world::ObjectSpec can = read_object_text(text, "t");
+  EXPECT_EQ(can.pose.position(), (Vec2{0.1, 0.2}));
+  EXPECT_EQ(read_object_text(write_object_text(can), "t"), can);
+  for (const char* wrong : {"", "Can 1 2 0\nCan 3 4 0", "S4 1 2 0", "Can 1 2 0\nworld w.wld"}) {
+    EXPECT_THROW(read_object_text(wrong, "t"), ConfigError) << wrong;
+  }
+}
+
 TEST(Sim, MistakesAboutObjectsAreNamed) {
   const auto error = [](const std::string& text) { return error_of([&] { sim_of(text); }); };
   EXPECT_EQ(error("fixed\n"),

@@ -30,6 +30,14 @@ TEST(SimWriter, WritesEveryKindOfLine) {
       "marker 9 10\nmarker 9 10 1 2 3 255\n");
 }
 
+TEST(SimWriter, WritesHowThingsMoveByThemselves) {
+  expect_round_trip(
+      "object dog.esObj\nCan 1 2 0\npath 120.7 loop 2500 1020 1 1\nspeeds 33.3 0.1 700\n"
+      "waits 0 1.7 0.1\nacceleration 333.3\nyields 123.4\nCan 1 2 0\nfollow 200\n"
+      "box 1 2 30 300 200\nflee 100.1 700.7\nyields 5\nGolf 1 2 3\nwander 33.3\n"
+      "dog 1 2 3\npath 5 back 1 1\nwaits 4\ndog 5 6 7\nwander 100\nyields 20\n");
+}
+
 TEST(SimWriter, WritesTheErrorsOfRobots) {
   expect_round_trip(
       "S4 1 2 3\nerror realistic\nerror robot:2 harsh\nerror psd:2 4 1 dropout=5.3% quantised\n"

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "eyebridge/base/units.hpp"
 #include "eyebridge/world/world.hpp"
 #include "scenes.hpp"
 
@@ -104,16 +105,6 @@ TEST_P(Removal, IsAnotherState) {
 INSTANTIATE_TEST_SUITE_P(Worlds, Removal, ::testing::Values(0, 40), [](const auto& others) {
   return std::string(others.index == 0 ? "Few" : "Many");
 });
-
-TEST(RemovalOfThings, IsRefused) {
-  WorldModel model = room(2, 2);
-  model.objects.push_back(ObjectSpec{});
-  model.objects.back().pose = {1, 1, 0};
-  World world(shared(std::move(model)));
-  EXPECT_THROW(world.remove(0), std::out_of_range);
-  EXPECT_THROW(world.remove(1), std::out_of_range);
-  EXPECT_TRUE(world.is_there(0));
-}
 
 }  // namespace
 }  // namespace eyebridge::world

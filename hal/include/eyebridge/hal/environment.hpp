@@ -33,7 +33,9 @@ struct RobotLook {
 /// A world at one moment, and what happened since the look before.
 struct WorldLook {
   world::Scene scene;
-  std::vector<RobotLook> robots;                  ///< In the order of their numbers, from 1.
+  std::vector<RobotLook> robots;  ///< In the order of their numbers, from 1.
+  /// Bodies of objects in the order of their numbers, from 1; with those that were removed.
+  std::vector<world::BodyId> objects;
   std::vector<robot::CollisionEvent> collisions;  ///< The oldest first.
   std::uint64_t collision_count = 0;              ///< Of all so far; kept from look to look.
 };

@@ -13,6 +13,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include "bind_things.hpp"
 #include "control_world.hpp"
 #include "eyebridge/mapping/ground_truth.hpp"
 #include "eyebridge/mapping/occupancy_grid.hpp"
@@ -166,8 +167,9 @@ PYBIND11_MODULE(_control, module) {
   using Release = py::call_guard<py::gil_scoped_release>;
   module.doc() = "The world of a control file; use it as `eyebridge.control`.";
   py::module_::import("eyebridge._core");  // has the classes of grids
-  py::class_<World>(module, "World")
-      .def(py::init<const std::filesystem::path&>(), py::arg("file"))
+  py::class_<World> bound(module, "World");
+  bind_things(bound);
+  bound.def(py::init<const std::filesystem::path&>(), py::arg("file"))
       .def("step", &World::step, Release())
       .def_property_readonly("step_length", &World::step_length)
       .def_property_readonly("robot_count", &World::robot_count)

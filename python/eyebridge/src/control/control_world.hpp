@@ -49,6 +49,8 @@ class ControlWorld {
   }
   /// Where robot `index` really is. Any thread.
   [[nodiscard]] Pose truth(std::size_t index);
+  /// What windows reach into. Any thread.
+  [[nodiscard]] hal::Environment& environment() { return world_->environment(); }
   /// The world before its first step.
   [[nodiscard]] const world::Scene& scene() const { return first_look_.scene; }
 

@@ -70,6 +70,8 @@ struct ObjectTraits {
   bool fixed = false;
   std::optional<world::Path> path{};
   SourceLocation path_where;
+  std::optional<world::Reaction> reaction{};
+  std::optional<double> yields_within{};  ///< Metres.
 };
 
 /// One robot line of a `.sim`, before its model and its start letter are looked up.
@@ -119,5 +121,11 @@ bool same_meaning(const SimFile& a, const SimFile& b);
 /// and the order of unlike lines are not kept. Throws ConfigError for what no line can say: objects
 /// of other sizes than their kind has, words with both kinds of quotes.
 std::string write_sim(const SimFile& sim);
+
+/// One object as a `.sim` file says it: its line, and those of its traits. `name` is what errors
+/// call the text. Throws ConfigError for anything else in it.
+world::ObjectSpec read_object_text(std::string_view text, const std::string& name);
+/// Writes `object` so that read_object_text() gives an equal one back. Throws as write_sim() does.
+std::string write_object_text(const world::ObjectSpec& object);
 
 }  // namespace eyebridge::files

@@ -38,6 +38,10 @@ struct CollisionEvent {
   std::optional<RobotIndex> with_robot{};    ///< If that is a robot.
   Vec2 place{};                              ///< Of the contact, in the world, metres.
   Pose pose{};                               ///< Of `body`, at the step's end.
+  /// If `body` is an object, its number, from 0 (world::World::object_of()); and the same of
+  /// `with_body`.
+  std::optional<std::size_t> object{};
+  std::optional<std::size_t> with_object{};
 
   [[nodiscard]] bool with_wall() const { return with_body == world::kNoBody; }
 };

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,13 +50,14 @@ struct Bump {
 ///
 /// Robots, balls and cans are discs, boxes rectangles that do not turn; state is struct-of-arrays.
 /// A driven body stops at the contact without sliding, as in EyeSim; objects give way unless they
-/// are fixed. Same calls, same bits: nothing here depends on addresses, threads or libm. Not
-/// thread-safe.
+/// are fixed. Objects and robots may be added and removed at any time. Same calls, same bits:
+/// nothing here depends on addresses, threads or libm. Not thread-safe.
 class World {
  public:
   /// Adds the model's objects as the first bodies, in order. Throws std::invalid_argument for one
-  /// that cannot be: without size or mass, with a negative friction or a restitution above 1.
-  explicit World(std::shared_ptr<const WorldModel> model);
+  /// that cannot be: without size or mass, with a negative friction or a restitution above 1. What
+  /// wanders draws from streams of `seed`.
+  explicit World(std::shared_ptr<const WorldModel> model, std::uint64_t seed = 1);
   ~World();
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
@@ -64,17 +66,27 @@ class World {
   /// the message says which and by how much.
   BodyId add_robot(const Pose& pose, double radius, double height, Rgb colour);
 
-  /// Takes a robot's body out of the world: nothing meets, touches or sees it any more, and it
-  /// stays away. Its id is not used again; its pose is the last one it had. A second time does
-  /// nothing. Throws std::out_of_range for what is no robot's body.
+  /// Adds an object while others move. Throws std::invalid_argument for one that cannot be, as the
+  /// constructor does, and when it overlaps a wall or a body; the message says which.
+  BodyId add_object(const ObjectSpec& object);
+  /// Takes a body out of the world: nothing meets, touches or sees it any more, and it stays away.
+  /// Its id is not used again; its pose is the last one it had. A second time does nothing. Throws
+  /// std::out_of_range for an id that never was.
   void remove(BodyId id);
   /// False once it was removed.
   [[nodiscard]] bool is_there(BodyId id) const;
 
   /// With those that were removed.
   [[nodiscard]] std::size_t body_count() const;
-  /// How many of them are the model's objects: ids 0 … object_count() - 1.
+  /// Of the model's objects, whose ids are 0 …, and of those that were added later; with those that
+  /// were removed.
   [[nodiscard]] std::size_t object_count() const;
+  /// Body of an object, by its number in the order in which they came, from 0. Throws
+  /// std::out_of_range for one that never was.
+  [[nodiscard]] BodyId object_body(std::size_t object) const;
+  /// The number of the object that has this body; nothing for a robot's and for kNoBody.
+  [[nodiscard]] std::optional<std::size_t> object_of(BodyId id) const;
+  [[nodiscard]] BodyShape shape(BodyId id) const;
   [[nodiscard]] Pose pose(BodyId id) const;
   [[nodiscard]] Vec2 position(BodyId id) const;
   [[nodiscard]] Heading heading(BodyId id) const;
@@ -86,6 +98,15 @@ class World {
   [[nodiscard]] Vec2 velocity(BodyId id) const;
   /// Kicks what rolls or slides by itself; does nothing to others. `velocity` is finite.
   void set_velocity(BodyId id, Vec2 velocity);
+  /// Whether it rolls or slides on by itself when it was hit: balls, and what has a friction,
+  /// unless they are fixed or move by themselves.
+  [[nodiscard]] bool slides(BodyId id) const;
+  /// Whether an object has a path or a reaction.
+  [[nodiscard]] bool moves_by_itself(BodyId id) const;
+  /// From now on nothing pushes an object away, or what its kind and friction say does. What is
+  /// fixed stops. Does nothing to one that moves by itself, or was removed. Throws
+  /// std::out_of_range for what is no object's body.
+  void set_fixed(BodyId id, bool fixed);
   /// Puts a body somewhere, at rest. No check: a person may put it into a wall. One on a path goes
   /// on from there to the point that it was heading for. One that was removed stays away.
   void set_pose(BodyId id, const Pose& pose);
@@ -99,7 +120,7 @@ class World {
   /// against a wall or a robot not too steeply; `dt` is the duration of the step in seconds, from
   /// which what rolls or slides gets its speed. `arc` is finite, and `id` is there.
   MoveResult move(BodyId id, const Arc& arc, double dt);
-  /// Moves what is on a path, rolls balls, and lets slide what slides, for `dt` seconds; called
+  /// Moves what moves by itself, rolls balls, and lets slide what slides, for `dt` seconds; called
   /// once a step, after the robots moved.
   void step_objects(double dt);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,11 +55,39 @@ struct Path {
   double speed = 0.1;  ///< Metres per second, > 0.
   bool loop = true;    ///< From the last point to its first place; else it comes back as it went.
   std::vector<Vec2> points;  ///< In the world, metres; one at least.
+  /// Of the first legs, metres per second, > 0: [0] to the first point, and so on, a loop's last
+  /// one to its first place; back by the same. `speed` counts on legs without one.
+  std::vector<double> leg_speeds{};
+  /// Seconds, >= 0, that it stands at the first points: [0] at points[0], ..., a loop's last one at
+  /// its first place. It passes points without one, but at the ends of a way back.
+  std::vector<double> waits{};
+  /// Metres per second squared, > 0: it gains speed at this rate and slows down by it before it
+  /// stands or a slower leg begins. 0: at once.
+  double acceleration = 0.0;
+
+  /// How many legs there are that can have speeds.
+  [[nodiscard]] std::size_t leg_count() const { return points.size() + (loop ? 1 : 0); }
 
   friend bool operator==(const Path&, const Path&) = default;
 };
 
-/// A thing that robots meet, and push unless it is fixed or on a path.
+/// What an object does by itself about robots: it drives as they do, and keeps its heading.
+struct Reaction {
+  enum class Kind {
+    Follow,  ///< Goes to the nearest robot, until it touches it.
+    Flee,    ///< Goes away from the nearest robot, along walls where there is no other way.
+    Wander,  ///< Goes straight, in any direction, and bounces off what stands in its way.
+  };
+
+  Kind kind = Kind::Follow;
+  double speed = 0.1;  ///< Metres per second, > 0.
+  /// Robots whose rim is farther than this from its own do not count, metres; not for what wanders.
+  double range = std::numeric_limits<double>::infinity();
+
+  friend bool operator==(const Reaction&, const Reaction&) = default;
+};
+
+/// A thing that robots meet, and push unless it is fixed or moves by itself.
 struct ObjectSpec {
   ObjectKind kind = ObjectKind::Ball;
   std::string name = "ball";  ///< As the file calls it, lower case: "golf", "soccer", "can".
@@ -69,6 +98,9 @@ struct ObjectSpec {
   Vec2 size{};  ///< Of a box: length along its heading and width, metres, > 0.
   Matter matter;
   std::optional<Path> path{};
+  std::optional<Reaction> reaction{};  ///< Not with a path.
+  /// One that moves by itself stands while the rim of a robot is nearer to its own, metres.
+  double yields_within = 0.0;
 
   /// Of the disc about its centre that covers it, metres.
   [[nodiscard]] double outer_radius() const;
