@@ -17,6 +17,7 @@
 #include "eyebridge/planning/clearance.hpp"
 #include "eyebridge/planning/dstar_lite.hpp"
 #include "eyebridge/planning/frontiers.hpp"
+#include "eyebridge/planning/potential_field.hpp"
 #include "eyebridge/planning/pure_pursuit.hpp"
 #include "eyebridge/planning/rrt_star.hpp"
 #include "eyebridge/planning/sight.hpp"
@@ -52,8 +53,12 @@ planning::Planned plan_by(const std::string& method, const BlockedRaster& blocke
     const std::vector<Vec2> goals{goal};
     return planning::path_down(blocked, planning::wavefront(blocked, goals), start);
   }
+  if (method == "potential_field") {
+    return planning::follow_potential(blocked, planning::clearance_of(blocked), start, goal);
+  }
   if (method != "rrt_star") {
-    refuse("method", method, "astar, theta_star, dstar_lite, wavefront or rrt_star");
+    refuse("method", method,
+           "astar, theta_star, dstar_lite, wavefront, rrt_star or potential_field");
   }
   Random random(seed);
   return planning::rrt_star(blocked, start, goal, random);
