@@ -17,6 +17,7 @@ ranges and failures: __init__.pyi; training: Episode and VectorEnv. For robot pr
 from ._core import (
     Camera,
     ConfigError,
+    DStarLite,
     DynamicWindow,
     GridSlam,
     LandmarkEkf,
@@ -38,6 +39,7 @@ from .episode import Episode
 __all__ = [
     "Camera",
     "ConfigError",
+    "DStarLite",
     "DynamicWindow",
     "Episode",
     "GridSlam",

@@ -302,6 +302,20 @@ def explore(
     """The way over free cells to the nearest border of the unknown of at least `smallest` cells. None: all that can be
     reached is known. Raises ValueError where the robot stands in no free cell."""
 
+class DStarLite:
+    """Ways to one goal over a map that changes as it is explored: a plan anew searches only what the changes touch."""
+
+    def __init__(
+        self, grid: OccupancyGrid, goal: tuple[float, float], *, radius: float = 0.0, unknown_blocks: bool = False
+    ) -> None:
+        """As plan(); `grid` is looked at again in each plan(). Raises ValueError for a radius below 0."""
+    def plan(self, start: tuple[float, float]) -> NDArray[numpy.float64] | None:
+        """The shortest way from `start` by what the grid says now: way-points, one row each. None where there is none.
+        Raises ValueError for ends that are outside or blocked, and for a grid that has grown."""
+    @property
+    def expanded(self) -> int:
+        """Cells that the last plan() expanded: its work."""
+
 class PurePursuit:
     """Follows a path by aiming at a place some way ahead on it."""
 

@@ -107,8 +107,8 @@ class Robots(ControlTest):
             tick = math.tau / 2000
             print(f"{p('encoder left', range(3), 2 * tick).sum():.4f} {p('encoder left', 1, 2 * tick) / 2:.4f}")
             print(p("psd 1", [[0.5], [0.6]], [0.5, 0.6, 0.7]).shape)
-        """, "--errors", errors, "--robot", "Explorer")
-        self.fails("control.py:2: run: ValueError: found 0.0 for 'resolution', expected more than 0",
+        """, "--errors", errors, "--world", SOURCE / "worlds" / "robots" / "Explorer.robi")
+        self.fails("control.py:2: run: ValueError: found 0 for 'resolution', expected more than 0",
                    "robot(1).sensor('compass').probability(0, 0, resolution=0)")  # fmt: skip
 
     def test_its_own_function_runs_beside_run(self):

@@ -8,9 +8,7 @@
 
 #include <pybind11/stl.h>
 
-#include "arrays.hpp"
 #include "bindings.hpp"
-#include "checks.hpp"
 #include "eyebridge/base/random.hpp"
 #include "eyebridge/mapping/occupancy_grid.hpp"
 #include "eyebridge/planning/astar.hpp"
@@ -23,26 +21,14 @@
 #include "eyebridge/planning/sight.hpp"
 #include "eyebridge/planning/theta_star.hpp"
 #include "eyebridge/planning/wavefront.hpp"
+#include "paths.hpp"
 
 namespace eyebridge::python {
 namespace {
 
 namespace py = pybind11;
-using mapping::CellState;
 using mapping::OccupancyGrid;
 using planning::BlockedRaster;
-using Point = std::pair<double, double>;
-
-Vec2 vec(const Point& point) { return {point.first, point.second}; }
-
-/// Where the centre of a robot of `radius` may not be.
-BlockedRaster blocked_of(const OccupancyGrid& grid, double radius, bool unknown_blocks) {
-  if (!(radius >= 0)) refuse("radius", radius, "0 m or more");
-  const BlockedRaster blocked =
-      unknown_blocks ? mapping::cells_in(grid, {CellState::Occupied, CellState::Unknown})
-                     : mapping::cells_in(grid, {CellState::Occupied});
-  return planning::widened(planning::clearance_of(blocked), radius);
-}
 
 planning::Planned plan_by(const std::string& method, const BlockedRaster& blocked, Vec2 start,
                           Vec2 goal, std::uint64_t seed) {
@@ -64,12 +50,6 @@ planning::Planned plan_by(const std::string& method, const BlockedRaster& blocke
   return planning::rrt_star(blocked, start, goal, random);
 }
 
-py::array_t<double> rows_of(const std::vector<Vec2>& points) {
-  std::vector<double> rows;
-  for (const Vec2 point : points) rows.insert(rows.end(), {point.x, point.y});
-  return array_of(std::move(rows)).reshape({-1, 2});
-}
-
 std::optional<py::array_t<double>> plan(const OccupancyGrid& grid, const Point& start,
                                         const Point& goal, double radius, const std::string& method,
                                         bool unknown_blocks, bool shorten, std::uint64_t seed) {
@@ -78,14 +58,8 @@ std::optional<py::array_t<double>> plan(const OccupancyGrid& grid, const Point& 
   if (path) {
     return rows_of(shorten ? planning::shortened(blocked, *path).points : path->points);
   }
-  switch (path.error()) {
-    case planning::NoPath::Unreachable:
-    case planning::NoPath::LocalMinimum:
-    case planning::NoPath::BudgetSpent:
-      return std::nullopt;
-    default:
-      throw std::invalid_argument(planning::to_text(path.error()));
-  }
+  need_ends(path.error());
+  return std::nullopt;
 }
 
 std::optional<py::array_t<double>> explore(const OccupancyGrid& grid, const Point& position,

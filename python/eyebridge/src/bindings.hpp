@@ -9,6 +9,7 @@ void bind_scenario(pybind11::module_& module);
 void bind_camera(pybind11::module_& module);
 void bind_mapping(pybind11::module_& module);
 void bind_planning(pybind11::module_& module);
+void bind_dstar_lite(pybind11::module_& module);
 void bind_dynamic_window(pybind11::module_& module);
 void bind_localisation(pybind11::module_& module);
 void bind_estimation(pybind11::module_& module);

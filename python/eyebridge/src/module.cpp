@@ -19,6 +19,7 @@ PYBIND11_MODULE(_core, module) {
   eyebridge::python::bind_batch(module);
   eyebridge::python::bind_mapping(module);
   eyebridge::python::bind_planning(module);
+  eyebridge::python::bind_dstar_lite(module);
   eyebridge::python::bind_dynamic_window(module);
   eyebridge::python::bind_localisation(module);
   eyebridge::python::bind_estimation(module);
