@@ -66,6 +66,26 @@ class Algorithms(unittest.TestCase):
         np.testing.assert_allclose(path[-1], (1.5, 1.5))
         self.assertIsNone(eyebridge.plan(self.truth, (0.7, 1.0), (0.7, 3.0), radius=0.1, method="potential_field"))
 
+    def test_dstar_lite_plans_anew_what_has_changed(self):
+        room = eyebridge.OccupancyGrid(3.0, 2.0)
+        planner = eyebridge.DStarLite(room, (2.5, 1.0))
+        self.assertAlmostEqual(planner.plan((0.5, 1.0))[:, 1].max(), 1.025)
+        room.set_probability(1.5, 1.0, 0.99)
+        length = lambda path: np.hypot(*np.diff(path, axis=0).T).sum()
+        anew = eyebridge.plan(room, (0.5, 1.0), (2.5, 1.0))
+        self.assertAlmostEqual(length(planner.plan((0.5, 1.0))), length(anew))
+        self.assertGreater(length(anew), 2.02)
+        for row in range(40):
+            room.set_probability(1.5, 0.025 + row * 0.05, 0.99)
+        self.assertIsNone(planner.plan((0.5, 1.0)))
+        room.set_probability(1.5, 0.025, 0.01)
+        self.assertLess(planner.plan((0.5, 1.0))[:, 1].min(), 0.05)
+        self.assertGreater(planner.expanded, 0)
+        with self.assertRaisesRegex(ValueError, "start"):
+            planner.plan((1.5, 1.0))
+        with self.assertRaisesRegex(ValueError, "'radius', expected 0 m or more"):
+            eyebridge.DStarLite(room, (2.5, 1.0), radius=-1)
+
     def test_landmarks_tell_where_the_robot_is(self):
         where = eyebridge.LandmarkEkf((0, 0, 0), position_sigma=0.2, heading_sigma=0.1)
         before = where.covariance[1, 1]
