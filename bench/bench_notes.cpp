@@ -45,6 +45,8 @@ class OneSensorRobot final : public Backend {
   SwitchSensor* bumper(int) override { return nullptr; }
   Lidar* lidar() override { return nullptr; }
   Compass* compass() override { return nullptr; }
+  Gyroscope* gyroscope() override { return nullptr; }
+  Accelerometer* accelerometer() override { return nullptr; }
   Motor* motor(int) override { return nullptr; }
   Encoder* encoder(int) override { return nullptr; }
   Servo* servo(int) override { return nullptr; }

@@ -77,6 +77,10 @@ std::vector<ShownPart> parts_of(Quantity quantity) {
       return {{InspectorWords::tr("nearest"), "mm"}, {InspectorWords::tr("its bearing"), "°"}};
     case Quantity::Heading:
       return {{InspectorWords::tr("heading"), "°"}};
+    case Quantity::TurnRate:
+      return {{InspectorWords::tr("turning"), "°/s"}};
+    case Quantity::Acceleration:
+      return {{InspectorWords::tr("forward"), "mm/s²"}, {InspectorWords::tr("left"), "mm/s²"}};
     case Quantity::Level:
       return {{InspectorWords::tr("read"), ""}};
     case Quantity::WrittenLevel:
@@ -119,7 +123,10 @@ QString part_text(Quantity quantity, std::size_t part, const hal::NoteCell::Valu
     case Quantity::Distance:
       return number(m_to_mm(value), 0);
     case Quantity::Heading:
+    case Quantity::TurnRate:
       return number(rad_to_deg(value), 1);
+    case Quantity::Acceleration:
+      return number(m_to_mm(value), 0);
     case Quantity::Switch:
       return yes_no(value);
     case Quantity::Lines:
@@ -149,6 +156,8 @@ QString title_of(const std::string& kind) {
   if (kind == "bumper") return InspectorWords::tr("Bumpers");
   if (kind == "lidar") return InspectorWords::tr("LIDAR");
   if (kind == "compass") return InspectorWords::tr("Compass");
+  if (kind == "gyroscope") return InspectorWords::tr("Gyroscope");
+  if (kind == "accelerometer") return InspectorWords::tr("Accelerometer");
   if (kind == "digital") return InspectorWords::tr("Digital lines");
   if (kind == "analog") return InspectorWords::tr("Analog inputs");
   if (kind == "remote") return InspectorWords::tr("Infrared receiver");
@@ -157,6 +166,7 @@ QString title_of(const std::string& kind) {
 
 QString name_of(const hal::NotedValue& value) {
   const bool is_only = value.kind == "drive" || value.kind == "lidar" || value.kind == "compass" ||
+                       value.kind == "gyroscope" || value.kind == "accelerometer" ||
                        value.kind == "remote" || value.quantity == Quantity::Lines ||
                        value.quantity == Quantity::Voltage;
   if (is_only) return {};

@@ -22,7 +22,8 @@
 
 namespace eyebridge::hal {
 
-/// One robot that is a real board. No world, no camera view, no compass, no switches: null.
+/// One robot that is a real board. No world, no camera view, no compass, gyroscope or
+/// accelerometer, no switches: null.
 class BoardBackend final : public Backend {
  public:
   /// `line_clock` is the one that `link` lives in. Of `tables`, the devices that the board has.
@@ -45,6 +46,8 @@ class BoardBackend final : public Backend {
   SwitchSensor* bumper(int) override { return nullptr; }
   Lidar* lidar() override { return link_->has_lidar() ? &lidar_ : nullptr; }
   Compass* compass() override { return nullptr; }
+  Gyroscope* gyroscope() override { return nullptr; }
+  Accelerometer* accelerometer() override { return nullptr; }
   Motor* motor(int id) override;
   Encoder* encoder(int id) override;
   Servo* servo(int id) override;

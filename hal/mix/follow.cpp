@@ -1,5 +1,8 @@
 #include "mix/follow.hpp"
 
+#include <utility>
+
+#include "eyebridge/hal/passing_backend.hpp"
 #include "tap/tap.hpp"
 
 namespace eyebridge::hal {
@@ -35,6 +38,15 @@ class FollowTap final : public Tap {
   Clock& own_;
 };
 
+/// A robot that jumps to where another one is. Its own simulation has it stand: what it would feel
+/// of its motion would be invented.
+class PutBackend final : public PassingBackend {
+ public:
+  using PassingBackend::PassingBackend;
+  Gyroscope* gyroscope() override { return nullptr; }
+  Accelerometer* accelerometer() override { return nullptr; }
+};
+
 class FollowView final : public camera::View {
  public:
   FollowView(camera::View& inner, const Follow& follow, Clock& own)
@@ -64,9 +76,11 @@ class FollowView final : public camera::View {
 }  // namespace
 
 std::unique_ptr<Backend> make_following(std::unique_ptr<Backend> inner, const Follow& follow) {
-  return make_tapped(std::move(inner), [&](Backend& backend) {
+  auto following = make_tapped(std::move(inner), [&](Backend& backend) {
     return std::make_unique<FollowTap>(follow, backend.clock());
   });
+  if (follow.world == nullptr) return following;
+  return std::make_unique<PutBackend>(std::move(following));
 }
 
 std::unique_ptr<camera::View> make_following_view(Backend& backend, const Follow& follow) {

@@ -17,6 +17,7 @@ struct Follow {
 };
 
 /// `inner`, which before each call to a device is brought to the program's time and place.
+/// Without gyroscope and accelerometer where its robot is put somewhere and does not drive.
 std::unique_ptr<Backend> make_following(std::unique_ptr<Backend> inner, const Follow& follow);
 
 /// The camera's view of `backend`, which both lends, brought likewise before each look; null when

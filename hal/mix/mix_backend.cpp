@@ -25,6 +25,8 @@ bool has(Backend& backend, std::string_view device) {
   if (device == "drive") return backend.drive() != nullptr;
   if (device == "lidar") return backend.lidar() != nullptr;
   if (device == "compass") return backend.compass() != nullptr;
+  if (device == "gyroscope") return backend.gyroscope() != nullptr;
+  if (device == "accelerometer") return backend.accelerometer() != nullptr;
   if (device == "camera") return backend.camera_view() != nullptr;
   if (device == "digital") return backend.digital() != nullptr;
   if (device == "analog") return backend.analog() != nullptr;
@@ -71,6 +73,8 @@ class MixBackend final : public Backend {
   SwitchSensor* bumper(int id) override { return of("bumper").bumper(id); }
   Lidar* lidar() override { return of("lidar").lidar(); }
   Compass* compass() override { return of("compass").compass(); }
+  Gyroscope* gyroscope() override { return of("gyroscope").gyroscope(); }
+  Accelerometer* accelerometer() override { return of("accelerometer").accelerometer(); }
   Motor* motor(int id) override { return of("motor").motor(id); }
   Encoder* encoder(int id) override { return of("encoder").encoder(id); }
   Servo* servo(int id) override { return of("servo").servo(id); }
@@ -130,7 +134,16 @@ class MixBackend final : public Backend {
     backends_.push_back(make_following(std::move(part.backend), follow));
     Backend& backend = *backends_.back();
     if (is_main) main_ = &backend;
-    for (const std::string& device : part.devices) by_device_[device] = &backend;
+    for (const std::string& device : part.devices) {
+      if (!has(backend, device)) {
+        throw ConfigError({},
+                          fmt::format("{0}={1}: that robot is put where the one that drives is, "
+                                      "and feels no motion of its own; expected a {0} of the "
+                                      "robot that drives",
+                                      device, part.url));
+      }
+      by_device_[device] = &backend;
+    }
     if (follow.world == nullptr) return;
     if (auto view = make_following_view(backend, follow)) views_[&backend] = std::move(view);
   }

@@ -79,6 +79,8 @@ class NotingBackend final : public PassingBackend {
                  }),
         lidar_(wrapped<NotingLidar>(inner_->lidar(), *notes_)),
         compass_(wrapped<NotingCompass>(inner_->compass(), *notes_)),
+        gyroscope_(wrapped<NotingGyroscope>(inner_->gyroscope(), *notes_)),
+        accelerometer_(wrapped<NotingAccelerometer>(inner_->accelerometer(), *notes_)),
         digital_(wrapped<NotingDigitalLines>(inner_->digital(), *notes_)),
         analog_(wrapped<NotingAnalogInputs>(inner_->analog(), *notes_)),
         remote_(wrapped<NotingRemote>(inner_->remote(), *notes_)),
@@ -93,6 +95,8 @@ class NotingBackend final : public PassingBackend {
   SwitchSensor* bumper(int id) override { return bumpers_.at(id); }
   Lidar* lidar() override { return lidar_.get(); }
   Compass* compass() override { return compass_.get(); }
+  Gyroscope* gyroscope() override { return gyroscope_.get(); }
+  Accelerometer* accelerometer() override { return accelerometer_.get(); }
   DigitalLines* digital() override { return digital_.get(); }
   AnalogInputs* analog() override { return analog_.get(); }
   Remote* remote() override { return remote_.get(); }
@@ -110,6 +114,8 @@ class NotingBackend final : public PassingBackend {
   const Shelf<NotingSwitchSensor> bumpers_;
   const std::unique_ptr<NotingLidar> lidar_;
   const std::unique_ptr<NotingCompass> compass_;
+  const std::unique_ptr<NotingGyroscope> gyroscope_;
+  const std::unique_ptr<NotingAccelerometer> accelerometer_;
   const std::unique_ptr<NotingDigitalLines> digital_;
   const std::unique_ptr<NotingAnalogInputs> analog_;
   const std::unique_ptr<NotingRemote> remote_;

@@ -165,6 +165,33 @@ class NotingCompass final : public Noting<Compass> {
   NoteCell& heading_;
 };
 
+class NotingGyroscope final : public Noting<Gyroscope> {
+ public:
+  NotingGyroscope(Gyroscope& inner, DeviceNotes& notes)
+      : Noting(inner, notes), rate_(notes.add("gyroscope", 1, "", Quantity::TurnRate)) {}
+
+  Result<double> read() override { return noted(rate_, inner_.read()); }
+
+ private:
+  NoteCell& rate_;
+};
+
+class NotingAccelerometer final : public Noting<Accelerometer> {
+ public:
+  NotingAccelerometer(Accelerometer& inner, DeviceNotes& notes)
+      : Noting(inner, notes),
+        acceleration_(notes.add("accelerometer", 1, "", Quantity::Acceleration)) {}
+
+  Result<Vec2> read() override {
+    return noted(acceleration_, inner_.read(), [](Vec2 felt) {
+      return NoteCell::Values{felt.x, felt.y};
+    });
+  }
+
+ private:
+  NoteCell& acceleration_;
+};
+
 class NotingMotor final : public Noting<Motor> {
  public:
   NotingMotor(Motor& inner, DeviceNotes& notes, int id, const std::string& name)

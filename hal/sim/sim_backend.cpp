@@ -79,6 +79,8 @@ SimBackend::SimBackend(std::shared_ptr<SimWorld> world, std::shared_ptr<Clock> c
       at_end_(at_end),
       drive_(*world_, robot),
       compass_(*world_, robot),
+      gyroscope_(*world_, robot),
+      accelerometer_(*world_, robot),
       control_(*world_, robot),
       range_sensors_(
           make_devices<SimRangeSensor>(*world_, robot, world_->model(robot).range_sensors)),

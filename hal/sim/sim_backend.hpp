@@ -11,6 +11,7 @@
 #include "sim/sim_compass.hpp"
 #include "sim/sim_digital.hpp"
 #include "sim/sim_drive.hpp"
+#include "sim/sim_inertial.hpp"
 #include "sim/sim_lidar.hpp"
 #include "sim/sim_motor.hpp"
 #include "sim/sim_range_sensor.hpp"
@@ -30,11 +31,11 @@ enum class AtEnd {
 /// One robot of a simulated world.
 class SimBackend final : public Backend {
  public:
-  /// `clock` steps `world`. The robot has the devices of its model, a compass, the motors and
-  /// encoders of its kind of drive (differential: 1 left, 2 right; the others as DriveKind has
-  /// them, from 1), servos (1 pan, 2 tilt; a kicker's, the steering's), digital lines, and
-  /// analog inputs with a battery of `supply_voltage` volts. It has no I/O board and nothing of a
-  /// computer. World, clock and environment may be shared with other robots.
+  /// `clock` steps `world`. The robot has the devices of its model, a compass, a gyroscope, an
+  /// accelerometer, the motors and encoders of its kind of drive (differential: 1 left, 2 right;
+  /// the others as DriveKind has them, from 1), servos (1 pan, 2 tilt; a kicker's, the steering's),
+  /// digital lines, and analog inputs with a battery of `supply_voltage` volts. It has no I/O board
+  /// and nothing of a computer. World, clock and environment may be shared with other robots.
   SimBackend(std::shared_ptr<SimWorld> world, std::shared_ptr<Clock> clock,
              std::shared_ptr<Environment> environment, robot::RobotIndex robot,
              double supply_voltage, AtEnd at_end = AtEnd::Stop);
@@ -47,6 +48,8 @@ class SimBackend final : public Backend {
   SwitchSensor* bumper(int id) override;
   Lidar* lidar() override { return lidar_ ? &*lidar_ : nullptr; }
   Compass* compass() override { return &compass_; }
+  Gyroscope* gyroscope() override { return &gyroscope_; }
+  Accelerometer* accelerometer() override { return &accelerometer_; }
   Motor* motor(int id) override;
   Encoder* encoder(int id) override;
   Servo* servo(int id) override;
@@ -74,6 +77,8 @@ class SimBackend final : public Backend {
   const AtEnd at_end_;
   SimDrive drive_;
   SimCompass compass_;
+  SimGyroscope gyroscope_;
+  SimAccelerometer accelerometer_;
   SimWorldControl control_;
   std::map<int, SimRangeSensor> range_sensors_;
   std::map<int, SimProximity> proximity_sensors_;

@@ -41,6 +41,12 @@ class NoSwitch final : public SwitchSensor {
 class NoCompass final : public Compass {
   Result<double> read() override { return nothing(); }
 };
+class NoGyroscope final : public Gyroscope {
+  Result<double> read() override { return nothing(); }
+};
+class NoAccelerometer final : public Accelerometer {
+  Result<Vec2> read() override { return nothing(); }
+};
 class NoMotor final : public Motor {
   Result<void> set_duty(double) override { return nothing(); }
   Result<void> set_speed(double) override { return nothing(); }

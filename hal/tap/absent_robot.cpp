@@ -34,6 +34,8 @@ class AbsentRobot final : public Backend {
     if (kind == "proximity") return proximity_sensors_.add(id);
     if (kind == "bumper") return bumpers_.add(id);
     if (kind == "compass") return compasses_.add(id);
+    if (kind == "gyroscope") return gyroscopes_.add(id);
+    if (kind == "accelerometer") return accelerometers_.add(id);
     if (kind == "motor") return motors_.add(id);
     if (kind == "encoder") return encoders_.add(id);
     if (kind == "servo") return servos_.add(id);
@@ -63,6 +65,8 @@ class AbsentRobot final : public Backend {
   SwitchSensor* bumper(int id) override { return bumpers_.find(id); }
   Lidar* lidar() override { return lidars_.find(1); }
   Compass* compass() override { return compasses_.find(1); }
+  Gyroscope* gyroscope() override { return gyroscopes_.find(1); }
+  Accelerometer* accelerometer() override { return accelerometers_.find(1); }
   Motor* motor(int id) override { return motors_.find(id); }
   Encoder* encoder(int id) override { return encoders_.find(id); }
   Servo* servo(int id) override { return servos_.find(id); }
@@ -88,6 +92,8 @@ class AbsentRobot final : public Backend {
   ById<NoSwitch> bumpers_;
   ById<NoLidar> lidars_;
   ById<NoCompass> compasses_;
+  ById<NoGyroscope> gyroscopes_;
+  ById<NoAccelerometer> accelerometers_;
   ById<NoMotor> motors_;
   ById<NoEncoder> encoders_;
   ById<NoServo> servos_;

@@ -80,6 +80,14 @@ Result<Values> carry_out(Compass& compass, const Call& call) {
   return call.name == "read" ? packed(compass.read()) : no_such(call);
 }
 
+Result<Values> carry_out(Gyroscope& gyroscope, const Call& call) {
+  return call.name == "read" ? packed(gyroscope.read()) : no_such(call);
+}
+
+Result<Values> carry_out(Accelerometer& accelerometer, const Call& call) {
+  return call.name == "read" ? packed(accelerometer.read()) : no_such(call);
+}
+
 Result<Values> carry_out(Lidar& lidar, const Call& call) {
   if (call.name == "configure") {
     return with(call, 3, [&](const Values& v) { return lidar.configure(v[0], v[1], whole(v[2])); });
@@ -172,6 +180,8 @@ Result<Values> carry_out(Backend& robot, const Call& call) {
   if (call.device == "bumper") return ask(robot.bumper(call.id), call);
   if (call.device == "lidar") return ask(robot.lidar(), call);
   if (call.device == "compass") return ask(robot.compass(), call);
+  if (call.device == "gyroscope") return ask(robot.gyroscope(), call);
+  if (call.device == "accelerometer") return ask(robot.accelerometer(), call);
   if (call.device == "motor") return ask(robot.motor(call.id), call);
   if (call.device == "encoder") return ask(robot.encoder(call.id), call);
   if (call.device == "servo") return ask(robot.servo(call.id), call);

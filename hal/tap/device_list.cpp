@@ -16,6 +16,8 @@ std::vector<ListedDevice> devices_of(Backend& backend) {
   };
   add("drive", 1, backend.drive());
   add("compass", 1, backend.compass());
+  add("gyroscope", 1, backend.gyroscope());
+  add("accelerometer", 1, backend.accelerometer());
   if (const Lidar* lidar = backend.lidar()) {
     const LidarShape shape = lidar->shape();
     add("lidar", 1, lidar,

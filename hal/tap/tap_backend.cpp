@@ -25,6 +25,10 @@ class TapBackend final : public Backend {
   SwitchSensor* bumper(int id) override { return wrap(bumpers_, "bumper", id, inner_->bumper(id)); }
   Lidar* lidar() override { return wrap(lidars_, "lidar", 1, inner_->lidar()); }
   Compass* compass() override { return wrap(compasses_, "compass", 1, inner_->compass()); }
+  Gyroscope* gyroscope() override { return wrap(gyroscopes_, "gyroscope", 1, inner_->gyroscope()); }
+  Accelerometer* accelerometer() override {
+    return wrap(accelerometers_, "accelerometer", 1, inner_->accelerometer());
+  }
   Motor* motor(int id) override { return wrap(motors_, "motor", id, inner_->motor(id)); }
   Encoder* encoder(int id) override { return wrap(encoders_, "encoder", id, inner_->encoder(id)); }
   Servo* servo(int id) override { return wrap(servos_, "servo", id, inner_->servo(id)); }
@@ -80,6 +84,8 @@ class TapBackend final : public Backend {
   Slots<TappedSwitchSensor> bumpers_;
   Slots<TappedLidar> lidars_;
   Slots<TappedCompass> compasses_;
+  Slots<TappedGyroscope> gyroscopes_;
+  Slots<TappedAccelerometer> accelerometers_;
   Slots<TappedMotor> motors_;
   Slots<TappedEncoder> encoders_;
   Slots<TappedServo> servos_;

@@ -102,6 +102,18 @@ class TappedCompass final : public Tapped<Compass> {
   Result<double> read() override { return reading("read", &Compass::read); }
 };
 
+class TappedGyroscope final : public Tapped<Gyroscope> {
+ public:
+  using Tapped::Tapped;
+  Result<double> read() override { return reading("read", &Gyroscope::read); }
+};
+
+class TappedAccelerometer final : public Tapped<Accelerometer> {
+ public:
+  using Tapped::Tapped;
+  Result<Vec2> read() override { return reading("read", &Accelerometer::read); }
+};
+
 class TappedMotor final : public Tapped<Motor> {
  public:
   using Tapped::Tapped;

@@ -29,6 +29,12 @@ struct AsValues<bool> {
   static bool unpack(const Values& v) { return v[0] != 0.0; }
 };
 template <>
+struct AsValues<Vec2> {
+  static constexpr std::size_t kSize = 2;
+  static Values pack(Vec2 value) { return {value.x, value.y}; }
+  static Vec2 unpack(const Values& v) { return {v[0], v[1]}; }
+};
+template <>
 struct AsValues<Twist> {
   static constexpr std::size_t kSize = 2;
   static Values pack(const Twist& t) { return {t.linear, t.angular}; }

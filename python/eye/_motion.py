@@ -16,6 +16,19 @@ _Three = _ctypes.c_int * 3
 _byref = _ctypes.byref
 
 
+def EYEBRIDGEGyroscopeGet():
+    """Rate of turn, hundredths of a degree per second, counter-clockwise. Raises RobotError where there is no gyroscope."""
+    rate = _ctypes.c_int()
+    if _C.EYEBRIDGEGyroscopeGet(_ctypes.byref(rate)) != 0:
+        raise _failure("EYEBRIDGEGyroscopeGet")
+    return rate.value
+
+
+def EYEBRIDGEAccelerometerGet():
+    """Acceleration [forward, left], mm/s². Raises RobotError where there is no accelerometer."""
+    return _pair("EYEBRIDGEAccelerometerGet", _C.EYEBRIDGEAccelerometerGet)
+
+
 def PSDGet(psd):
     """Distance in mm of sensor PSD_FRONT …; -1 for a sensor that the robot does not have or has lost."""
     return _C.PSDGet(psd)

@@ -155,4 +155,6 @@ int SIMGetObjectCount()
 int SIMLaserScan(int*)
 
 text EYEBRIDGELastError()
+int EYEBRIDGEGyroscopeGet(int*)
+int EYEBRIDGEAccelerometerGet(int*, int*)
 """

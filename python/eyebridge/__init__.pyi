@@ -91,6 +91,36 @@ class Robot:
         """Drives a straight, a turn on the spot (distance 0; radians a second) or an arc, and stops."""
     def set_wheels(self, left: float, right: float) -> None:
         """Duty of each motor, -1 … 1."""
+    @property
+    def drive_kind(self) -> Literal["differential", "ackermann", "omni", "swedish", "synchro"]:
+        """What wheels it has: docs/drives.md, which has the numbers of motors and encoders, too."""
+    @property
+    def motor_count(self) -> int: ...
+    @property
+    def encoder_count(self) -> int: ...
+    @property
+    def ticks_per_revolution(self) -> float:
+        """Encoder ticks a turn of a wheel."""
+    @property
+    def body_twist(self) -> tuple[float, float, float]:
+        """Speed forward, to the left, and of turning, as driven in the last step."""
+    @property
+    def steering(self) -> float:
+        """Where the front wheels of a car, or all of a synchro drive, point: radians from its front; 0 for others."""
+    def set_twist(self, linear: float, lateral: float = 0.0, angular: float = 0.0) -> None:
+        """set_speed() for drives that can go sideways: m/s forward and to the left, radians a second. Too much for a wheel
+        is scaled down as a whole. Differential drives and cars leave `lateral` out; synchro ones steer there and do not turn."""
+    def set_wheel(self, motor: int, speed: float) -> None:
+        """Turns the wheel of motor 1 … `motor_count`, radians a second, until the next command; no faster than it can.
+        Raises IndexError for no such motor."""
+    def set_motor(self, motor: int, duty: float) -> None:
+        """Duty of one motor, -1 … 1; beyond, it is clamped. Raises IndexError."""
+    def set_steering(self, angle: float) -> None:
+        """Turns the front wheels of a car, radians, left is positive; clamped. Raises ValueError for other drives."""
+    def encoder(self, number: int) -> int:
+        """Ticks of encoder 1 … `encoder_count`. Raises IndexError."""
+    def reset_encoder(self, number: int) -> None:
+        """It counts from 0 again; odometry does not notice. Raises IndexError."""
     def stop(self) -> None:
         """Motors off."""
     def set_errors(self, rules: str, scale: float = 1.0) -> None:
@@ -131,6 +161,9 @@ class Robot:
         """P(reading | rate of turn), `elapsed` seconds after the robot came into its world: so long its bias strayed."""
     def accelerometer_probability(self, reading: ArrayLike, acceleration: ArrayLike, resolution: float = 0.01) -> Any:
         """P(reading | acceleration) of one axis."""
+    def encoder_probability(self, ticks: ArrayLike, angle: ArrayLike, resolution: float = 1.0) -> Any:
+        """P(ticks | angle in radians that the wheel has turned one way since its encoder began to count), by the ticks that
+        it misses. Raises ValueError for an angle of more than 1e9 ticks."""
     def camera(self, width: int = 320, height: int = 240, options: str = "") -> Camera:
         """Its camera; options are those of --camera render: "light=0.4&fiducials=on". Raises ValueError without one."""
 
@@ -281,11 +314,11 @@ class RobotMapper:
 
 def plan(
     grid: OccupancyGrid, start: tuple[float, float], goal: tuple[float, float], *, radius: float = 0.0,
-    method: Literal["astar", "theta_star", "dstar_lite", "wavefront", "rrt_star"] = "astar",
+    method: Literal["astar", "theta_star", "dstar_lite", "wavefront", "rrt_star", "potential_field"] = "astar",
     unknown_blocks: bool = False, shorten: bool = False, seed: int = 1,
 ) -> NDArray[numpy.float64] | None:
     """A way for a robot of `radius` through what is not occupied (and not unknown, with `unknown_blocks`): way-points, one row
-    each. None where no way is found. `shorten` takes out those that are not needed; `seed` is rrt_star's. Raises
+    each. None where no way is found; potential_field promises to find none, for it gets stuck. `shorten` takes out those that are not needed; `seed` is rrt_star's. Raises
     ValueError for ends that are outside or blocked. Sources of the methods: docs/mapping.md."""
 
 def explore(
@@ -293,6 +326,20 @@ def explore(
 ) -> NDArray[numpy.float64] | None:
     """The way over free cells to the nearest border of the unknown of at least `smallest` cells. None: all that can be
     reached is known. Raises ValueError where the robot stands in no free cell."""
+
+class DStarLite:
+    """Ways to one goal over a map that changes as it is explored: a plan anew searches only what the changes touch."""
+
+    def __init__(
+        self, grid: OccupancyGrid, goal: tuple[float, float], *, radius: float = 0.0, unknown_blocks: bool = False
+    ) -> None:
+        """As plan(); `grid` is looked at again in each plan(). Raises ValueError for a radius below 0."""
+    def plan(self, start: tuple[float, float]) -> NDArray[numpy.float64] | None:
+        """The shortest way from `start` by what the grid says now: way-points, one row each. None where there is none.
+        Raises ValueError for ends that are outside or blocked, and for a grid that has grown."""
+    @property
+    def expanded(self) -> int:
+        """Cells that the last plan() expanded: its work."""
 
 class PurePursuit:
     """Follows a path by aiming at a place some way ahead on it."""
@@ -336,6 +383,82 @@ class MonteCarlo:
     @property
     def particles(self) -> NDArray[numpy.float64]:
         """x, y, theta, weight, one row each. A copy."""
+
+class LandmarkEkf:
+    """Where a robot is, by its odometry and by landmarks that it can tell apart: an extended Kalman filter. Same calls: same
+    bits."""
+
+    def __init__(
+        self, pose: tuple[float, float, float], *, position_sigma: float = 0.1, heading_sigma: float = 0.1
+    ) -> None:
+        """It starts at `pose`, give or take. Raises ValueError for deviations below 0."""
+    def predict(self, before: tuple[float, float, float], after: tuple[float, float, float]) -> None:
+        """The robot moved, by its odometry, from `before` to `after`."""
+    def update(
+        self, landmark: tuple[float, float], range: float, bearing: float, *, range_sigma: float = 0.02, bearing_sigma: float = 0.02
+    ) -> bool:
+        """It sees the landmark that stands at `landmark`, from its centre, `bearing` from its front. Whether that was
+        believed: 99 % of right sightings are. Raises ValueError for a range or deviations that are not above 0."""
+    @property
+    def estimate(self) -> tuple[float, float, float]:
+        """The pose."""
+    @property
+    def covariance(self) -> NDArray[numpy.float64]:
+        """Of x, y and theta, 3 x 3. A copy."""
+    def nees(self, truth: tuple[float, float, float]) -> float | None:
+        """Normalised estimation error squared: of an honest filter chi-square with 3 degrees, 3 on average. None where the
+        covariance is not positive definite."""
+
+class ScanMatcher:
+    """Fits scans into a map: where was the robot, near a guess? Never changes."""
+
+    def __init__(
+        self, grid: OccupancyGrid, *, window: float = 0.25, turn_window: float = ..., sigma: float = 0.05, least_score: float = 0.4
+    ) -> None:
+        """`window`: how far off a guess may be along x and y; `turn_window`: its heading (20°). What fits within `sigma`
+        counts; a score below `least_score` (0 … 1) is no match. Raises ValueError."""
+    def match(
+        self, guess: tuple[float, float, float], ranges: ArrayLike, bearings: ArrayLike, *, max_range: float = 9.999
+    ) -> tuple[tuple[float, float, float], float] | None:
+        """The pose near `guess` that a scan is from, and its score, 0 … 1. None: it fits nowhere there. Ranges of
+        `max_range` are no hits. Raises ValueError."""
+
+class GridSlam:
+    """Draws a map of an unknown floor while finding out where the robot is on it; closes no loops. Same calls: same bits."""
+
+    def __init__(
+        self, grid: OccupancyGrid, start: tuple[float, float, float], *, max_range: float = 9.999, sigma: float = 0.01
+    ) -> None:
+        """A map with the bounds, cells and settings of `grid`, not its values; the robot is at `start` by definition. Its
+        scanner looks as far as `max_range` and errs by `sigma`. Raises ValueError."""
+    def add(self, odometry: tuple[float, float, float], ranges: ArrayLike, bearings: ArrayLike) -> Literal["added", "skipped", "unmatched"]:
+        """The robot sees a scan where its odometry is at `odometry`. "skipped": it has hardly moved; "unmatched": the scan
+        fits nowhere, the pose goes by odometry. Raises ValueError, and RuntimeError for a map that would grow too large."""
+    @property
+    def pose(self) -> tuple[float, float, float]:
+        """Where the robot is on the map."""
+    @property
+    def map(self) -> OccupancyGrid:
+        """A copy."""
+    @property
+    def unmatched(self) -> int:
+        """How many scans fitted nowhere."""
+
+class DynamicWindow:
+    """Chooses speeds among those that the motors reach within a period and from which the robot can still stop."""
+
+    def __init__(
+        self, grid: OccupancyGrid, *, radius: float = ..., speed: float = ..., max_angular: float = ..., acceleration: float = ...,
+        angular_acceleration: float = ..., period: float = ..., tolerance: float = ...,
+    ) -> None:
+        """Around what is occupied in `grid`, which may change between two choices. Raises ValueError for settings that are
+        not positive."""
+    def choose(
+        self, pose: tuple[float, float, float], now: tuple[float, float], goal: tuple[float, float]
+    ) -> tuple[float, float, bool]:
+        """Linear and angular speed for the next `period`, from `pose` while driving `now`; and whether it brakes: at the
+        goal, or since nothing else is safe. Like all local methods it may get stuck: give it a goal some way ahead on a
+        path. Raises ValueError for what is not finite."""
 
 class Episode(Simulation):
     """A simulation with a reward that is asked after every step and summed up."""

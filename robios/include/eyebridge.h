@@ -13,6 +13,20 @@ extern "C" {
  */
 const char* EYEBRIDGELastError(void);
 
+/**
+ * Rate of turn, hundredths of a degree per second, counter-clockwise positive, in `*rate`. 0, or 1
+ * when the robot has no gyroscope (only simulated ones have) or `rate` is NULL: then nothing is
+ * written. With the errors of its model ("gyroscope" in docs/errors.md). Any thread.
+ */
+int EYEBRIDGEGyroscopeGet(int* rate);
+
+/**
+ * Acceleration in the robot's frame, mm/s^2, in `*forward` and `*left`; gravity is not in it. 0, or
+ * 1 when the robot has no accelerometer (only simulated ones have) or a pointer is NULL: then
+ * nothing is written. With the errors of its model ("accelerometer"). Any thread.
+ */
+int EYEBRIDGEAccelerometerGet(int* forward, int* left);
+
 #pragma GCC visibility pop
 #ifdef __cplusplus
 }

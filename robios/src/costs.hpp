@@ -23,15 +23,17 @@ inline constexpr std::array kCallCosts = {
     CallCost{"ANALOGTransfer", std::chrono::microseconds(100)},
     CallCost{"AU", std::chrono::microseconds(100)},
     CallCost{"AUMicrophone", std::chrono::microseconds(1500)},
-    CallCost{"CAM", std::chrono::microseconds(200)},          // waiting for the frame comes on top
-    CallCost{"DIGITAL", std::chrono::microseconds(1500)},     //
-    CallCost{"ENCODER", std::chrono::microseconds(1500)},     //
-    CallCost{"IRTV", std::chrono::microseconds(20)},          //
-    CallCost{"IP", std::chrono::milliseconds(2)},             // a QVGA filter
-    CallCost{"IPP", std::chrono::microseconds(1)},            // one pixel
-    CallCost{"KEY", std::chrono::microseconds(100)},          //
-    CallCost{"LCD", std::chrono::microseconds(200)},          // text, lines
-    CallCost{"LCDGet", std::chrono::microseconds(10)},        //
+    CallCost{"CAM", std::chrono::microseconds(200)},       // waiting for the frame comes on top
+    CallCost{"DIGITAL", std::chrono::microseconds(1500)},  //
+    CallCost{"ENCODER", std::chrono::microseconds(1500)},  //
+    CallCost{"EYEBRIDGEAccelerometer", std::chrono::microseconds(1500)},  // as other sensors
+    CallCost{"EYEBRIDGEGyroscope", std::chrono::microseconds(1500)},      //
+    CallCost{"IRTV", std::chrono::microseconds(20)},                      //
+    CallCost{"IP", std::chrono::milliseconds(2)},                         // a QVGA filter
+    CallCost{"IPP", std::chrono::microseconds(1)},                        // one pixel
+    CallCost{"KEY", std::chrono::microseconds(100)},                      //
+    CallCost{"LCD", std::chrono::microseconds(200)},                      // text, lines
+    CallCost{"LCDGet", std::chrono::microseconds(10)},                    //
     CallCost{"LCDImage", std::chrono::milliseconds(4)},       // a QVGA picture to the display
     CallCost{"LCDImageSize", std::chrono::microseconds(10)},  //
     CallCost{"LCDImageStart", std::chrono::microseconds(10)},

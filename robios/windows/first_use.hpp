@@ -23,6 +23,8 @@ class FirstUse final : public hal::PassingBackend {
   hal::SwitchSensor* bumper(int id) override { return used(inner_->bumper(id)); }
   hal::Lidar* lidar() override { return used(inner_->lidar()); }
   hal::Compass* compass() override { return used(inner_->compass()); }
+  hal::Gyroscope* gyroscope() override { return used(inner_->gyroscope()); }
+  hal::Accelerometer* accelerometer() override { return used(inner_->accelerometer()); }
   hal::Motor* motor(int id) override { return used(inner_->motor(id)); }
   hal::Encoder* encoder(int id) override { return used(inner_->encoder(id)); }
   hal::Servo* servo(int id) override { return used(inner_->servo(id)); }

@@ -69,6 +69,8 @@ TEST_P(BackendContract, DevicesThatTheRobotHasAreThere) {
   EXPECT_EQ(rig.backend->proximity(1) != nullptr, traits().switches);
   EXPECT_EQ(rig.backend->bumper(1) != nullptr, traits().switches);
   EXPECT_EQ(rig.backend->compass() != nullptr, traits().compass);
+  EXPECT_EQ(rig.backend->gyroscope() != nullptr, traits().inertial);
+  EXPECT_EQ(rig.backend->accelerometer() != nullptr, traits().inertial);
   EXPECT_EQ(rig.backend->lidar() != nullptr, traits().lidar != Lidars::None);
   EXPECT_EQ(rig.backend->world() != nullptr, traits().world);
   EXPECT_EQ(rig.backend->camera_view() != nullptr, traits().world);
@@ -110,6 +112,24 @@ TEST_P(BackendContract, CompassGivesTheHeadingInTheWorld) {
     if (compass == nullptr) continue;
     EXPECT_NEAR(must(compass->read()), heading, 1e-9);
   }
+}
+
+TEST_P(BackendContract, GyroscopeAndAccelerometerFeelACurve) {
+  const Rig rig = make(0.8);
+  Gyroscope* gyroscope = rig.backend->gyroscope();
+  Accelerometer* accelerometer = rig.backend->accelerometer();
+  ASSERT_EQ(gyroscope != nullptr, traits().inertial);
+  ASSERT_EQ(accelerometer != nullptr, traits().inertial);
+  if (gyroscope == nullptr || accelerometer == nullptr) return;
+  EXPECT_EQ(must(gyroscope->read()), 0.0);
+  EXPECT_EQ(must(accelerometer->read()), Vec2{});
+  ASSERT_TRUE(rig.backend->drive()->set_speed({0.2, -1.0}));
+  rig.wait(1.0);  // it has its speed
+  EXPECT_NEAR(must(gyroscope->read()), -1.0, traits().angular);
+  const Vec2 felt = must(accelerometer->read());
+  EXPECT_NEAR(felt.x, 0.0, 1e-6);
+  // What holds it on its curve, speed times rate of turn, is on the right.
+  EXPECT_NEAR(felt.y, -0.2, traits().angular);
 }
 
 TEST_P(BackendContract, ServosTurnTheCamera) {

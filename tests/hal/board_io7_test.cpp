@@ -36,6 +36,8 @@ TEST_F(BoardIo7, HasWhatTheBoardListsAndNothingElse) {
   EXPECT_EQ(backend->world(), nullptr);
   EXPECT_EQ(backend->camera_view(), nullptr);
   EXPECT_EQ(backend->compass(), nullptr);
+  EXPECT_EQ(backend->gyroscope(), nullptr);
+  EXPECT_EQ(backend->accelerometer(), nullptr);
   EXPECT_EQ(backend->robot_id(), 1);
 }
 

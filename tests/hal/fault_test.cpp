@@ -42,6 +42,8 @@ TEST(Faults, LoseAllOfAKindAndAllKinds) {
   EXPECT_FALSE(rig.backend->encoder(1)->read());
   EXPECT_FALSE(rig.backend->drive()->set_speed({0.1, 0.0}));
   EXPECT_FALSE(rig.backend->compass()->read());
+  EXPECT_FALSE(rig.backend->gyroscope()->read());
+  EXPECT_FALSE(rig.backend->accelerometer()->read());
   EXPECT_FALSE(rig.backend->proximity(1)->read());
   EXPECT_FALSE(rig.backend->bumper(1)->read());
   std::vector<double> scan(8);

@@ -31,6 +31,12 @@ TEST(Hand, AllSensorsSeeWhatIsRoundTheCamera) {
   }
 }
 
+TEST(Hand, NobodyKnowsHowAPersonTurnsAndHurries) {
+  const HandRig rig;
+  EXPECT_EQ(rig.robot->gyroscope(), nullptr);
+  EXPECT_EQ(rig.robot->accelerometer(), nullptr);
+}
+
 TEST(Hand, ABumperFeelsTheWallThatTheCameraIsHeldAgainst) {
   const HandRig rig;
   const double radius = robot::RobotModel{}.radius();

@@ -171,11 +171,31 @@ std::string complaint(std::unique_ptr<Backend> part, const std::string& device) 
 TEST(Mix, ADeviceThatThePartLacksIsOneClearError) {
   const std::vector<ListedDevice> only_psd = {{"psd", 3, {9.999}}};
   EXPECT_EQ(complaint(make_absent_robot(only_psd), "psd"), "");
-  for (const char* device : {"drive", "proximity", "bumper", "lidar", "compass", "motor", "encoder",
-                             "servo", "camera"}) {
+  for (const char* device : {"drive", "proximity", "bumper", "lidar", "compass", "gyroscope",
+                             "accelerometer", "motor", "encoder", "servo", "camera"}) {
     EXPECT_EQ(complaint(make_absent_robot(only_psd), device),
               std::string(device) + "=part: that robot has no " + device);
   }
+}
+
+TEST(Mix, ARobotThatIsOnlyPutSomewhereFeelsNoMotion) {
+  for (const char* device : {"gyroscope", "accelerometer"}) {
+    EXPECT_THAT(complaint(lockstep_rig(facing(1.0)).backend, device),
+                HasSubstr(std::string(device) +
+                          "=part: that robot is put where the one that drives is, and feels no "
+                          "motion of its own"));
+  }
+  Two whole;
+  EXPECT_NE(whole.mix({"psd"})->gyroscope(), nullptr) << "the first one drives";
+  Two wheels_elsewhere;
+  const auto mix = wheels_elsewhere.mix({"drive", "motor", "encoder"});
+  EXPECT_EQ(mix->gyroscope(), nullptr);
+  EXPECT_EQ(mix->accelerometer(), nullptr);
+  Two all;
+  const auto driven = all.mix({"drive", "motor", "encoder", "gyroscope"});
+  ASSERT_TRUE(driven->drive()->set_speed({0.0, 1.0}));
+  wait(*driven, 2.0);
+  EXPECT_NEAR(driven->gyroscope()->read().value(), 1.0, 0.01);
 }
 
 TEST(Mix, ARealTimePartInVirtualTimeIsOneClearError) {

@@ -62,6 +62,15 @@ TEST_F(Notes, AreWhatTheProgramReadAndWhen) {
 
   const double heading = robot_->compass()->read().value();
   EXPECT_EQ(note("compass", 1, Quantity::Heading).values[0], heading);
+  ASSERT_TRUE(robot_->drive()->set_speed({0.1, 0.5}));
+  robot_->clock().wait_until(from_seconds(2.5));
+  const double rate = robot_->gyroscope()->read().value();
+  EXPECT_EQ(note("gyroscope", 1, Quantity::TurnRate).values[0], rate);
+  const Vec2 felt = robot_->accelerometer()->read().value();
+  EXPECT_NE(felt.y, 0.0);
+  const Note acceleration = note("accelerometer", 1, Quantity::Acceleration);
+  EXPECT_EQ(acceleration.values[0], felt.x);
+  EXPECT_EQ(acceleration.values[1], felt.y);
   ASSERT_TRUE(robot_->encoder(1)->read());
   EXPECT_EQ(note("encoder", 1, Quantity::Ticks).count, 1U);
   ASSERT_TRUE(robot_->bumper(1)->read());

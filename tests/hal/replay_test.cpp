@@ -77,6 +77,8 @@ std::vector<double> drive_and_look(Backend& backend) {
     seen.push_back(backend.drive()->measured_twist().value().linear);
     seen.push_back(backend.encoder(1)->read().value());
     seen.push_back(backend.compass()->read().value());
+    seen.push_back(backend.gyroscope()->read().value());
+    seen.push_back(backend.accelerometer()->read().value().y);
     seen.push_back(backend.proximity(1)->read().value() ? 1.0 : 0.0);
     seen.push_back(to_seconds(backend.clock().now()));
   }
@@ -136,7 +138,7 @@ TEST_F(Replay, SaysWhenTheProgramEndsEarlyOrLate) {
   backend->stop();
   EXPECT_THAT(
       log_.messages(Severity::Warning),
-      testing::ElementsAre("replay: the program has ended after 1 of 205 recorded exchanges"));
+      testing::ElementsAre("replay: the program has ended after 1 of 245 recorded exchanges"));
   backend = replay();
   drive_and_look(*backend);
   EXPECT_THAT(backend->compass()->read().error().what, HasSubstr("the recording has its end"));
@@ -149,9 +151,9 @@ TEST_F(Replay, LenientlyAnswersByTime) {
   EXPECT_EQ(front.read().value(), then[0]) << "before the first reading";
   EXPECT_TRUE(backend->drive()->set_speed({1.0, 0.0}));
   backend->clock().wait_until(std::chrono::milliseconds(550));
-  EXPECT_EQ(front.read().value(), then[4 * 11]) << "of 0.5 s";
+  EXPECT_EQ(front.read().value(), then[4 * 13]) << "of 0.5 s";
   backend->clock().wait_until(std::chrono::seconds(60));
-  EXPECT_EQ(front.read().value(), then[19 * 11]);
+  EXPECT_EQ(front.read().value(), then[19 * 13]);
   EXPECT_EQ(front.read_raw().error().code, Errc::Unsupported) << "was never read";
 }
 

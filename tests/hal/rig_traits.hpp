@@ -16,7 +16,8 @@ struct RigTraits {
   bool world = true;     ///< World control, a camera's view, and a trace that knows the truth.
   bool switches = true;  ///< Proximity switches and bumpers.
   bool compass = true;
-  bool stalls = true;  ///< Says which wheel is held.
+  bool inertial = true;  ///< Gyroscope and accelerometer.
+  bool stalls = true;    ///< Says which wheel is held.
   LidarKind lidar = LidarKind::Free;
   int motors = 2;  ///< And encoders: 1 … this.
   int servos = 2;
@@ -55,6 +56,7 @@ inline constexpr RigTraits kBoard = [] {
   traits.world = false;
   traits.switches = false;  // they are digital inputs, which no backend has names for
   traits.compass = false;   // no board has one
+  traits.inertial = false;  // likewise
   traits.trace_period = from_seconds(0.1);
   traits.raw_at_half_metre = 2048;  // 2 047 500 / (500 + 500), to the nearest
   traits.range = 2.2e-3;

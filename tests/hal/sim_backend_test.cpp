@@ -262,6 +262,8 @@ void use_all_devices(Backend& backend, Time end) {
     EXPECT_TRUE(backend.bumper(1)->read());
     EXPECT_TRUE(backend.lidar()->read(ranges));
     EXPECT_TRUE(backend.compass()->read());
+    EXPECT_TRUE(backend.gyroscope()->read());
+    EXPECT_TRUE(backend.accelerometer()->read());
     EXPECT_TRUE(backend.motor(2)->set_duty(0.1));
     EXPECT_TRUE(backend.encoder(1)->read());
     EXPECT_TRUE(backend.servo(1)->set(0.3));

@@ -94,6 +94,22 @@ TEST(WorldControl, ChangesTheErrorsOfARobotThatRuns) {
   EXPECT_EQ(readings(*backend, 2), exact);
 }
 
+TEST(WorldControl, ChangesTheErrorsOfGyroscopeAndAccelerometer) {
+  KeepingLog log;
+  const Config config = rig_config({{"fast", "true"}});
+  const auto backend = open_scenario(rig_scenario(0.5), {"room.wld"}, {config, log});
+  EXPECT_EQ(backend->gyroscope()->read().value(), 0.0) << "it stands, and does not err";
+  EXPECT_EQ(backend->accelerometer()->read().value(), Vec2{});
+  ASSERT_TRUE(
+      backend->world()->set_errors(0, "gyroscope bias=2; accelerometer bias=0.5 sigma=0.1", 1.0));
+  EXPECT_NEAR(backend->gyroscope()->read().value(), deg_to_rad(2), 1e-12);
+  Vec2 sum;
+  for (int i = 0; i < 200; ++i) sum = sum + backend->accelerometer()->read().value();
+  EXPECT_NEAR(sum.x / 200, 0.5, 4 * 0.1 / std::sqrt(200.0));
+  EXPECT_NEAR(sum.y / 200, 0.5, 4 * 0.1 / std::sqrt(200.0));
+  EXPECT_NE(sum.x, sum.y) << "each axis errs by itself";
+}
+
 TEST(WorldControl, RefusesErrorsThatCannotBe) {
   KeepingLog log;
   const Config config = rig_config({{"fast", "true"}});

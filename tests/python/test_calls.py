@@ -114,6 +114,8 @@ class Calls(ProgramTest):
             print(LIDARSet(180, 0, 8), len(LIDARGet()), LIDARSet(0, 0, 0), len(SIMLaserScan()))
             MOTORDrive(1, 50); MOTORDrive(2, 50); OSWait(100)
             print(ENCODERRead(1) > 0, ENCODERReset(1), ENCODERRead(1) < 100, MOTORSpeed(1, 5), MOTORPID(1, 4, 1, 1))
+            MOTORDrive(1, 0); MOTORDrive(2, 0); OSWait(100)
+            print(EYEBRIDGEGyroscopeGet(), EYEBRIDGEAccelerometerGet())
             print(SERVOSet(1, 128), SERVOSetRaw(1, 0), SERVORange(1, 10, 20), MOTORPIDOff(1))
             """,
             """
@@ -121,6 +123,7 @@ class Calls(ProgramTest):
             list 360 1000 360
             0 8 1 360
             True 0 True 0 0
+            0 [0, 0]
             0 0 0 0
             """,
             err=None,

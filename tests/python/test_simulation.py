@@ -105,6 +105,11 @@ class Simulations(unittest.TestCase):
                 robot.gyroscope_probability(0.1, 0.1, resolution=2 * sigma, elapsed=9), 0.682689, places=5
             )
             self.assertAlmostEqual(robot.accelerometer_probability(0.5, 0.5, resolution=0.2), 0.682689, places=5)
+            robot.set_errors("encoder miss=25")
+            counted = robot.encoder_probability(np.arange(-1, 4), 2 * math.tau / 1100)  # two ticks
+            np.testing.assert_allclose(counted, (0, 1 / 16, 6 / 16, 9 / 16, 0), atol=1e-12)
+            with self.assertRaises(ValueError):
+                robot.encoder_probability(1, 1e300)
             for wrong in (0, -1, math.nan):
                 with self.assertRaises(ValueError):
                     robot.psd_probability(1, 0.5, 0.5, resolution=wrong)

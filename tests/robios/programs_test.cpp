@@ -57,6 +57,15 @@ TEST(Programs, SensorsReadWhatGeometrySays) {
   EXPECT_THAT(r.out, HasSubstr("bad lidar 1 1\n"));
 }
 
+TEST(Programs, GyroscopeAndAccelerometerFeelACurve) {
+  const ProgramRun r = run_named("inertial");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("stands 0 0: 0, 0 0\n"));
+  EXPECT_THAT(r.out, HasSubstr("curve 3000, 0 105\n"));
+  EXPECT_THAT(r.out, ::testing::ContainsRegex(
+                         "nowhere 1 1 1: EYEBRIDGE[A-Za-z]+: a null pointer was given\n"));
+}
+
 TEST(Programs, DrivingEndsWhereItShould) {
   const ProgramRun r = run_named("driving");
   EXPECT_EQ(r.exit_code, 0) << r.err;

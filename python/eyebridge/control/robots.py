@@ -9,6 +9,11 @@ READ_COST = 0.001
 COMMAND_COST = 0.0001
 SCAN_COST = 0.005
 
+ONLY_ONE = ("lidar", "compass", "gyroscope", "accelerometer")  # kinds of which a robot has one: no number in their names
+ROWS = ("lidar", "accelerometer")  # kinds that read more than one number
+# How exactly a reading is known, unless said otherwise: metres, radians, radians a second, metres a second squared, ticks.
+RESOLUTIONS = {"psd": 0.001, "lidar": 0.001, "compass": 0.01, "gyroscope": 0.001, "accelerometer": 0.01, "encoder": 1.0}
+
 
 
 def plain(name):
@@ -27,7 +32,7 @@ def find(kind, name, known):
 
 
 class Reading(float):
-    """A number that a sensor said: metres, radians, or 1 and 0 for yes and no."""
+    """A number that a sensor said: metres, radians, radians a second, ticks, or 1 and 0 for yes and no."""
 
     def __new__(cls, value, sensor, time):
         reading = super().__new__(cls, value)
@@ -41,7 +46,7 @@ class Sensor:
 
     def __init__(self, robot, kind, index, id, name, pose, reach):
         self.robot = robot
-        self.kind = kind  # "psd", "ir", "bumper", "lidar", "compass"
+        self.kind = kind  # "psd", "ir", "bumper", "lidar", "compass", "gyroscope", "accelerometer", "encoder"
         self.index = index  # among those of its kind, from 0
         self.id = id
         self.name = name
@@ -49,11 +54,24 @@ class Sensor:
         self.max_range = reach  # metres; 0: it measures no distance
 
     def read(self):
-        """Now: a Reading; of the lidar its ranges, left-most first, clockwise, as a numpy array."""
-        is_scan = self.kind == "lidar"
-        self.robot._turns.spend(SCAN_COST if is_scan else READ_COST)
+        """Now: a Reading. As numpy arrays: of the lidar its ranges, left-most first, clockwise; of the accelerometer what
+        it feels forward and to the left."""
+        self.robot._turns.spend(SCAN_COST if self.kind == "lidar" else READ_COST)
         value = self.robot._world.read(self.robot.index, self.kind, self.id)
-        return value if is_scan else Reading(value, self, self.robot._turns.time)
+        return value if self.kind in ROWS else Reading(value, self, self.robot._turns.time)
+
+    def probability(self, reading, truth, resolution=None, elapsed=None):
+        """P(reading | truth) with the errors that it began with: of all readings within half a `resolution`, which is
+        0.001 for ranges (m) and the gyroscope (rad/s), 0.01 for the compass (rad) and the accelerometer (m/s²; of one
+        axis), 1 for encoders (ticks; the truth is the angle in radians that the wheel has turned, one way). Numbers or
+        numpy arrays of shapes that go together. `elapsed`: so many seconds the gyroscope's bias has strayed; all since the
+        start, if not given. Cross-talk of ultrasound is not in it. Draws nothing: it changes no run. Raises ValueError."""
+        if resolution is None:
+            resolution = RESOLUTIONS.get(self.kind, 1.0)
+        if elapsed is None:
+            elapsed = self.robot._turns.time
+        world = self.robot._world
+        return world.probability(self.robot.index, self.kind, self.id, reading, truth, resolution, elapsed)
 
     @property
     def bearings(self):
@@ -92,7 +110,7 @@ class Robot:
         for kind, id, name, pose, reach in world.sensors(index):
             sensor = Sensor(self, kind, counts[kind], id, name, pose, reach)
             counts[kind] += 1
-            for each in {plain(name), kind if kind in ("lidar", "compass") else f"{kind} {id}"} - {""}:
+            for each in {plain(name), kind if kind in ONLY_ONE else f"{kind} {id}"} - {""}:
                 self._sensors.setdefault(each, sensor)
 
     def start(self, routine=None):
@@ -143,7 +161,8 @@ class Robot:
         return self._world.wheel_angle(self.index, number)
 
     def sensor(self, name):
-        """The device of that name: "PSD_FRONT", "psd 1", "lidar", "compass", "bumper 1", "ir 1"."""
+        """The device of that name: "PSD_FRONT", "psd 1", "lidar", "compass", "gyroscope", "accelerometer", "bumper 1",
+        "ir 1", "encoder left"."""
         return find(f"sensor of {self.name}", name, self._sensors)
 
     def read(self, name):

@@ -4,33 +4,20 @@
 #include <string>
 #include <utility>
 
-#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include "bindings.hpp"
-#include "checks.hpp"
-#include "eyebridge/robot/sensor_likelihood.hpp"
+#include "likelihood.hpp"
 #include "robot_handle.hpp"
 
 namespace eyebridge::python {
 namespace {
 
 namespace py = pybind11;
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 robot::RobotModel model_of(const RobotHandle& robot) {
   const py::gil_scoped_release others_run;
   return robot.simulation->with([&](auto& sim) { return sim.model(robot.index); });
-}
-
-/// `readings_of(truth)` gives the distribution of the readings there.
-template <class ReadingsOf>
-py::object probabilities(const Numbers& readings, const Numbers& truths, double resolution,
-                         ReadingsOf&& readings_of) {
-  if (!(resolution > 0.0)) refuse("resolution", resolution, "more than 0");
-  return py::vectorize([&](double reading, double truth) {
-    return readings_of(truth).probability(reading, resolution);
-  })(readings, truths);
 }
 
 py::object of_psd(const RobotHandle& robot, int id, const Numbers& reading, const Numbers& distance,
@@ -57,32 +44,27 @@ py::object of_psd(const RobotHandle& robot, int id, const Numbers& reading, cons
 
 py::object of_lidar(const RobotHandle& robot, const Numbers& reading, const Numbers& distance,
                     double resolution) {
-  const robot::RobotModel model = model_of(robot);
-  if (!model.lidar) throw std::invalid_argument("this robot has no lidar");
-  return probabilities(reading, distance, resolution,
-                       [&](double truth) { return robot::RangeReadings(*model.lidar, truth); });
+  return lidar_probabilities(model_of(robot), reading, distance, resolution);
 }
 
 py::object of_compass(const RobotHandle& robot, const Numbers& reading, const Numbers& heading,
                       double resolution) {
-  const robot::CompassError error = model_of(robot).compass_error;
-  return probabilities(reading, heading, resolution,
-                       [&](double truth) { return robot::HeadingReadings(error, truth); });
+  return compass_probabilities(model_of(robot), reading, heading, resolution);
 }
 
 py::object of_gyroscope(const RobotHandle& robot, const Numbers& reading, const Numbers& rate,
                         double resolution, double elapsed) {
-  if (!(elapsed >= 0.0)) refuse("elapsed", elapsed, "0 or more");
-  const robot::GyroscopeError error = model_of(robot).gyroscope_error;
-  return probabilities(reading, rate, resolution,
-                       [&](double truth) { return robot::NormalReadings(error, truth, elapsed); });
+  return gyroscope_probabilities(model_of(robot), reading, rate, resolution, elapsed);
 }
 
 py::object of_accelerometer(const RobotHandle& robot, const Numbers& reading,
                             const Numbers& acceleration, double resolution) {
-  const robot::AccelerometerError error = model_of(robot).accelerometer_error;
-  return probabilities(reading, acceleration, resolution,
-                       [&](double truth) { return robot::NormalReadings(error, truth); });
+  return accelerometer_probabilities(model_of(robot), reading, acceleration, resolution);
+}
+
+py::object of_encoder(const RobotHandle& robot, const Numbers& ticks, const Numbers& angle,
+                      double resolution) {
+  return encoder_probabilities(model_of(robot), ticks, angle, resolution);
 }
 
 }  // namespace
@@ -99,7 +81,9 @@ void bind_likelihood(py::module_& module) {
       .def("gyroscope_probability", &of_gyroscope, py::arg("reading"), py::arg("rate"),
            py::arg("resolution") = 0.001, py::arg("elapsed") = 0.0)
       .def("accelerometer_probability", &of_accelerometer, py::arg("reading"),
-           py::arg("acceleration"), py::arg("resolution") = 0.01);
+           py::arg("acceleration"), py::arg("resolution") = 0.01)
+      .def("encoder_probability", &of_encoder, py::arg("ticks"), py::arg("angle"),
+           py::arg("resolution") = 1.0);
 }
 
 }  // namespace eyebridge::python

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -9,10 +8,9 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
-#include "checks.hpp"
 #include "eyebridge/localisation/monte_carlo.hpp"
-#include "eyebridge/localisation/scan.hpp"
 #include "eyebridge/mapping/occupancy_grid.hpp"
+#include "scans.hpp"
 
 namespace eyebridge::python {
 namespace {
@@ -21,16 +19,8 @@ namespace py = pybind11;
 using localisation::MonteCarlo;
 using mapping::CellState;
 using mapping::OccupancyGrid;
-using Place = std::tuple<double, double, double>;
-using Scanned = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 constexpr std::size_t kBeams = 60;  // as many as say something new
-
-Pose pose_from(const Place& place) {
-  const auto [x, y, theta] = place;
-  for (const double value : {x, y, theta}) need_finite("pose", value);
-  return {x, y, theta};
-}
 
 /// A filter, and how far its scanner looks.
 struct Localiser {
@@ -54,17 +44,7 @@ Localiser monte_carlo(const OccupancyGrid& grid, double sigma, double max_range,
 }
 
 void correct(Localiser& localiser, const Scanned& ranges, const Scanned& bearings) {
-  if (ranges.ndim() != 1 || bearings.ndim() != 1 || ranges.size() != bearings.size()) {
-    throw std::invalid_argument("expected as many bearings as ranges");
-  }
-  localisation::Scan scan;
-  for (py::ssize_t i = 0; i < ranges.size(); ++i) {
-    const double range = ranges.at(i);
-    // What met nothing reads as the full range, give or take rounding.
-    if (!(range > 0 && range < localiser.max_range * (1 - 1e-6))) continue;
-    need_finite("bearings", bearings.at(i));
-    scan.hits.push_back(range * Heading::from_angle(bearings.at(i)).forward());
-  }
+  const localisation::Scan scan = scan_from(ranges, bearings, localiser.max_range);
   localiser.filter.correct(scan.thinned(kBeams));
 }
 

@@ -8,40 +8,27 @@
 
 #include <pybind11/stl.h>
 
-#include "arrays.hpp"
 #include "bindings.hpp"
-#include "checks.hpp"
 #include "eyebridge/base/random.hpp"
 #include "eyebridge/mapping/occupancy_grid.hpp"
 #include "eyebridge/planning/astar.hpp"
 #include "eyebridge/planning/clearance.hpp"
 #include "eyebridge/planning/dstar_lite.hpp"
 #include "eyebridge/planning/frontiers.hpp"
+#include "eyebridge/planning/potential_field.hpp"
 #include "eyebridge/planning/pure_pursuit.hpp"
 #include "eyebridge/planning/rrt_star.hpp"
 #include "eyebridge/planning/sight.hpp"
 #include "eyebridge/planning/theta_star.hpp"
 #include "eyebridge/planning/wavefront.hpp"
+#include "paths.hpp"
 
 namespace eyebridge::python {
 namespace {
 
 namespace py = pybind11;
-using mapping::CellState;
 using mapping::OccupancyGrid;
 using planning::BlockedRaster;
-using Point = std::pair<double, double>;
-
-Vec2 vec(const Point& point) { return {point.first, point.second}; }
-
-/// Where the centre of a robot of `radius` may not be.
-BlockedRaster blocked_of(const OccupancyGrid& grid, double radius, bool unknown_blocks) {
-  if (!(radius >= 0)) refuse("radius", radius, "0 m or more");
-  const BlockedRaster blocked =
-      unknown_blocks ? mapping::cells_in(grid, {CellState::Occupied, CellState::Unknown})
-                     : mapping::cells_in(grid, {CellState::Occupied});
-  return planning::widened(planning::clearance_of(blocked), radius);
-}
 
 planning::Planned plan_by(const std::string& method, const BlockedRaster& blocked, Vec2 start,
                           Vec2 goal, std::uint64_t seed) {
@@ -52,17 +39,15 @@ planning::Planned plan_by(const std::string& method, const BlockedRaster& blocke
     const std::vector<Vec2> goals{goal};
     return planning::path_down(blocked, planning::wavefront(blocked, goals), start);
   }
+  if (method == "potential_field") {
+    return planning::follow_potential(blocked, planning::clearance_of(blocked), start, goal);
+  }
   if (method != "rrt_star") {
-    refuse("method", method, "astar, theta_star, dstar_lite, wavefront or rrt_star");
+    refuse("method", method,
+           "astar, theta_star, dstar_lite, wavefront, rrt_star or potential_field");
   }
   Random random(seed);
   return planning::rrt_star(blocked, start, goal, random);
-}
-
-py::array_t<double> rows_of(const std::vector<Vec2>& points) {
-  std::vector<double> rows;
-  for (const Vec2 point : points) rows.insert(rows.end(), {point.x, point.y});
-  return array_of(std::move(rows)).reshape({-1, 2});
 }
 
 std::optional<py::array_t<double>> plan(const OccupancyGrid& grid, const Point& start,
@@ -73,14 +58,8 @@ std::optional<py::array_t<double>> plan(const OccupancyGrid& grid, const Point& 
   if (path) {
     return rows_of(shorten ? planning::shortened(blocked, *path).points : path->points);
   }
-  switch (path.error()) {
-    case planning::NoPath::Unreachable:
-    case planning::NoPath::LocalMinimum:
-    case planning::NoPath::BudgetSpent:
-      return std::nullopt;
-    default:
-      throw std::invalid_argument(planning::to_text(path.error()));
-  }
+  need_ends(path.error());
+  return std::nullopt;
 }
 
 std::optional<py::array_t<double>> explore(const OccupancyGrid& grid, const Point& position,

@@ -13,10 +13,14 @@ PYBIND11_MODULE(_core, module) {
   eyebridge::python::bind_scenario(module);
   eyebridge::python::bind_camera(module);
   eyebridge::python::bind_robot(module);
+  eyebridge::python::bind_chassis(module);
   eyebridge::python::bind_likelihood(module);
   eyebridge::python::bind_simulation(module);
   eyebridge::python::bind_batch(module);
   eyebridge::python::bind_mapping(module);
   eyebridge::python::bind_planning(module);
+  eyebridge::python::bind_dstar_lite(module);
+  eyebridge::python::bind_dynamic_window(module);
   eyebridge::python::bind_localisation(module);
+  eyebridge::python::bind_estimation(module);
 }

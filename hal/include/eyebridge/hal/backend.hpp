@@ -4,11 +4,13 @@
 #include <vector>
 
 #include "eyebridge/base/clock.hpp"
+#include "eyebridge/hal/accelerometer.hpp"
 #include "eyebridge/hal/analog_inputs.hpp"
 #include "eyebridge/hal/compass.hpp"
 #include "eyebridge/hal/device_facts.hpp"
 #include "eyebridge/hal/digital_lines.hpp"
 #include "eyebridge/hal/drive.hpp"
+#include "eyebridge/hal/gyroscope.hpp"
 #include "eyebridge/hal/io_board.hpp"
 #include "eyebridge/hal/lidar.hpp"
 #include "eyebridge/hal/motor.hpp"
@@ -55,6 +57,10 @@ class Backend {
   virtual SwitchSensor* bumper(int id) = 0;
   virtual Lidar* lidar() = 0;
   virtual Compass* compass() = 0;
+  /// Null on real hardware, and of a robot that is not driven but put where another one is.
+  virtual Gyroscope* gyroscope() = 0;
+  /// Likewise.
+  virtual Accelerometer* accelerometer() = 0;
   /// 1 is the left wheel's motor, 2 the right one's; encoders likewise. Robots that are no
   /// differential ones have other wheels: docs/drives.md.
   virtual Motor* motor(int id) = 0;

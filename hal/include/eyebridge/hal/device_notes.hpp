@@ -29,7 +29,9 @@ enum class Quantity : std::uint8_t {
   Switch,       ///< 0 or 1: something is near, or touches.
   Nearest,      ///< Of a scan: range (m) and bearing (rad, left positive) of its nearest point.
   Heading,      ///< rad.
-  Level,        ///< Of a line, as read: 0 or 1.
+  TurnRate,     ///< rad/s.
+  Acceleration,  ///< Forward, left (m/s²).
+  Level,         ///< Of a line, as read: 0 or 1.
   WrittenLevel,  ///< Of a line, as written: 0 or 1.
   Lines,         ///< All at once, line 1 is bit 0.
   Count,         ///< Of an analog input, 0 … 4095.

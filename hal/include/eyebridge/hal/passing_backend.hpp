@@ -24,6 +24,8 @@ class PassingBackend : public Backend {
   SwitchSensor* bumper(int id) override { return inner_->bumper(id); }
   Lidar* lidar() override { return inner_->lidar(); }
   Compass* compass() override { return inner_->compass(); }
+  Gyroscope* gyroscope() override { return inner_->gyroscope(); }
+  Accelerometer* accelerometer() override { return inner_->accelerometer(); }
   Motor* motor(int id) override { return inner_->motor(id); }
   Encoder* encoder(int id) override { return inner_->encoder(id); }
   Servo* servo(int id) override { return inner_->servo(id); }

@@ -14,6 +14,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include "bind_things.hpp"
+#include "control_sensors.hpp"
 #include "control_world.hpp"
 #include "eyebridge/mapping/ground_truth.hpp"
 #include "eyebridge/mapping/occupancy_grid.hpp"
@@ -28,68 +29,6 @@ using mapping::OccupancyGrid;
 using mapping::RobotMapper;
 using mapping::truth_of;
 
-/// The value, or RuntimeError with what the device said.
-template <class T>
-T need(const Result<T>& result) {
-  if (!result) throw std::runtime_error(result.error().what);
-  if constexpr (!std::is_void_v<T>) return *result;
-}
-
-/// A device that is there: routines ask by the names of sensors().
-template <class Device>
-Device& need(Device* device, const char* kind, int id) {
-  if (device == nullptr) throw std::out_of_range(std::string(kind) + " " + std::to_string(id));
-  return *device;
-}
-
-py::tuple as_tuple(const Pose& pose) { return py::make_tuple(pose.x, pose.y, pose.theta); }
-
-/// Kind, number, name, where it sits in the robot, and how far it reaches (0: not by distance).
-using SensorRow = std::tuple<std::string, int, std::string, py::tuple, double>;
-
-std::vector<SensorRow> sensors(const ControlWorld& world, std::size_t index) {
-  const robot::RobotModel& model = world.model(index);
-  std::vector<SensorRow> rows;
-  const auto add = [&](const char* kind, int id, const std::string& name, const Pose& pose,
-                       double reach) { rows.emplace_back(kind, id, name, as_tuple(pose), reach); };
-  for (const auto& psd : model.range_sensors) {
-    add("psd", psd.id, psd.name, psd.pose_in_robot, psd.max_range);
-  }
-  for (const auto& ir : model.proximity_sensors) {
-    add("ir", ir.id, ir.name, ir.pose_in_robot, ir.threshold);
-  }
-  for (const auto& bumper : model.bumpers) add("bumper", bumper.id, bumper.name, {}, 0);
-  if (model.lidar) add("lidar", 1, "lidar", model.lidar->pose_in_robot, model.lidar->max_range);
-  add("compass", 1, "compass", {}, 0);
-  return rows;
-}
-
-py::object read_sensor(ControlWorld& world, std::size_t index, const std::string& kind, int id) {
-  hal::Backend& robot = world.robot(index);
-  if (kind == "psd") return py::cast(need(need(robot.range_sensor(id), "psd", id).read()));
-  if (kind == "ir") return py::cast(need(need(robot.proximity(id), "ir", id).read()));
-  if (kind == "bumper") return py::cast(need(need(robot.bumper(id), "bumper", id).read()));
-  if (kind == "compass") return py::cast(need(need(robot.compass(), "compass", 1).read()));
-  if (kind != "lidar") throw std::out_of_range("sensor " + kind);
-  hal::Lidar& lidar = need(robot.lidar(), "lidar", 1);
-  py::array_t<double> ranges(lidar.points());
-  need(lidar.read({ranges.mutable_data(), static_cast<std::size_t>(ranges.size())}));
-  return ranges;
-}
-
-/// Bearings of the rays of a scan in the robot, as they come: from the left-most one, clockwise.
-py::array_t<double> lidar_bearings(ControlWorld& world, std::size_t index) {
-  const hal::LidarShape shape = need(world.robot(index).lidar(), "lidar", 1).shape();
-  py::array_t<double> bearings(shape.points);
-  const double first = shape.points == 1 ? 0.0 : shape.field_of_view / 2;
-  // A full circle does not show its first ray again.
-  const bool is_circle = shape.field_of_view >= 2 * std::numbers::pi - 1e-9;
-  const double gap =
-      shape.points == 1 ? 0.0 : shape.field_of_view / (is_circle ? shape.points : shape.points - 1);
-  for (int i = 0; i < shape.points; ++i) bearings.mutable_at(i) = first - i * gap;
-  return bearings;
-}
-
 /// Radians a second of wheel `wheel`, from 1.
 void set_wheel(ControlWorld& world, std::size_t index, int wheel, double speed) {
   const double ticks = world.model(index).drive.ticks_per_revolution;
@@ -102,31 +41,6 @@ double wheel_angle(ControlWorld& world, std::size_t index, int wheel) {
   const double ticks = world.model(index).drive.ticks_per_revolution;
   const int count = need(need(world.robot(index).encoder(wheel), "encoder", wheel).read());
   return count / ticks * 2 * std::numbers::pi;
-}
-
-using Wheels = std::vector<std::pair<std::string, int>>;
-
-/// What docs/drives.md calls the motors of this kind of drive, and their numbers.
-Wheels motors(const ControlWorld& world, std::size_t index) {
-  switch (world.model(index).drive.kind) {
-    case robot::DriveKind::Differential:
-      break;
-    case robot::DriveKind::Ackermann:
-      return {{"drive", 1}};
-    case robot::DriveKind::Omni:
-      return {{"front left", 1}, {"front right", 2}, {"rear left", 3}, {"rear right", 4}};
-    case robot::DriveKind::Swedish:
-      return {{"front left", 1}, {"front right", 2}, {"rear", 3}};
-    case robot::DriveKind::Synchro:
-      return {{"drive", 1}, {"steer", 2}};
-  }
-  return {{"left", 1}, {"right", 2}};
-}
-
-/// Those that have encoders: a car's are at its rear wheels.
-Wheels encoders(const ControlWorld& world, std::size_t index) {
-  if (world.model(index).drive.kind != robot::DriveKind::Ackermann) return motors(world, index);
-  return {{"left", 1}, {"right", 2}};
 }
 
 hal::Drive& drive_of(ControlWorld& world, std::size_t index) {
@@ -169,6 +83,7 @@ PYBIND11_MODULE(_control, module) {
   py::module_::import("eyebridge._core");  // has the classes of grids
   py::class_<World> bound(module, "World");
   bind_things(bound);
+  bind_control_sensors(bound);
   bound.def(py::init<const std::filesystem::path&>(), py::arg("file"))
       .def("step", &World::step, Release())
       .def_property_readonly("step_length", &World::step_length)
@@ -204,13 +119,6 @@ PYBIND11_MODULE(_control, module) {
       .def("wheel_diameter",
            [](const World& world, std::size_t index) {
              return world.model(index).drive.wheel_diameter;
-           })
-      .def("sensors", &sensors)
-      .def("read", &read_sensor)
-      .def("lidar_bearings", &lidar_bearings)
-      .def("field_of_view",
-           [](World& world, std::size_t index) {
-             return need(world.robot(index).lidar(), "lidar", 1).shape().field_of_view;
            })
       .def("belief", &belief, py::arg("resolution"))
       .def("truth_grid", &truth_grid, py::arg("resolution"))

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "eyebridge/robot/robot_model.hpp"
 
 namespace eyebridge::robot {
@@ -90,6 +93,34 @@ class RangeReadings {
   RangeTable table_;  ///< Empty: not rounded.
   double dropout_;
   double out_of_range_;
+};
+
+/// What the encoder of a wheel has counted, ticks: every tick is missed by itself, so those that
+/// are counted are binomially distributed. Whole numbers: there are masses and no density.
+class TickReadings {
+ public:
+  /// Most ticks that a reading may be of.
+  static constexpr double kMostTicks = 1e9;
+
+  /// Of a wheel that has turned one way by `angle`, radians, since its encoder began to count,
+  /// which it did at a whole tick: as a robot starts, or a reset there. Turned back, the encoder
+  /// counts down. Throws std::invalid_argument unless `ticks_per_revolution` > 0 and the angle is
+  /// at most kMostTicks.
+  TickReadings(const DriveError& error, double ticks_per_revolution, double angle);
+
+  [[nodiscard]] double mass(std::int64_t ticks) const;
+  [[nodiscard]] double at_most(std::int64_t ticks) const;
+  /// Of all readings more than half of `resolution` > 0 less than `ticks`, and at most half of that
+  /// more; with 1 and a whole number, of this one.
+  [[nodiscard]] double probability(double ticks, double resolution = 1.0) const;
+
+ private:
+  [[nodiscard]] double missed_at_most(std::int64_t count) const;
+
+  bool counts_down_;
+  std::int64_t passed_;        ///< Ticks that went by, however many were counted.
+  std::int64_t least_missed_;  ///< What sums_ begins with: fewer are as good as impossible.
+  std::vector<double> sums_;   ///< Probability of so many missed ones, or fewer.
 };
 
 /// Of a switch that says `seen` while something is (`there`) nearer than its threshold, or not.

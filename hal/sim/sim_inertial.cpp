@@ -1,0 +1,13 @@
+#include "sim/sim_inertial.hpp"
+
+namespace eyebridge::hal {
+
+Result<double> SimGyroscope::read() {
+  return world_.locked([&](auto& sim) { return sim.read_gyroscope(robot_); });
+}
+
+Result<Vec2> SimAccelerometer::read() {
+  return world_.locked([&](auto& sim) { return sim.read_accelerometer(robot_); });
+}
+
+}  // namespace eyebridge::hal
