@@ -105,6 +105,26 @@ TEST(EditorPlan, ARobotAtALetterLeavesItWhenItIsMoved) {
   EXPECT_EQ(plan.robots[0].pose, (Pose{2, 1, 0}));
 }
 
+TEST(EditorPlan, SpeedsAndWaitsStayWithTheirWayPoints) {
+  Plan plan = empty_plan(4, 4);
+  const Item can = add_thing(plan, "can", {1, 1});
+  add_way_point(plan, can, 0, {2, 1});
+  add_way_point(plan, can, 1, {3, 1});
+  make_way(plan, can)->leg_speeds = {0.1, 0.2};
+  make_way(plan, can)->waits = {1, 2};
+  add_way_point(plan, can, 1, {2, 2});
+  EXPECT_EQ(way_of(plan, can)->leg_speeds, (std::vector<double>{0.1, 0.2, 0.2}));
+  EXPECT_EQ(way_of(plan, can)->waits, (std::vector<double>{1, 0, 2}));
+  remove_way_point(plan, can, 0);
+  EXPECT_EQ(way_of(plan, can)->leg_speeds, (std::vector<double>{0.2, 0.2}));
+  EXPECT_EQ(way_of(plan, can)->waits, (std::vector<double>{0, 2}));
+  world::Path& way = *make_way(plan, can);
+  way.waits = {1, 2, 3};
+  way.loop = false;
+  fit_profile(way);
+  EXPECT_EQ(way.waits, (std::vector<double>{1, 2}));
+}
+
 TEST(EditorPlan, SeveralThingsTakeTheirWaysAlong) {
   Plan plan = empty_plan(4, 4);
   const Item can = add_thing(plan, "can", {1, 1});

@@ -180,6 +180,12 @@ TEST_F(PanelDocks, TheInspectorShowsWhatTheProgramReadAndWrote) {
   EXPECT_TRUE(shows("Drive/heading", "90.0"));
   ASSERT_TRUE(robot_->servo(1)->set(1.0));
   EXPECT_TRUE(shows("Servos/1", "255"));
+  robot_->clock().wait_until(from_seconds(3.0));
+  ASSERT_TRUE(robot_->gyroscope()->read());
+  EXPECT_TRUE(shows("Gyroscope/turning", "-30.0"));
+  ASSERT_TRUE(robot_->accelerometer()->read());
+  EXPECT_TRUE(shows("Accelerometer/left", "-105"));
+  EXPECT_EQ(shown("Accelerometer/left", Inspector::kUnit), "mm/s²");
   ASSERT_TRUE(robot_->digital()->write(9, true));
   EXPECT_TRUE(shows("Digital lines/line 9 written", "1"));
   ASSERT_TRUE(robot_->motor(1)->set_duty(0.5));
