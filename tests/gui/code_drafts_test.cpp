@@ -69,8 +69,10 @@ TEST_F(CodeDrafts, TheWindowWaitsForNoDisk) {
 TEST_F(CodeDrafts, WhatTheDiskRefusesIsTold) {
   open({write("a.c", "int a;\n")});
   testing::DiskSpy disk(settings_.drafts.toStdString());
-  disk.refuse_name(".json");
   type("x");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return drafts() == 1; }, 60'000));
+  disk.refuse_name(".json");  // in the place of the first one
+  type("y");
   EXPECT_TRUE(QTest::qWaitFor(
       [&] { return window().state().contains("Unsaved texts cannot be kept in"); }, 60'000));
 }
