@@ -142,7 +142,8 @@ void Monkey::answer_dialog() {
     const QString name = saves || there.isEmpty() ? QString("monkey%1").arg(below(3))
                                                   : there.at(below(static_cast<int>(there.size())));
     files->selectFile(QDir(folder_).filePath(name));
-    QMetaObject::invokeMethod(files, "accept");
+    // Not here: it may ask in a loop of its own, in which the timer that calls us would be busy.
+    QMetaObject::invokeMethod(files, "accept", Qt::QueuedConnection);
   }
 }
 
