@@ -133,7 +133,8 @@ void Monkey::answer_dialog() {
   if (below(3) != 0) {
     dialog->close();
   } else if (files == nullptr) {
-    QTest::keyClick(dialog, Qt::Key_Return);
+    const auto yes = [dialog] { QTest::keyClick(dialog, Qt::Key_Return); };
+    QMetaObject::invokeMethod(dialog, yes, Qt::QueuedConnection);  // as below
   } else {
     // Only in its own folder.
     files->setDirectory(folder_);
