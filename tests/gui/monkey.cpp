@@ -2,8 +2,6 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QDir>
-#include <QFileDialog>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPointer>
@@ -129,23 +127,7 @@ void Monkey::choose_from_menu() {
 void Monkey::answer_dialog() {
   QWidget* const dialog = QApplication::activeModalWidget();
   if (dialog == nullptr) return;
-  auto* const files = qobject_cast<QFileDialog*>(dialog);
-  if (below(3) != 0) {
-    dialog->close();
-  } else if (files == nullptr) {
-    const auto yes = [dialog] { QTest::keyClick(dialog, Qt::Key_Return); };
-    QMetaObject::invokeMethod(dialog, yes, Qt::QueuedConnection);  // as below
-  } else {
-    // Only in its own folder.
-    files->setDirectory(folder_);
-    const QStringList there = QDir(folder_).entryList(QDir::Files, QDir::Name);
-    const bool saves = files->acceptMode() == QFileDialog::AcceptSave;
-    const QString name = saves || there.isEmpty() ? QString("monkey%1").arg(below(3))
-                                                  : there.at(below(static_cast<int>(there.size())));
-    files->selectFile(QDir(folder_).filePath(name));
-    // Not here: it may ask in a loop of its own, in which the timer that calls us would be busy.
-    QMetaObject::invokeMethod(files, "accept", Qt::QueuedConnection);
-  }
+  dialog->close();
 }
 
 }  // namespace eyebridge::gui::testing

@@ -14,7 +14,7 @@ class Monkey {
 
   /// One thing: a click, a drag, a turn of the wheel, a key, or an entry of a menu.
   void act();
-  /// Says something to the dialog that is open, if one is: mostly no.
+  /// Closes the dialog that is open, if one is.
   void answer_dialog();
   int below(int bound);
 
