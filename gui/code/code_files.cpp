@@ -10,9 +10,6 @@
 namespace eyebridge::gui {
 namespace {
 
-// Who writes a file in several steps gets this long, milliseconds.
-constexpr int kSettle_ms = 100;
-
 QString canonical(const QString& path) {
   const QFileInfo file(path);
   return file.exists() ? file.canonicalFilePath() : file.absoluteFilePath();
@@ -128,7 +125,7 @@ Page* CodeWindow::new_program(const Template& begin) {
 }
 
 void CodeWindow::page_changed(Page& page) {
-  if (!page.path().isEmpty() && QFileInfo::exists(page.path())) watcher_.addPath(page.path());
+  watch_.add(page.path().toStdString());
   show_titles();
   show_place_of_cursor();
   if (!draft_timer_.isActive()) draft_timer_.start();
@@ -153,9 +150,13 @@ void CodeWindow::keep_drafts() {
     if (!page.is_modified()) {
       recovery_.forget(page.number());
     } else if (!recovery_.keep(page.draft())) {
-      state_->setText(tr("Unsaved texts cannot be kept in %1: save them").arg(settings_.drafts));
+      tell_of_drafts();
     }
   }
+}
+
+void CodeWindow::tell_of_drafts() {
+  state_->setText(tr("Unsaved texts cannot be kept in %1: save them").arg(settings_.drafts));
 }
 
 void CodeWindow::ask_for_files() {
@@ -177,7 +178,7 @@ bool CodeWindow::save_as(Page& page, const QString& path) {
               {{tr("Save as..."), [this, &page] { ask_where(page, {}); }}});
     return false;
   }
-  if (!page.path().isEmpty()) watcher_.removePath(page.path());
+  watch_.leave(page.path().toStdString());
   const bool saved = page.save_as(path);
   page_changed(page);
   if (saved) remember_file(kRecentPrograms, page.path());
@@ -249,7 +250,7 @@ void CodeWindow::close_page(Page& page) {
 void CodeWindow::remove_page(Page& page) {
   page.on_change = {};
   if (ran_ == &page) ran_.clear();
-  if (!page.path().isEmpty()) watcher_.removePath(page.path());
+  watch_.leave(page.path().toStdString());
   recovery_.forget(page.number());
   QDir(copy_folder(page)).removeRecursively();
   tabs_->removeTab(tabs_->indexOf(&page));
@@ -258,14 +259,12 @@ void CodeWindow::remove_page(Page& page) {
   show_state();
 }
 
-void CodeWindow::file_changed(const QString& path) {
-  QTimer::singleShot(kSettle_ms, this, [this, path] {
-    Page* const page = page_of(path);
-    if (page == nullptr) return;
-    // Who replaces a file ends our watch of it.
-    if (QFileInfo::exists(path)) watcher_.addPath(path);
-    page->look_at_disk();
-  });
+void CodeWindow::disk_changed() {
+  const auto changed = watch_.changed();
+  watch_.accept();
+  for (const auto& path : changed) {
+    if (Page* const page = page_of(QString::fromStdString(path.string()))) page->look_at_disk();
+  }
 }
 
 }  // namespace eyebridge::gui

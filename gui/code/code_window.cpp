@@ -21,7 +21,9 @@ constexpr QSize kFirstSize(1000, 760);
 }  // namespace
 
 CodeWindow::CodeWindow(const QStringList& paths, CodeSettings settings)
-    : settings_(std::move(settings)), recovery_(settings_.drafts) {
+    : settings_(std::move(settings)),
+      recovery_(settings_.drafts, [this] { tell_of_drafts(); }),
+      watch_([this] { disk_changed(); }) {
   const QSettings kept;
   zoom_ = kept.value(kZoomKey, 0).toInt();
   make_parts();
@@ -101,8 +103,6 @@ void CodeWindow::make_parts() {
   draft_timer_.setSingleShot(true);
   draft_timer_.setInterval(kDraftDelay_ms);
   connect(&draft_timer_, &QTimer::timeout, this, [this] { keep_drafts(); });
-  connect(&watcher_, &QFileSystemWatcher::fileChanged, this,
-          [this](const QString& path) { file_changed(path); });
 }
 
 Page* CodeWindow::page() const {
@@ -162,6 +162,8 @@ void CodeWindow::closeEvent(QCloseEvent* event) {
   }
   draft_timer_.stop();
   for (int i = 0; i < tabs_->count(); ++i) recovery_.forget(page_at(i).number());
+  // Now: a process whose last window is closed may end without destroying it.
+  recovery_.finish();
   event->accept();
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QCoreApplication>
-#include <QFileSystemWatcher>
 #include <QLabel>
 #include <QMainWindow>
 #include <QPointer>
@@ -17,6 +16,7 @@
 #include "code/run_bar.hpp"
 #include "code/runner.hpp"
 #include "code/templates.hpp"
+#include "parts/disk_watch.hpp"
 
 namespace eyebridge::gui {
 
@@ -78,6 +78,7 @@ class CodeWindow final : public QMainWindow {
   void page_changed(Page& page);
   void show_titles();
   void keep_drafts();
+  void tell_of_drafts();
   void ask_for_files();
   void save(Page& page, const std::function<void()>& then = {});
   void save_all(const std::function<void()>& then = {});
@@ -86,7 +87,7 @@ class CodeWindow final : public QMainWindow {
   void remove_page(Page& page);
   void ask_about_unsaved(const QStringList& names, const std::function<void()>& save,
                          const std::function<void()>& discard);
-  void file_changed(const QString& path);
+  void disk_changed();
 
   // code_run.cpp
   [[nodiscard]] bool prepare(Page& page, ProgramSource& source);
@@ -116,7 +117,7 @@ class CodeWindow final : public QMainWindow {
   QAction* build_ = nullptr;
   QAction* stop_ = nullptr;
   QList<QKeySequence> keys_;  ///< Of all actions: the editors leave them.
-  QFileSystemWatcher watcher_;
+  DiskWatch watch_;
   QTimer draft_timer_;
   int zoom_ = 0;
   QPointer<Page> ran_;  ///< What runs, or ran last …

@@ -7,8 +7,6 @@
 #include <QJsonObject>
 #include <QUuid>
 
-#include "parts/whole_file.hpp"
-
 namespace eyebridge::gui {
 namespace {
 
@@ -34,12 +32,16 @@ std::unique_ptr<QLockFile> locked(const QString& folder) {
 
 }  // namespace
 
-Recovery::Recovery(const QString& folder) : all_(folder) {
+Recovery::Recovery(const QString& folder, const std::function<void()>& on_trouble)
+    : all_(folder), files_([on_trouble](const QString& /*path*/, const QString& why) {
+        if (!why.isEmpty()) on_trouble();
+      }) {
   own_ = QDir(all_).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces));
   if (QDir().mkpath(own_)) lock_ = locked(own_);
 }
 
 Recovery::~Recovery() {
+  finish();
   if (!QDir(own_).entryList({kDrafts}, QDir::Files).isEmpty()) return;
   lock_.reset();
   QDir().rmdir(own_);
@@ -51,11 +53,14 @@ QString Recovery::file_of(int number) const {
 
 bool Recovery::keep(const Draft& draft) {
   if (!lock_) return false;
-  const QJsonObject object{{"name", draft.name}, {"path", draft.path}, {"text", draft.text}};
-  return write_whole(file_of(draft.number), QJsonDocument(object).toJson()).isEmpty();
+  files_.write(file_of(draft.number), [draft] {
+    const QJsonObject object{{"name", draft.name}, {"path", draft.path}, {"text", draft.text}};
+    return QJsonDocument(object).toJson();
+  });
+  return true;
 }
 
-void Recovery::forget(int number) { QFile::remove(file_of(number)); }
+void Recovery::forget(int number) { files_.remove(file_of(number)); }
 
 QList<Draft> Recovery::take_lost() {
   QList<Draft> drafts;

@@ -12,8 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "parts/whole_file.hpp"
-
 namespace eyebridge::gui {
 namespace {
 
@@ -48,10 +46,13 @@ bool Autosave::take(const QString& name) {
   if (!lock->tryLock(0)) return false;
   file_ = file;
   lock_ = std::move(lock);
+  is_there_ = QFile::exists(file_);
   return true;
 }
 
-Autosave::Autosave(const std::filesystem::path& path) {
+Autosave::Autosave(const std::filesystem::path& path,
+                   const std::function<void(const QString& why)>& on_written)
+    : files_([on_written](const QString& /*path*/, const QString& why) { on_written(why); }) {
   QDir().mkpath(autosave_folder());
   if (!path.empty()) {
     take(key_of(path));
@@ -66,8 +67,6 @@ Autosave::Autosave(const std::filesystem::path& path) {
     }
   }
 }
-
-bool Autosave::has_left() const { return is_ours() && QFile::exists(file_); }
 
 Plan Autosave::left() const {
   const std::string name = file_.toStdString();
@@ -136,11 +135,8 @@ void Autosave::write(const Plan& plan) {
                    {"letters", letters},
                    {"drawn", drawn}};
   if (plan.cell) kept["cell"] = *plan.cell;
-  if (!write_whole(file_, QJsonDocument(kept).toJson()).isEmpty()) {
-    throw ConfigError(
-        {file_.toStdString(), 0, 0},
-        AutosaveText::tr("cannot be written: expected room to keep unsaved edits").toStdString());
-  }
+  is_there_ = true;
+  files_.write(file_, [kept] { return QJsonDocument(kept).toJson(); });
 }
 
 QString Autosave::set_aside() {
@@ -148,11 +144,17 @@ QString Autosave::set_aside() {
   for (int i = 1; name.isEmpty() || QFile::exists(name); ++i) {
     name = QString("%1.unreadable-%2").arg(file_).arg(i);
   }
-  return QFile::rename(file_, name) ? name : file_;
+  if (!QFile::rename(file_, name)) return file_;
+  is_there_ = false;
+  return name;
 }
 
 void Autosave::drop() {
-  if (is_ours()) QFile::remove(file_);
+  if (!is_there_) return;
+  is_there_ = false;
+  files_.remove(file_);
+  // A process whose last window is closed may end without destroying it.
+  files_.finish();
 }
 
 }  // namespace eyebridge::gui

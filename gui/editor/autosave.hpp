@@ -3,10 +3,11 @@
 #include <QLockFile>
 #include <QString>
 #include <filesystem>
+#include <functional>
 #include <memory>
-#include <optional>
 
 #include "editor/plan.hpp"
+#include "parts/file_keeper.hpp"
 
 namespace eyebridge::gui {
 
@@ -15,17 +16,20 @@ namespace eyebridge::gui {
 class Autosave {
  public:
   /// For the file at `path`; empty: for a plan that has none yet. Locked against other editors
-  /// while it lives.
-  explicit Autosave(const std::filesystem::path& path);
-  ~Autosave() = default;  // what is written stays
+  /// while it lives. `on_written` is told, by this thread's event loop, of each time that edits
+  /// were kept, with why they could not be, else "".
+  Autosave(const std::filesystem::path& path,
+           const std::function<void(const QString& why)>& on_written);
+  ~Autosave() = default;  // what is written stays; returns when it is on the disk
 
   /// False: another editor has this file open, and nothing is kept.
   [[nodiscard]] bool is_ours() const { return !file_.isEmpty(); }
   /// Whether an editor that ended without a word has left something.
-  [[nodiscard]] bool has_left() const;
+  [[nodiscard]] bool has_left() const { return is_there_; }
   /// What it left. Throws ConfigError when it cannot be read.
   [[nodiscard]] Plan left() const;
-  /// Throws ConfigError when it cannot be written.
+  /// Soon, in another thread, which waits for the disk. Throws ConfigError where no file can hold
+  /// the plan.
   void write(const Plan& plan);
   /// What was left, and cannot be read, gets another name: that one is returned.
   QString set_aside();
@@ -36,7 +40,9 @@ class Autosave {
   bool take(const QString& name);
 
   QString file_;
+  bool is_there_ = false;  ///< The file, or it has been asked for.
   std::unique_ptr<QLockFile> lock_;
+  FileKeeper files_;
 };
 
 }  // namespace eyebridge::gui

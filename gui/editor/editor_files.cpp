@@ -33,9 +33,9 @@ bool EditorWindow::save_as(const QString& path) { return write(path); }
 bool EditorWindow::write(const QString& path) {
   try {
     Saving saving = plan_saving(document_.settled(), files_, path.toStdString());
+    write_all_files(saving.texts);
     QStringList names;
     for (const FileText& text : saving.texts) {
-      write_whole_file(text);
       names << QFileInfo(QString::fromStdString(text.path.string())).fileName();
     }
     // What this kind of file cannot say is no longer in the plan, either.
@@ -50,8 +50,7 @@ bool EditorWindow::write(const QString& path) {
       // What was left of the old name is offered where that is opened again.
       notices_->end("recovery");
       autosave_.reset();
-      autosave_ = std::make_unique<Autosave>(files_.path);
-      if (autosave_->has_left()) offer_left();
+      take_autosave();
     }
     document_.history().setClean();
     show_files();
@@ -313,6 +312,12 @@ void EditorWindow::offer_left() {
                    }}});
 }
 
+void EditorWindow::take_autosave() {
+  autosave_ = std::make_unique<Autosave>(
+      files_.path, [this](const QString& why_not) { edits_were_kept(why_not); });
+  if (autosave_->has_left()) offer_left();
+}
+
 void EditorWindow::drop_own() {
   if (autosave_ && notices_->text("recovery").isEmpty()) autosave_->drop();
 }
@@ -328,10 +333,16 @@ void EditorWindow::keep_edits() {
   }
   try {
     autosave_->write(document_.settled());
-    notices_->end("autosave");
   } catch (const ConfigError& error) {
-    notices_->tell("autosave",
-                   tr("Unsaved edits are not kept: %1").arg(QString::fromStdString(error.what())));
+    edits_were_kept(QString::fromStdString(error.what()));
+  }
+}
+
+void EditorWindow::edits_were_kept(const QString& why_not) {
+  if (why_not.isEmpty()) {
+    notices_->end("autosave");
+  } else {
+    notices_->tell("autosave", tr("Unsaved edits are not kept: %1").arg(why_not));
   }
 }
 

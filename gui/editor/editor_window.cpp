@@ -105,8 +105,7 @@ void EditorWindow::take(PlanFiles files) {
   document_.history().clear();  // it is where we begin
   document_.on_change = on_change;
   // Not before: a clean history means that there is nothing to recover.
-  autosave_ = std::make_unique<Autosave>(files_.path);
-  if (autosave_->has_left()) offer_left();
+  take_autosave();
   show_files();
   tell_warnings();
   // In a maze walls lie on the grid, and starts in the middle of its cells.

@@ -10,11 +10,11 @@
 
 #include "editor/autosave.hpp"
 #include "editor/canvas.hpp"
-#include "editor/disk_watch.hpp"
 #include "editor/document.hpp"
 #include "editor/floor_plan.hpp"
 #include "editor/plan_files.hpp"
 #include "editor/property_panel.hpp"
+#include "parts/disk_watch.hpp"
 #include "parts/notice_bar.hpp"
 
 class QActionGroup;
@@ -95,6 +95,8 @@ class EditorWindow final : public QMainWindow {
   void disk_changed();
   void offer_left();
   void keep_edits();
+  void edits_were_kept(const QString& why_not);
+  void take_autosave();
   /// Forgets what was kept of our edits; not what another editor left, while nobody has answered.
   void drop_own();
 

@@ -9,15 +9,15 @@
 
 #include "editor/catalogue.hpp"
 #include "eyebridge/base/units.hpp"
+#include "eyebridge/files/maze_limits.hpp"
 
 namespace eyebridge::gui {
 namespace {
 
-constexpr double kMicro = 1e6;         // the grid is looked for in whole micrometres
-constexpr double kLeastCell = 0.01;    // metres: finer grids are drawings of nothing
-constexpr double kOnGrid = 1e-6;       // metres
-constexpr int kFinest = 64;            // so many cells of a trial at most where walls need one
-constexpr double kMostCells = 262144;  // as the reader of mazes
+constexpr double kMicro = 1e6;       // the grid is looked for in whole micrometres
+constexpr double kLeastCell = 0.01;  // metres: finer grids are drawings of nothing
+constexpr double kOnGrid = 1e-6;     // metres
+constexpr int kFinest = 64;          // so many cells of a trial at most where walls need one
 
 struct NoFit {
   QString why;
@@ -81,7 +81,9 @@ class MazeTrial {
       throw NoFit{tr("its floor of %1 mm x %2 mm is no whole number of %3")
                       .arg(mm(plan_.width), mm(plan_.height), cells())};
     }
-    if (columns * rows > kMostCells) throw NoFit{tr("it has more than 262144 %1").arg(cells())};
+    if (columns * rows > double{files::kMostMazeCells}) {
+      throw NoFit{tr("it has more than %1 %2").arg(files::kMostMazeCells).arg(cells())};
+    }
     grid_.columns = static_cast<int>(std::lround(columns));
     grid_.rows = static_cast<int>(std::lround(rows));
     const auto wide = static_cast<std::size_t>(grid_.columns);

@@ -4,13 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "environment/grip.hpp"
 #include "eyebridge/base/units.hpp"
 
 namespace eyebridge::gui {
 namespace {
 
-// As in the driving environment: what is farther out is rim.
-constexpr double kRimShare = 0.67;
 constexpr double kMarkerRadius = 0.05;  // metres, as drawn
 
 Vec2 nearest_on(Vec2 a, Vec2 b, Vec2 place) {

@@ -336,14 +336,23 @@ Saving plan_saving(const Plan& plan, const PlanFiles& source, const std::filesys
   return Saver(plan, source, target).run();
 }
 
-void write_whole_file(const FileText& file) {
-  const QString why =
-      write_whole(QString::fromStdString(file.path.string()), QByteArray::fromStdString(file.text));
-  if (!why.isEmpty()) {
-    refuse(file.path, PlanFilesText::tr("cannot be written (%1): expected a place where you may "
-                                        "write; your edits are still here")
-                          .arg(why));
+void write_all_files(const std::vector<FileText>& texts) {
+  std::vector<FileBytes> files;
+  for (const FileText& text : texts) {
+    files.push_back(
+        {QString::fromStdString(text.path.string()), QByteArray::fromStdString(text.text)});
   }
+  const WriteEnd end = write_all(files);
+  if (end.why.isEmpty()) return;
+  const std::filesystem::path path = end.path.toStdString();
+  if (end.torn.isEmpty()) {
+    refuse(path, PlanFilesText::tr("cannot be written (%1): expected a place where you may "
+                                   "write; your edits are still here")
+                     .arg(end.why));
+  }
+  refuse(path, PlanFilesText::tr("cannot be written (%1), but %2 has been written, which goes with "
+                                 "it; your edits are still here: save them elsewhere")
+                   .arg(end.why, end.torn.join(", ")));
 }
 
 std::filesystem::path texture_file(const Plan& plan, const PlanFiles& files) {

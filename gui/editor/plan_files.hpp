@@ -29,8 +29,8 @@ struct FileText {
   std::string text;
 };
 struct Saving {
-  std::vector<FileText> texts;  ///< In the order in which they are to be written.
-  PlanFiles files;              ///< As it will be then.
+  std::vector<FileText> texts;
+  PlanFiles files;  ///< As it will be then.
 };
 
 /// What is to be written to save `plan`, which came from `source`, as `target`, whose ending says
@@ -40,8 +40,8 @@ struct Saving {
 /// the kind of file cannot hold.
 Saving plan_saving(const Plan& plan, const PlanFiles& source, const std::filesystem::path& target);
 
-/// The whole file at a time, or nothing of it. Throws ConfigError that says why not.
-void write_whole_file(const FileText& file);
+/// All of them, or none: each is as it was, then. Throws ConfigError that says why not.
+void write_all_files(const std::vector<FileText>& texts);
 
 /// The picture of the floor, looked for as a run does; empty when there is none.
 std::filesystem::path texture_file(const Plan& plan, const PlanFiles& files);

@@ -1,12 +1,12 @@
 #include "editor/plan_painter.hpp"
 
 #include <QPainter>
-#include <array>
 #include <string>
 #include <vector>
 
 #include "editor/edits.hpp"
 #include "environment/paint_world.hpp"
+#include "eyebridge/robot/body_colours.hpp"
 
 namespace eyebridge::gui {
 namespace {
@@ -19,10 +19,6 @@ const QColor kGridLine(0, 0, 0, 28);
 const QColor kWayLine(0, 110, 160);
 const QColor kStartFill(0, 140, 70, 70);
 const QColor kStartLine(0, 110, 50);
-
-// As a run paints its robots, in their order.
-constexpr std::array<Rgb, 6> kRobotColours = {
-    {{60, 110, 220}, {220, 70, 60}, {60, 170, 80}, {230, 180, 40}, {150, 80, 190}, {40, 170, 180}}};
 
 void paint_grid(QPainter& painter, const Viewport& view, const Plan& plan, double step) {
   if (step <= 0) return;
@@ -96,10 +92,8 @@ void paint_robots(QPainter& painter, const Viewport& view, const Plan& plan,
     world::BodyView body;
     body.pose = *pose;
     body.radius = entry.radius;
-    body.colour =
-        entry.is_known
-            ? kRobotColours.at(static_cast<std::size_t>(numbers[i] - 1) % kRobotColours.size())
-            : Rgb{200, 200, 200};
+    body.colour = entry.is_known ? robot::body_colour(static_cast<std::size_t>(numbers[i] - 1))
+                                 : Rgb{200, 200, 200};
     paint_robot(painter, view, body, QString::number(numbers[i]), false, false);
   }
 }

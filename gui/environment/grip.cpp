@@ -3,13 +3,6 @@
 #include <algorithm>
 
 namespace eyebridge::gui {
-namespace {
-
-// What is farther out than this is rim: a third of the way is left for it.
-constexpr double kRim = 0.67;
-
-}  // namespace
-
 std::optional<Grip> grip_at(const hal::WorldLook& look, Vec2 place, double slack) {
   std::optional<Grip> found;
   double nearest = 0.0;
@@ -23,7 +16,7 @@ std::optional<Grip> grip_at(const hal::WorldLook& look, Vec2 place, double slack
     const auto robot = std::ranges::find(look.robots, body.id, &hal::RobotLook::body);
     if (robot == look.robots.end()) continue;
     found->robot = static_cast<std::size_t>(robot - look.robots.begin());
-    found->turns = away > kRim * body.radius;
+    found->turns = away > kRimShare * body.radius;
   }
   return found;
 }

@@ -19,6 +19,9 @@ struct Grip {
   friend bool operator==(const Grip&, const Grip&) = default;
 };
 
+/// Share of the radius beyond which the mouse takes hold of the rim: a third of the way is left.
+inline constexpr double kRimShare = 0.67;
+
 /// What lies under `place`; `slack`, metres, is how far beside it one may point. Nothing there:
 /// nothing.
 std::optional<Grip> grip_at(const hal::WorldLook& look, Vec2 place, double slack);

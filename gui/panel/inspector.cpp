@@ -16,7 +16,7 @@ QString time_text(Time time) { return QString("%1 s").arg(to_seconds(time), 0, '
 }  // namespace
 
 Inspector::Inspector(const hal::DeviceNotes& notes, const robios::Keys& keys, QWidget* parent)
-    : QTreeWidget(parent), notes_(notes), keys_(keys) {
+    : QTreeWidget(parent), notes_(notes), keys_(keys), times_(notes) {
   setAccessibleName(tr("Sensors and actuators"));
   setHeaderLabels({tr("Name"), tr("Value"), tr("Unit"), tr("Last time")});
   headerItem()->setToolTip(kTime, tr("When the program last read or wrote it, on its own clock"));
@@ -81,20 +81,30 @@ void Inspector::put(QTreeWidgetItem* item, const QString& text, Time time) {
   item->setHidden(false);
 }
 
-void Inspector::show_note(Row& row, const hal::Note& note) {
+void Inspector::show_note(Row& row) {
+  const hal::Note& note = row.note;
   row.shown = note.count;
-  const Time time = notes_.time_of(note.stamp);
   for (std::size_t i = 0; i < row.parts.size(); ++i) {
     const QString text = part_text(row.value->quantity, i, note.values);
-    put(row.parts[i], note.has_failed ? tr("no answer") : text, time);
+    put(row.parts[i], note.has_failed ? tr("no answer") : text, row.time);
     row.parts[i]->setToolTip(kValue, note.has_failed ? tr("The last call failed") : QString());
   }
 }
 
-void Inspector::refresh() {
+void Inspector::look() {
+  times_.look();
   for (Row& row : rows_) {
     const std::optional<hal::Note> note = row.value->cell.get();
-    if (note && note->count != row.shown) show_note(row, *note);
+    if (!note || note->count == row.note.count) continue;
+    row.note = *note;
+    row.time = times_.time_of(note->stamp);
+  }
+}
+
+void Inspector::refresh() {
+  look();
+  for (Row& row : rows_) {
+    if (row.note.count != row.shown) show_note(row);
   }
   refresh_keys();
 }

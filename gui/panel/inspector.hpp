@@ -5,6 +5,7 @@
 
 #include "eyebridge/hal/device_notes.hpp"
 #include "keys.hpp"
+#include "panel/stamp_times.hpp"
 
 namespace eyebridge::gui {
 
@@ -19,6 +20,8 @@ class Inspector final : public QTreeWidget {
   /// Both are lent.
   Inspector(const hal::DeviceNotes& notes, const robios::Keys& keys, QWidget* parent);
 
+  /// Finds out when what is new was read or written: often, also while nobody can see it.
+  void look();
   /// Shows what is new.
   void refresh();
   /// The item whose names, from the group on, are these, as "Drive/x"; null where there is none.
@@ -31,17 +34,20 @@ class Inspector final : public QTreeWidget {
   struct Row {
     const hal::NotedValue* value;
     std::vector<QTreeWidgetItem*> parts;
-    std::uint64_t shown = 0;  ///< The note's count.
+    hal::Note note{};         ///< The last one that was looked at …
+    Time time{0};             ///< … and when it was made.
+    std::uint64_t shown = 0;  ///< Its count, when it was shown.
   };
 
   QTreeWidgetItem* group(const QString& title);
   void add_row(const hal::NotedValue& value);
-  void show_note(Row& row, const hal::Note& note);
+  void show_note(Row& row);
   void refresh_keys();
   void put(QTreeWidgetItem* item, const QString& text, Time time);
 
   const hal::DeviceNotes& notes_;
   const robios::Keys& keys_;
+  StampTimes times_;
   std::vector<Row> rows_;
   QTreeWidgetItem* key_;
   QTreeWidgetItem* touch_;

@@ -146,6 +146,7 @@ void PanelWindow::refresh() {
 void PanelWindow::refresh_docks() {
   if (camera_ != nullptr && camera_->isVisible()) camera_->refresh();
   if (speaker_ != nullptr) speaker_->refresh();
+  if (inspector_ != nullptr) inspector_->look();
   const bool is_turn = frames_++ % kFramesPerReading == 0;
   if (is_turn && inspector_ != nullptr && inspector_->isVisible()) inspector_->refresh();
 }

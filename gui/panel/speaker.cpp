@@ -13,7 +13,8 @@ constexpr int kLeastLit_ms = 400;
 
 }  // namespace
 
-Speaker::Speaker(const hal::DeviceNotes& notes, QWidget* parent) : QWidget(parent), notes_(notes) {
+Speaker::Speaker(const hal::DeviceNotes& notes, QWidget* parent)
+    : QWidget(parent), notes_(notes), times_(notes) {
   setAccessibleName(tr("Loudspeaker"));
   setToolTip(tr("The robot's loudspeaker: lights while it plays"));
   refresh();
@@ -21,27 +22,50 @@ Speaker::Speaker(const hal::DeviceNotes& notes, QWidget* parent) : QWidget(paren
 
 void Speaker::take(const hal::SoundNote& sound) {
   heard_ = sound.count;
-  double length = sound.length;
+  begin_ = times_.time_of(sound.stamp);
+  since_.start();
   if (sound.file.empty()) {
     text_ = tr("%1 Hz, %2 s").arg(sound.frequency, 0, 'f', 0).arg(sound.length, 0, 'f', 2);
+    end_ = begin_ + from_seconds(sound.length);
+    is_read_ = true;
   } else {
-    const QString name = QFileInfo(QString::fromStdString(sound.file)).fileName();
-    const Result<double> played = hal::sound_length(sound.file);
-    // A player may know formats that we do not.
-    text_ = played ? tr("%1, %2 s").arg(name).arg(*played, 0, 'f', 2) : name;
-    length = played.value_or(0.0);
+    text_ = QFileInfo(QString::fromStdString(sound.file)).fileName();
+    is_read_ = false;
+    read_length(sound);
   }
-  end_ = notes_.time_of(sound.stamp) + from_seconds(length);
-  since_.start();
   setAccessibleDescription(text_);
 }
 
+void Speaker::read_length(const hal::SoundNote& sound) {
+  // Not here: it may be long, and on a slow disk.
+  if (!reader_) reader_ = std::make_unique<Worker>();
+  newest_ = sound.count;
+  reader_->give([this, file = sound.file, count = sound.count] {
+    if (count != newest_) return;
+    const Result<double> played = hal::sound_length(file);
+    const auto length = played ? std::optional(*played) : std::nullopt;
+    QMetaObject::invokeMethod(
+        this, [this, count, length] { show_length(count, length); }, Qt::QueuedConnection);
+  });
+}
+
+void Speaker::show_length(std::uint64_t sound, std::optional<double> length) {
+  if (sound != heard_) return;  // another one came meanwhile
+  is_read_ = true;
+  // A player may know formats that we do not.
+  if (length) text_ = tr("%1, %2 s").arg(text_).arg(*length, 0, 'f', 2);
+  end_ = begin_ + from_seconds(length.value_or(0.0));
+  setAccessibleDescription(text_);
+  update();
+}
+
 void Speaker::refresh() {
+  times_.look();
   const hal::SoundNote sound = notes_.sound();
   const bool is_new = sound.count != heard_;
   if (is_new) take(sound);
-  const bool lit =
-      heard_ != 0 && (since_.elapsed() < kLeastLit_ms || (is_lit_ && notes_.now() < end_));
+  const bool lit = heard_ != 0 && (since_.elapsed() < kLeastLit_ms ||
+                                   (is_lit_ && (!is_read_ || notes_.now() < end_)));
   if (!is_new && lit == is_lit_) return;
   is_lit_ = lit;
   update();

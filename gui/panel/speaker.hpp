@@ -2,8 +2,13 @@
 
 #include <QElapsedTimer>
 #include <QWidget>
+#include <atomic>
+#include <memory>
+#include <optional>
 
 #include "eyebridge/hal/device_notes.hpp"
+#include "panel/stamp_times.hpp"
+#include "parts/worker.hpp"
 
 namespace eyebridge::gui {
 
@@ -31,13 +36,20 @@ class Speaker final : public QWidget {
 
  private:
   void take(const hal::SoundNote& sound);
+  void read_length(const hal::SoundNote& sound);
+  void show_length(std::uint64_t sound, std::optional<double> length);
 
   const hal::DeviceNotes& notes_;
+  StampTimes times_;
   std::uint64_t heard_ = 0;  ///< Sounds so far.
-  Time end_{0};              ///< Of the last one, on the program's clock.
-  QElapsedTimer since_;      ///< It began.
+  Time begin_{0};            ///< Of the last one, on the program's clock …
+  Time end_{0};              ///< … which is not known while its file is being read.
+  bool is_read_ = true;
+  QElapsedTimer since_;  ///< It began.
   bool is_lit_ = false;
   QString text_;
+  std::atomic<std::uint64_t> newest_ = 0;  ///< heard_, for the reader: older ones wait in vain.
+  std::unique_ptr<Worker> reader_;  ///< Of sound files; where none was played, there is none.
 };
 
 }  // namespace eyebridge::gui

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 
 #include "code_room.hpp"
+#include "disk_spy.hpp"
 #include "person.hpp"
 #include "running_program.hpp"
 
@@ -54,6 +55,26 @@ TEST_F(CodeDrafts, ClosingWithoutSavingForgets) {
   ASSERT_TRUE(QTest::qWaitFor([&] { return !window().isVisible(); }, 60'000));
   EXPECT_EQ(file("a.c"), "int a;\n");
   EXPECT_EQ(drafts(), 0);
+}
+
+TEST_F(CodeDrafts, TheWindowWaitsForNoDisk) {
+  open({write("a.c", "int a;\n")});
+  const testing::DiskSpy disk(settings_.drafts.toStdString());
+  type("x");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return disk.own_syncs() + disk.other_syncs() > 0; }, 60'000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return drafts() == 1; }, 60'000));
+  EXPECT_EQ(disk.own_syncs(), 0);
+}
+
+TEST_F(CodeDrafts, WhatTheDiskRefusesIsTold) {
+  open({write("a.c", "int a;\n")});
+  testing::DiskSpy disk(settings_.drafts.toStdString());
+  type("x");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return drafts() == 1; }, 60'000));
+  disk.refuse_name(".json");  // in the place of the first one
+  type("y");
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] { return window().state().contains("Unsaved texts cannot be kept in"); }, 60'000));
 }
 
 TEST_F(CodeDrafts, TextsOfAWindowThatWasNotClosedAreThereAgain) {

@@ -163,6 +163,17 @@ TEST_F(CodeFiles, AFileThatIsRemovedCanBeSavedAgain) {
   EXPECT_FALSE(page().is_modified());
 }
 
+TEST_F(CodeFiles, AFileThatComesBackLaterIsSeen) {
+  open({write("a.c", "int a;\n")});
+  std::filesystem::remove(path("a.c").toStdString());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return page().notice().isVisible(); }, 60'000));
+  write("a.c", "int b;\n");
+  const auto is_told = [&] {
+    return notice().find("was changed on the disk") != std::string::npos;
+  };
+  EXPECT_TRUE(QTest::qWaitFor(is_told, 60'000)) << notice();
+}
+
 TEST_F(CodeFiles, WhereNothingCanBeWrittenTheTextIsKept) {
   open({write("a.c", "int a;\n")});
   type("x");

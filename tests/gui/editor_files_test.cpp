@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 
+#include "disk_spy.hpp"
 #include "editor_rig.hpp"
 #include "eyebridge/base/config_error.hpp"
 
@@ -159,6 +160,26 @@ TEST_F(EditorFiles, ADiskWithoutRoomKeepsTheOldFiles) {
   EXPECT_TRUE(window_->isWindowModified());
   press_key(Qt::Key_S, Qt::ControlModifier);
   EXPECT_THAT(text_of("room.wld"), HasSubstr("0 0 2000 1000"));
+}
+
+TEST_F(EditorFiles, ASimulationAndItsWorldAreSavedBothOrNeither) {
+  open(file("two.sim"));
+  const std::string before = text_of("two.sim");
+  drag(at(2, 0), at(2, 1));  // of the world's file
+  place_marker(1, 1);        // of the simulation's
+  {
+    testing::DiskSpy disk(folder_.path());
+    disk.refuse_name("/two.sim");
+    EXPECT_FALSE(window_->save());
+  }
+  EXPECT_THAT(notice("save"), HasSubstr("two.sim: cannot be written"));
+  EXPECT_EQ(text_of("room.wld"), kRoom);
+  EXPECT_EQ(text_of("two.sim"), before);
+  EXPECT_TRUE(window_->isWindowModified());
+  EXPECT_EQ(notice("disk"), "");
+  ASSERT_TRUE(window_->save()) << notice("save") << notice("disk");
+  EXPECT_THAT(text_of("room.wld"), HasSubstr("0 0 2000 1000"));
+  EXPECT_THAT(text_of("two.sim"), HasSubstr("marker 1000 1000"));
 }
 
 // The robots' numbers change with it, and so all that is known of robots: fields are made anew.

@@ -5,10 +5,13 @@
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTest>
+#include <csignal>
 #include <fstream>
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 
+#include "disk_spy.hpp"
 #include "editor_rig.hpp"
 
 namespace eyebridge::gui {
@@ -142,6 +145,32 @@ TEST_F(EditorRecovery, WhoNeverRestsLosesNothing) {
     QApplication::processEvents();
   }
   EXPECT_TRUE(is_kept());
+}
+
+TEST_F(EditorRecovery, TheWindowWaitsForNoDisk) {
+  open(file("room.wld"));
+  const testing::DiskSpy disk(kept().path().toStdString());
+  drag(at(2, 0), at(2, 1));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return is_kept(); }, 60'000));
+  EXPECT_EQ(disk.own_syncs(), 0);
+  EXPECT_GT(disk.other_syncs(), 0);
+}
+
+TEST_F(EditorRecovery, AFullDiskIsToldUntilThereIsRoomAgain) {
+  open(file("room.wld"));
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit little{4, before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &little);
+  drag(at(2, 0), at(2, 1));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !notice("autosave").empty(); }, 60'000));
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_THAT(notice("autosave"), HasSubstr("Unsaved edits are not kept"));
+  EXPECT_FALSE(is_kept());
+  drag(at(2, 1), at(1, 1));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return is_kept() && notice("autosave").empty(); }, 60'000));
 }
 
 TEST_F(EditorRecovery, AWindowThatGoesUnaskedKeepsTheEdits) {

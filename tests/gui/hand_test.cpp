@@ -208,7 +208,14 @@ TEST_F(HandView, SaysThatTheRunHasEnded) {
   EXPECT_EQ(window_->sign().words().headline, "The run has ended");
   look_.instruction = goal(0.1, 0.0, 0.2, 0.0);
   guide_.tell(look_);
-  QTest::qWait(100);
+  // Who looks on sees it, and once more: as often would this window, had it not ended.
+  HandWindow other(robios::HandStart{"other", &guide_, &frames_});
+  for (const double distance : {0.2, 0.3}) {
+    look_.instruction = goal(distance, 0.0, 0.2, 0.0);
+    guide_.tell(look_);
+    const QString headline = words_for(look_.instruction).headline;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return other.sign().words().headline == headline; }));
+  }
   EXPECT_EQ(window_->sign().words().headline, "The run has ended");
 }
 

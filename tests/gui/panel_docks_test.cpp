@@ -250,8 +250,14 @@ TEST_F(PanelDocks, TheSpeakerTellsAFileAndItsLength) {
   hal::SoundNote sound;
   sound.file = folder.write("horn.wav", wav);
   notes_->put_sound(sound);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return panel_->speaker()->is_lit(); }));
-  EXPECT_EQ(panel_->speaker()->text(), "horn.wav, 0.50 s");
+  Speaker& speaker = *panel_->speaker();
+  speaker.refresh();
+  EXPECT_TRUE(speaker.is_lit());
+  EXPECT_EQ(speaker.text(), "horn.wav") << "the file is read by somebody else";
+  EXPECT_TRUE(QTest::qWaitFor([&] { return speaker.text() == "horn.wav, 0.50 s"; }, 60'000));
+  EXPECT_TRUE(speaker.is_lit()) << "the robot's time stands still: it plays on";
+  robot_->clock().wait_until(robot_->clock().now() + from_seconds(0.6));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !speaker.is_lit(); }, 60'000));
 }
 
 TEST_F(PanelDocks, TheScreenIsSavedPixelForPixel) {

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "eyebridge/base/units.hpp"
+#include "eyebridge/files/maze_limits.hpp"
 #include "eyebridge/files/readers.hpp"
 #include "object_kinds.hpp"
 #include "text.hpp"
@@ -9,7 +10,6 @@
 namespace eyebridge::files {
 namespace {
 
-constexpr std::size_t kMaxCells = 262144;  // 512 x 512
 constexpr std::size_t kMaxLines = 100000;
 constexpr double kMinCell = 10;  // millimetres
 constexpr double kMaxCell = 100000;
@@ -202,11 +202,11 @@ class MazeReader {
                         "no cell in the maze: expected at least two lines of two columns drawn "
                         "with '|' and '_'");
     }
-    if (columns * (rows_.size() - 1) > kMaxCells || columns > 32768 || rows_.size() > 32768) {
+    if (columns * (rows_.size() - 1) > kMostMazeCells || columns > 32768 || rows_.size() > 32768) {
       throw ConfigError({file_, line, 1}, "maze of " + std::to_string(columns) + " x " +
                                               std::to_string(rows_.size() - 1) +
                                               " cells: expected at most " +
-                                              std::to_string(kMaxCells) + " cells");
+                                              std::to_string(kMostMazeCells) + " cells");
     }
     grid_.columns = static_cast<int>(columns);
     grid_.rows = static_cast<int>(rows_.size()) - 1;

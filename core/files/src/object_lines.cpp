@@ -89,9 +89,9 @@ world::ObjectSpec read_box(const Statement& s, const Pose& pose) {
   box.size = {s.millimetres(4, "the length", kLeastSize, kMostSize),
               s.millimetres(5, "the width", kLeastSize, kMostSize)};
   box.radius = box.outer_radius();
-  box.height = s.size() > 6 ? s.millimetres(6, "the height", kLeastSize, kMostSize) : 0.2;
-  box.matter.mass = 1.0;
-  box.colour = {150, 110, 60};
+  box.height = s.size() > 6 ? s.millimetres(6, "the height", kLeastSize, kMostSize) : kBoxHeight;
+  box.matter.mass = kBoxMass;
+  box.colour = kBoxColour;
   if (s.size() > 7) {
     const auto channel = [&](std::size_t i) {
       return static_cast<std::uint8_t>(s.integer(i, "a colour", 0, 255));

@@ -16,6 +16,11 @@ void read_object_trait(const Statement& s, ObjectTraits& traits);
 /// What `traits` say, said of `object`.
 void apply(const ObjectTraits& traits, world::ObjectSpec& object);
 
+/// What a box is like whose line says no more than its size.
+inline constexpr double kBoxHeight = 0.2;  ///< Metres.
+inline constexpr Rgb kBoxColour{150, 110, 60};
+inline constexpr double kBoxMass = 1.0;  ///< Kilograms.
+
 /// Our own "box x y phi length width [height [red green blue]]". Throws ConfigError.
 world::ObjectSpec read_box(const Statement& s, const Pose& pose);
 

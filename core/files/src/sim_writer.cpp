@@ -10,14 +10,11 @@
 #include "eyebridge/files/readers.hpp"
 #include "motion_lines.hpp"
 #include "object_kinds.hpp"
+#include "object_lines.hpp"
 #include "text.hpp"
 
 namespace eyebridge::files {
 namespace {
-
-constexpr double kBoxHeight = 0.2;  // metres, of a 'box' line that gives none
-constexpr Rgb kBoxColour{150, 110, 60};
-constexpr double kBoxMass = 1.0;  // kilograms
 
 [[noreturn]] void refuse_sim(const std::string& why) {
   throw ConfigError({"simulation to write", 0, 0}, why);

@@ -5,14 +5,12 @@
 #include <limits>
 #include <stdexcept>
 
+#include "eyebridge/robot/body_colours.hpp"
 #include "eyebridge/robot/error_presets.hpp"
 #include "simulation_impl.hpp"
 
 namespace eyebridge::robot {
 namespace {
-
-constexpr Rgb kBodyColours[] = {{60, 110, 220}, {220, 70, 60},  {60, 170, 80},
-                                {230, 180, 40}, {150, 80, 190}, {40, 170, 180}};
 
 void check(bool good, const char* what) {
   if (!good) throw std::invalid_argument(what);
@@ -73,7 +71,7 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 RobotIndex Simulation::add_robot(const RobotModel& model, const Pose& pose) {
   check(model);
   const auto robot = static_cast<RobotIndex>(robot_count());
-  const Rgb colour = kBodyColours[robot % std::size(kBodyColours)];
+  const Rgb colour = body_colour(robot);
   const world::BodyId body = impl_->world.add_robot(pose, model.radius(), model.height, colour);
   const std::uint64_t seed = impl_->settings.seed;
   impl_->cruises.emplace_back().body = body;

@@ -1,8 +1,7 @@
-#include "editor/disk_watch.hpp"
+#include "parts/disk_watch.hpp"
 
 #include <QFile>
 #include <QFileInfo>
-#include <algorithm>
 #include <utility>
 
 namespace eyebridge::gui {
@@ -12,6 +11,8 @@ constexpr int kMoment_ms = 100;  // editors write in several steps
 
 std::optional<QByteArray> bytes_of(const std::filesystem::path& path) {
   QFile file(QString::fromStdString(path.string()));
+  // A pipe that took its place would keep us waiting.
+  if (!QFileInfo(file).isFile()) return {};
   if (!file.open(QIODevice::ReadOnly)) return {};
   return file.readAll();
 }
@@ -35,14 +36,27 @@ void DiskWatch::follow(const std::vector<std::filesystem::path>& paths) {
   accept();
 }
 
+void DiskWatch::add(const std::filesystem::path& path) {
+  if (path.empty() || known_.contains(path)) return;
+  known_[path] = bytes_of(path);
+  watch();
+}
+
+void DiskWatch::leave(const std::filesystem::path& path) {
+  if (known_.erase(path) != 0) watch();
+}
+
 void DiskWatch::accept() {
   for (auto& [path, bytes] : known_) bytes = bytes_of(path);
   watch();
 }
 
-bool DiskWatch::has_changed() const {
-  return std::ranges::any_of(known_,
-                             [](const auto& file) { return bytes_of(file.first) != file.second; });
+std::vector<std::filesystem::path> DiskWatch::changed() const {
+  std::vector<std::filesystem::path> out;
+  for (const auto& [path, bytes] : known_) {
+    if (bytes_of(path) != bytes) out.push_back(path);
+  }
+  return out;
 }
 
 void DiskWatch::look() {

@@ -19,8 +19,12 @@ class DiskWatch {
 
   /// From now on these; as they are now is how they are known. Empty names are left out.
   void follow(const std::vector<std::filesystem::path>& paths);
-  /// Whether one is not as known.
-  [[nodiscard]] bool has_changed() const;
+  /// This one, too, from now on, unless it is followed already; or no longer.
+  void add(const std::filesystem::path& path);
+  void leave(const std::filesystem::path& path);
+  /// Those that are not as known.
+  [[nodiscard]] std::vector<std::filesystem::path> changed() const;
+  [[nodiscard]] bool has_changed() const { return !changed().empty(); }
   /// As they are now is how they are known.
   void accept();
 
