@@ -11,6 +11,7 @@
 #include "editor/editor_window.hpp"
 #include "editor/import_dialog.hpp"
 #include "eyebridge/files/load.hpp"
+#include "parts/ask_for_file.hpp"
 
 namespace eyebridge::gui {
 
@@ -149,14 +150,9 @@ bool EditorWindow::add_description(const QString& path) {
 }
 
 void EditorWindow::ask_for_description() {
-  auto* const dialog =
-      new QFileDialog(this, tr("Add robot or object"), QFileInfo(path()).absolutePath(),
-                      tr("Robots and objects (*.robi *.esObj)"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this](const QString& file) { add_description(file); });
-  dialog->open();
+  ask_for_file(*this, tr("Add robot or object"), QFileInfo(path()).absolutePath(),
+               tr("Robots and objects (*.robi *.esObj)"),
+               [this](const QString& file) { add_description(file); });
 }
 
 void EditorWindow::when_free(std::function<void()> act) {
@@ -217,12 +213,9 @@ void EditorWindow::ask_for_path() {
 }
 
 void EditorWindow::ask_to_open() {
-  auto* const dialog = new QFileDialog(this, tr("Open"), QFileInfo(path()).absolutePath(),
-                                       tr("Worlds, mazes, simulations (*.wld *.maz *.sim)"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setFileMode(QFileDialog::ExistingFile);
-  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) { open(file); });
-  dialog->open();
+  ask_for_file(*this, tr("Open"), QFileInfo(path()).absolutePath(),
+               tr("Worlds, mazes, simulations (*.wld *.maz *.sim)"),
+               [this](const QString& file) { open(file); });
 }
 
 void EditorWindow::ask_for_picture() {

@@ -3,7 +3,6 @@
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -12,6 +11,7 @@
 #include <QSpinBox>
 
 #include "eyebridge/base/units.hpp"
+#include "parts/ask_for_file.hpp"
 
 namespace eyebridge::gui {
 
@@ -51,12 +51,8 @@ ImportDialog::ImportDialog(QWidget* parent) : QDialog(parent) {
   connect(file, &QLineEdit::textChanged, ok,
           [ok](const QString& text) { ok->setEnabled(!text.isEmpty()); });
   connect(browse, &QPushButton::clicked, this, [this, file] {
-    auto* const dialog = new QFileDialog(this, tr("Floor plan"), QString(),
-                                         tr("Pictures (*.png *.jpg *.jpeg *.bmp *.pgm *.gif)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, file, &QLineEdit::setText);
-    dialog->open();
+    ask_for_file(*this, tr("Floor plan"), {}, tr("Pictures (*.png *.jpg *.jpeg *.bmp *.pgm *.gif)"),
+                 [file](const QString& path) { file->setText(path); });
   });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(buttons, &QDialogButtonBox::accepted, this, [=, this] {

@@ -1,7 +1,6 @@
 #include "environment/add_robot_panel.hpp"
 
 #include <QApplication>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QPointer>
@@ -13,6 +12,7 @@
 
 #include "editor/catalogue.hpp"
 #include "eyebridge/base/units.hpp"
+#include "parts/ask_for_file.hpp"
 
 namespace eyebridge::gui {
 
@@ -64,8 +64,8 @@ void AddRobotPanel::follow(const hal::WorldLook& look) {
 }
 
 void AddRobotPanel::choose_program() {
-  const QString path = QFileDialog::getOpenFileName(this, tr("Program"));
-  if (!path.isEmpty()) program_->setText('"' + path + '"');
+  ask_for_file(*this, tr("Program"), {}, {},
+               [this](const QString& path) { program_->setText('"' + path + '"'); });
 }
 
 void AddRobotPanel::add(const Pose& pose) {

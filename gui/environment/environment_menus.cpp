@@ -9,6 +9,7 @@
 #include <exception>
 
 #include "environment/environment_window.hpp"
+#include "parts/ask_for_file.hpp"
 #include "parts/recent_files.hpp"
 #include "parts/save_picture.hpp"
 
@@ -174,17 +175,19 @@ bool EnvironmentWindow::save_picture(const QString& path) {
 }
 
 void EnvironmentWindow::ask_for_picture() {
-  ask_where_to_save(*this, tr("Save picture"), "environment.png", [this](const QString& path) {
-    trouble_->setText(save_picture(path) ? tr("Saved %1").arg(path)
-                                         : tr("%1 cannot be written").arg(path));
-  });
+  ask_where_to_save_picture(
+      *this, tr("Save picture"), "environment.png", [this](const QString& path) {
+        trouble_->setText(save_picture(path) ? tr("Saved %1").arg(path)
+                                             : tr("%1 cannot be written").arg(path));
+      });
 }
 
 void EnvironmentWindow::ask_for_file() {
-  const QString path = QFileDialog::getOpenFileName(
-      this, tr("Edit"), QString::fromStdString(environment_.directory()),
-      tr("Worlds and programs (*.wld *.maz *.sim *.c *.cpp *.h *.py)"));
-  if (!path.isEmpty() && on_edit) on_edit(path);
+  gui::ask_for_file(*this, tr("Edit"), QString::fromStdString(environment_.directory()),
+                    tr("Worlds and programs (*.wld *.maz *.sim *.c *.cpp *.h *.py)"),
+                    [this](const QString& path) {
+                      if (on_edit) on_edit(path);
+                    });
 }
 
 bool EnvironmentWindow::start_film(const QString& path) {
@@ -205,13 +208,10 @@ void EnvironmentWindow::stop_film() {
 
 void EnvironmentWindow::ask_for_film() {
   if (film_) return;  // by start_film()
-  const QString path =
-      QFileDialog::getSaveFileName(this, tr("Film"), program_ + ".mp4", tr("Videos (*.mp4 *.avi)"));
-  if (path.isEmpty()) {
-    film_switch_->setChecked(false);
-  } else {
-    start_film(path);
-  }
+  const auto& dialog =
+      ask_where_to_save(*this, tr("Film"), program_ + ".mp4", tr("Videos (*.mp4 *.avi)"),
+                        [this](const QString& path) { start_film(path); });
+  connect(&dialog, &QDialog::rejected, this, [this] { film_switch_->setChecked(false); });
 }
 
 }  // namespace eyebridge::gui

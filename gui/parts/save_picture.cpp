@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <utility>
 
+#include "parts/ask_for_file.hpp"
 #include "parts/whole_file.hpp"
 
 namespace eyebridge::gui {
@@ -18,18 +19,11 @@ bool save_picture(const QImage& picture, const QString& path) {
          write_whole(path, bytes.data()).isEmpty();
 }
 
-void ask_where_to_save(QWidget& window, const QString& title, const QString& name,
-                       std::function<void(const QString&)> save) {
-  auto* dialog = new QFileDialog(
-      &window, title, QString(),
-      QCoreApplication::translate("eyebridge::gui::save_picture", "Pictures (*.png *.jpg)"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  dialog->setDefaultSuffix("png");
-  dialog->selectFile(name);
-  QObject::connect(dialog, &QFileDialog::fileSelected, &window,
-                   [save = std::move(save)](const QString& path) { save(path); });
-  dialog->open();
+void ask_where_to_save_picture(QWidget& window, const QString& title, const QString& name,
+                               std::function<void(const QString&)> save) {
+  const QString filter =
+      QCoreApplication::translate("eyebridge::gui::save_picture", "Pictures (*.png *.jpg)");
+  ask_where_to_save(window, title, name, filter, std::move(save)).setDefaultSuffix("png");
 }
 
 }  // namespace eyebridge::gui

@@ -12,8 +12,8 @@ namespace eyebridge::gui {
 /// False when it cannot be written.
 bool save_picture(const QImage& picture, const QString& path);
 
-/// Asks a person for a path, in a dialog of `window` that nobody waits for, and tells it to `save`.
-void ask_where_to_save(QWidget& window, const QString& title, const QString& name,
-                       std::function<void(const QString&)> save);
+/// Asks a person for its path (ask_for_file.hpp) and tells it to `save`.
+void ask_where_to_save_picture(QWidget& window, const QString& title, const QString& name,
+                               std::function<void(const QString&)> save);
 
 }  // namespace eyebridge::gui

@@ -24,8 +24,8 @@ constexpr std::array kKeysBesideLetters = {
 
 }  // namespace
 
-Monkey::Monkey(std::vector<QWidget*> windows, QString folder, unsigned seed)
-    : windows_(std::move(windows)), folder_(std::move(folder)), random_(seed) {}
+Monkey::Monkey(std::vector<QWidget*> windows, unsigned seed)
+    : windows_(std::move(windows)), random_(seed) {}
 
 int Monkey::below(int bound) {
   return std::uniform_int_distribution<int>(0, std::max(1, bound) - 1)(random_);

@@ -9,8 +9,8 @@ namespace eyebridge::gui::testing {
 /// Somebody who clicks and types at random, in all windows at once.
 class Monkey {
  public:
-  /// The windows are lent. What dialogs are asked to save or open lies in `folder`.
-  Monkey(std::vector<QWidget*> windows, QString folder, unsigned seed);
+  /// The windows are lent.
+  Monkey(std::vector<QWidget*> windows, unsigned seed);
 
   /// One thing: a click, a drag, a turn of the wheel, a key, or an entry of a menu.
   void act();
@@ -27,7 +27,6 @@ class Monkey {
   void choose_from_menu();
 
   const std::vector<QWidget*> windows_;
-  const QString folder_;
   std::mt19937 random_;
 };
 
