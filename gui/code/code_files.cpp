@@ -178,9 +178,10 @@ bool CodeWindow::save_as(Page& page, const QString& path) {
               {{tr("Save as..."), [this, &page] { ask_where(page, {}); }}});
     return false;
   }
-  watch_.leave(page.path().toStdString());
+  const QString before = page.path();
   const bool saved = page.save_as(path);
   page_changed(page);
+  leave_file(before);
   if (saved) remember_file(kRecentPrograms, page.path());
   return saved;
 }
@@ -250,19 +251,21 @@ void CodeWindow::close_page(Page& page) {
 void CodeWindow::remove_page(Page& page) {
   page.on_change = {};
   if (ran_ == &page) ran_.clear();
-  watch_.leave(page.path().toStdString());
   recovery_.forget(page.number());
   QDir(copy_folder(page)).removeRecursively();
   tabs_->removeTab(tabs_->indexOf(&page));
+  leave_file(page.path());
   page.deleteLater();
   show_titles();
   show_state();
 }
 
+void CodeWindow::leave_file(const QString& path) {
+  if (!path.isEmpty() && page_of(path) == nullptr) watch_.leave(path.toStdString());
+}
+
 void CodeWindow::disk_changed() {
-  const auto changed = watch_.changed();
-  watch_.accept();
-  for (const auto& path : changed) {
+  for (const auto& path : watch_.take_changed()) {
     if (Page* const page = page_of(QString::fromStdString(path.string()))) page->look_at_disk();
   }
 }

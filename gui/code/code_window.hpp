@@ -22,7 +22,8 @@ namespace eyebridge::gui {
 
 /// The code panel: programs in tabs, a button that builds and runs the one in front, what it
 /// prints. Texts that were not saved when the last code panel crashed are there again. For the
-/// windows' thread; no call blocks, and no dialog holds others up.
+/// windows' thread; no call but the last one, which waits for drafts, blocks, and no dialog holds
+/// others up.
 class CodeWindow final : public QMainWindow {
   Q_DECLARE_TR_FUNCTIONS(CodeWindow)
  public:
@@ -87,6 +88,8 @@ class CodeWindow final : public QMainWindow {
   void remove_page(Page& page);
   void ask_about_unsaved(const QStringList& names, const std::function<void()>& save,
                          const std::function<void()>& discard);
+  /// Nobody looks at it any more, unless another page is of it.
+  void leave_file(const QString& path);
   void disk_changed();
 
   // code_run.cpp

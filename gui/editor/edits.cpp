@@ -70,6 +70,16 @@ void remove_robots(Plan& plan, const Selection& items, const IsObject& is_object
   });
 }
 
+/// Takes a way-point out, with the speed of the leg that leads there, and the wait.
+void erase_point(world::Path& way, std::size_t point) {
+  const auto erase_from = [point](auto& values) {
+    if (point < values.size()) values.erase(values.begin() + static_cast<std::ptrdiff_t>(point));
+  };
+  erase_from(way.points);
+  erase_from(way.leg_speeds);
+  erase_from(way.waits);
+}
+
 }  // namespace
 
 std::vector<int> run_numbers(const std::vector<files::SimRobot>& robots,
@@ -266,12 +276,11 @@ void remove_way_point(Plan& plan, const Item& item, std::size_t point) {
   if (old == nullptr || point >= old->points.size()) return;
   world::Path& way = *make_way(plan, item);
   std::vector<Vec2>& points = way.points;
-  const auto index = static_cast<std::ptrdiff_t>(point);
-  points.erase(points.begin() + index);
-  if (point < way.leg_speeds.size()) way.leg_speeds.erase(way.leg_speeds.begin() + index);
-  if (point < way.waits.size()) way.waits.erase(way.waits.begin() + index);
+  erase_point(way, point);
   // Its neighbours may be one place.
-  points.erase(std::unique(points.begin(), points.end(), same_point), points.end());
+  if (point > 0 && point < points.size() && same_point(points[point - 1], points[point])) {
+    erase_point(way, point);
+  }
   fit_profile(way);
   if (!points.empty()) return;
   if (item.kind == Kind::Thing) {

@@ -202,15 +202,16 @@ bool EnvironmentWindow::start_film(const QString& path) {
 }
 
 void EnvironmentWindow::stop_film() {
+  if (auto* const asks = findChild<QDialog*>("film")) asks->deleteLater();
   film_.reset();
   film_switch_->setChecked(false);
 }
 
 void EnvironmentWindow::ask_for_film() {
   if (film_) return;  // by start_film()
-  const auto& dialog =
-      ask_where_to_save(*this, tr("Film"), program_ + ".mp4", tr("Videos (*.mp4 *.avi)"),
-                        [this](const QString& path) { start_film(path); });
+  auto& dialog = ask_where_to_save(*this, tr("Film"), program_ + ".mp4", tr("Videos (*.mp4 *.avi)"),
+                                   [this](const QString& path) { start_film(path); });
+  dialog.setObjectName("film");
   connect(&dialog, &QDialog::rejected, this, [this] { film_switch_->setChecked(false); });
 }
 

@@ -16,14 +16,14 @@ QString time_text(Time time) { return QString("%1 s").arg(to_seconds(time), 0, '
 }  // namespace
 
 Inspector::Inspector(const hal::DeviceNotes& notes, const robios::Keys& keys, QWidget* parent)
-    : QTreeWidget(parent), notes_(notes), keys_(keys), times_(notes) {
+    : QTreeWidget(parent), keys_(keys), times_(notes) {
   setAccessibleName(tr("Sensors and actuators"));
   setHeaderLabels({tr("Name"), tr("Value"), tr("Unit"), tr("Last time")});
   headerItem()->setToolTip(kTime, tr("When the program last read or wrote it, on its own clock"));
   setUniformRowHeights(true);
   setAlternatingRowColors(true);
   setSelectionMode(QAbstractItemView::NoSelection);
-  for (const hal::NotedValue& value : notes_.values()) add_row(value);
+  for (const hal::NotedValue& value : notes.values()) add_row(value);
   QTreeWidgetItem* const keys_group = group(tr("Keys"));
   const auto row = [keys_group](const QString& name) {
     auto* item = new QTreeWidgetItem(keys_group, {name, "–"});

@@ -45,7 +45,6 @@ class Inspector final : public QTreeWidget {
   void refresh_keys();
   void put(QTreeWidgetItem* item, const QString& text, Time time);
 
-  const hal::DeviceNotes& notes_;
   const robios::Keys& keys_;
   StampTimes times_;
   std::vector<Row> rows_;

@@ -10,11 +10,13 @@ StampTimes::StampTimes(const hal::DeviceNotes& notes) : notes_(notes), last_(now
 }
 
 void StampTimes::look() {
+  if (notes_.is_virtual()) return;
   before_ = last_;
   last_ = now();
 }
 
 Time StampTimes::time_of(Time stamp) const {
+  if (notes_.is_virtual()) return stamp;
   if (stamp < before_.stamp) return std::min(notes_.time_of(stamp), before_.time);
   if (stamp >= last_.stamp) return last_.time;
   const std::chrono::duration<double> passed = stamp - before_.stamp;

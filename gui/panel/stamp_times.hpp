@@ -13,8 +13,8 @@ class StampTimes {
 
   /// Some ten times a second at least: the pace between two looks is taken to be even.
   void look();
-  /// Of a stamp from before the last look and after the one before that; of an older one as the
-  /// clock itself says.
+  /// Exact in virtual time. Else of a stamp from before the last look and after the one before
+  /// that; of an older one as the clock itself says.
   [[nodiscard]] Time time_of(Time stamp) const;
 
  private:

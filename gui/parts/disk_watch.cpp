@@ -7,14 +7,16 @@
 namespace eyebridge::gui {
 namespace {
 
-constexpr int kMoment_ms = 100;  // editors write in several steps
+constexpr int kMoment_ms = 100;          // editors write in several steps
+constexpr int kLongest_ms = 1000;        // of writes without a moment between them
+constexpr qint64 kMostBytes = 64 << 20;  // no file of ours has more
 
 std::optional<QByteArray> bytes_of(const std::filesystem::path& path) {
   QFile file(QString::fromStdString(path.string()));
   // A pipe that took its place would keep us waiting.
   if (!QFileInfo(file).isFile()) return {};
   if (!file.open(QIODevice::ReadOnly)) return {};
-  return file.readAll();
+  return file.read(kMostBytes);
 }
 
 }  // namespace
@@ -23,7 +25,10 @@ DiskWatch::DiskWatch(std::function<void()> on_change) : on_change_(std::move(on_
   moment_.setSingleShot(true);
   moment_.setInterval(kMoment_ms);
   QObject::connect(&moment_, &QTimer::timeout, [this] { look(); });
-  const auto wait = [this] { moment_.start(); };
+  const auto wait = [this] {
+    if (!moment_.isActive()) first_.start();
+    if (first_.elapsed() < kLongest_ms) moment_.start();
+  };
   QObject::connect(&watcher_, &QFileSystemWatcher::fileChanged, &moment_, wait);
   QObject::connect(&watcher_, &QFileSystemWatcher::directoryChanged, &moment_, wait);
 }
@@ -55,6 +60,17 @@ std::vector<std::filesystem::path> DiskWatch::changed() const {
   std::vector<std::filesystem::path> out;
   for (const auto& [path, bytes] : known_) {
     if (bytes_of(path) != bytes) out.push_back(path);
+  }
+  return out;
+}
+
+std::vector<std::filesystem::path> DiskWatch::take_changed() {
+  std::vector<std::filesystem::path> out;
+  for (auto& [path, bytes] : known_) {
+    auto now = bytes_of(path);
+    if (now == bytes) continue;
+    bytes = std::move(now);
+    out.push_back(path);
   }
   return out;
 }

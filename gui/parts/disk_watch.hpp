@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <QElapsedTimer>
 #include <QFileSystemWatcher>
 #include <QTimer>
 #include <filesystem>
@@ -14,7 +15,8 @@ namespace eyebridge::gui {
 /// Files that others may change, too.
 class DiskWatch {
  public:
-  /// `on_change` is told when they are no longer as they were known, a moment after the last write.
+  /// `on_change` is told when they are no longer as they were known, a moment after the last write,
+  /// or a second after the first one.
   explicit DiskWatch(std::function<void()> on_change);
 
   /// From now on these; as they are now is how they are known. Empty names are left out.
@@ -24,6 +26,8 @@ class DiskWatch {
   void leave(const std::filesystem::path& path);
   /// Those that are not as known.
   [[nodiscard]] std::vector<std::filesystem::path> changed() const;
+  /// The same; as they were read for that is how they are known from now on.
+  std::vector<std::filesystem::path> take_changed();
   [[nodiscard]] bool has_changed() const { return !changed().empty(); }
   /// As they are now is how they are known.
   void accept();
@@ -35,6 +39,7 @@ class DiskWatch {
   std::function<void()> on_change_;
   QFileSystemWatcher watcher_;
   QTimer moment_;
+  QElapsedTimer first_;  ///< Since the first change that nobody was told of.
   std::map<std::filesystem::path, std::optional<QByteArray>> known_;  ///< None: not there.
 };
 

@@ -5,7 +5,6 @@
 #include <QSaveFile>
 #include <memory>
 #include <optional>
-#include <utility>
 
 namespace eyebridge::gui {
 namespace {
@@ -22,7 +21,10 @@ class Writing {
       const QFileInfo there(file_.path);
       const bool is_folder_closed = !QFileInfo(there.absolutePath()).isWritable();
       is_direct_ = is_folder_closed && there.isFile() && there.isWritable();
-      return is_direct_ ? QString() : disk_.errorString();
+      if (!is_direct_) return disk_.errorString();
+      keep_old();
+      // It could not be put back.
+      return old_ ? QString() : disk_.errorString();
     }
     // flush(): commit() does not notice when the last of its buffer finds no room.
     if (disk_.write(file_.bytes) == file_.bytes.size() && disk_.flush()) return {};
@@ -41,14 +43,13 @@ class Writing {
   /// Returns "" or why it is not in its place.
   QString commit() {
     if (!is_direct_) return disk_.commit() ? QString() : disk_.errorString();
-    if (!old_) keep_old();
     QFile disk(file_.path);
     const bool is_written = disk.open(QIODevice::WriteOnly) &&
                             disk.write(file_.bytes) == file_.bytes.size() && disk.flush();
     if (is_written) return {};
     QString why = disk.errorString();
     disk.close();
-    put_back();
+    is_torn_ = !put_back();
     return why;
   }
 
@@ -62,12 +63,15 @@ class Writing {
   }
 
   [[nodiscard]] const QString& path() const { return file_.path; }
+  /// Neither as it was nor as it should be, after commit() failed.
+  [[nodiscard]] bool is_torn() const { return is_torn_; }
 
  private:
   const FileBytes& file_;
   QSaveFile disk_;
   bool is_direct_ = false;
   bool was_there_ = false;
+  bool is_torn_ = false;
   std::optional<QByteArray> old_;  ///< None: it cannot be read.
 };
 
@@ -85,6 +89,7 @@ WriteEnd write_all(const std::vector<FileBytes>& files) {
     const QString why = all[i]->commit();
     if (why.isEmpty()) continue;
     QStringList torn;
+    if (all[i]->is_torn()) torn << all[i]->path();
     for (std::size_t k = 0; k < i; ++k) {
       if (!all[k]->put_back()) torn << all[k]->path();
     }

@@ -17,7 +17,7 @@ struct FileBytes {
 struct WriteEnd {
   QString why;       ///< "": all are on the disk. Else in the system's words …
   QString path;      ///< … what could not be written …
-  QStringList torn;  ///< … and those of the others that could not be put back as they were.
+  QStringList torn;  ///< … and those that could not be put back as they were.
 };
 
 /// Writes all bytes of all files, or none: each is as it was, then.

@@ -13,6 +13,18 @@ Error unknown(const char* kind, int id, int count) {
                                 ", the world has " + std::to_string(count)};
 }
 
+/// What `act(simulation, body)` makes of object `id`, in one go: nobody can take it away meanwhile.
+template <class Act>
+auto with_object(SimWorld& world, int id, Act act) {
+  return world.locked([&](auto& sim) -> decltype(act(sim, world::BodyId{})) {
+    const auto count = static_cast<int>(sim.world().object_count());
+    if (id < 1 || id > count) return tl::unexpected(unknown("object", id, count));
+    const world::BodyId body = sim.world().object_body(static_cast<std::size_t>(id - 1));
+    if (sim.world().is_there(body)) return act(sim, body);
+    return fail(Errc::OutOfRange, "object " + std::to_string(id) + " has been removed");
+  });
+}
+
 bool is_finite(const Pose& pose) { return std::isfinite(pose.x + pose.y + pose.theta); }
 
 }  // namespace
@@ -33,17 +45,6 @@ Result<robot::RobotIndex> SimWorldControl::robot_index(int id) const {
       [id](auto& sim) { return robot_there(sim, static_cast<std::size_t>(id - 1)); });
 }
 
-Result<world::BodyId> SimWorldControl::object_index(int id) const {
-  return world_.locked([id](auto& sim) -> Result<world::BodyId> {
-    const world::World& world = sim.world();
-    const auto count = static_cast<int>(world.object_count());
-    if (id < 1 || id > count) return tl::unexpected(unknown("object", id, count));
-    const world::BodyId body = world.object_body(static_cast<std::size_t>(id - 1));
-    if (world.is_there(body)) return body;
-    return fail(Errc::OutOfRange, "object " + std::to_string(id) + " has been removed");
-  });
-}
-
 Result<Pose> SimWorldControl::robot_pose(int id) const {
   return robot_index(id).map([&](robot::RobotIndex index) {
     return world_.locked([&](auto& sim) { return sim.pose(index); });
@@ -58,15 +59,16 @@ Result<void> SimWorldControl::set_robot_pose(int id, const Pose& pose) {
 }
 
 Result<Pose> SimWorldControl::object_pose(int id) const {
-  return object_index(id).map([&](world::BodyId index) {
-    return world_.locked([&](auto& sim) { return sim.world().pose(index); });
+  return with_object(world_, id, [](auto& sim, world::BodyId body) -> Result<Pose> {
+    return sim.world().pose(body);
   });
 }
 
 Result<void> SimWorldControl::set_object_pose(int id, const Pose& pose) {
   if (!is_finite(pose)) return fail(Errc::OutOfRange, "set object: expected a finite pose");
-  return object_index(id).map([&](world::BodyId index) {
-    world_.locked([&](auto& sim) { sim.world().set_pose(index, pose); });
+  return with_object(world_, id, [&](auto& sim, world::BodyId body) -> Result<void> {
+    sim.world().set_pose(body, pose);
+    return {};
   });
 }
 
@@ -82,35 +84,33 @@ Result<int> SimWorldControl::add_object(const world::ObjectSpec& object) {
 }
 
 Result<void> SimWorldControl::remove_object(int id) {
-  return object_index(id).map(
-      [&](world::BodyId index) { world_.locked([&](auto& sim) { sim.world().remove(index); }); });
+  return with_object(world_, id, [](auto& sim, world::BodyId body) -> Result<void> {
+    sim.world().remove(body);
+    return {};
+  });
 }
 
 Result<void> SimWorldControl::set_object_velocity(int id, Vec2 velocity) {
   if (!std::isfinite(velocity.x + velocity.y)) {
     return fail(Errc::OutOfRange, "set object: expected a finite velocity");
   }
-  const auto index = object_index(id);
-  if (!index) return tl::unexpected(index.error());
-  return world_.locked([&](auto& sim) -> Result<void> {
-    if (!sim.world().slides(*index)) {
+  return with_object(world_, id, [&](auto& sim, world::BodyId body) -> Result<void> {
+    if (!sim.world().slides(body)) {
       return fail(Errc::OutOfRange, "object " + std::to_string(id) +
                                         " does not roll or slide: expected a ball, or one with a "
                                         "friction, that is not fixed");
     }
-    sim.world().set_velocity(*index, velocity);
+    sim.world().set_velocity(body, velocity);
     return {};
   });
 }
 
 Result<void> SimWorldControl::set_object_fixed(int id, bool fixed) {
-  const auto index = object_index(id);
-  if (!index) return tl::unexpected(index.error());
-  return world_.locked([&](auto& sim) -> Result<void> {
-    if (sim.world().moves_by_itself(*index)) {
+  return with_object(world_, id, [&](auto& sim, world::BodyId body) -> Result<void> {
+    if (sim.world().moves_by_itself(body)) {
       return fail(Errc::OutOfRange, "object " + std::to_string(id) + " moves by itself");
     }
-    sim.world().set_fixed(*index, fixed);
+    sim.world().set_fixed(body, fixed);
     return {};
   });
 }

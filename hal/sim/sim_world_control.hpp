@@ -25,7 +25,6 @@ class SimWorldControl final : public WorldControl, private SimDevice {
 
  private:
   [[nodiscard]] Result<robot::RobotIndex> robot_index(int id) const;
-  [[nodiscard]] Result<world::BodyId> object_index(int id) const;
 };
 
 }  // namespace eyebridge::hal

@@ -25,7 +25,8 @@ inline Values pack_message(const std::optional<RadioMessage>& message) {
   return values;
 }
 inline char to_byte(double value) {
-  return static_cast<char>(static_cast<unsigned char>(std::clamp(value, 0.0, 255.0)));
+  if (!(value > 0.0)) return 0;  // nor a number
+  return static_cast<char>(static_cast<unsigned char>(std::min(value, 255.0)));
 }
 inline std::string unpack_text(std::span<const double> values) {
   std::string text(values.size(), '\0');

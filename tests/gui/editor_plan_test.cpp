@@ -105,6 +105,19 @@ TEST(EditorPlan, ARobotAtALetterLeavesItWhenItIsMoved) {
   EXPECT_EQ(plan.robots[0].pose, (Pose{2, 1, 0}));
 }
 
+TEST(EditorPlan, WhereTwoWayPointsBecomeOneTheSecondOnesSpeedGoes) {
+  Plan plan = empty_plan(4, 4);
+  const Item can = add_thing(plan, "can", {1, 1});
+  add_way_point(plan, can, 0, {2, 1});
+  make_way(plan, can)->points = {{2, 1}, {3, 1}, {2, 1}, {2, 3}};
+  make_way(plan, can)->leg_speeds = {0.1, 0.2, 0.3, 0.4};
+  make_way(plan, can)->waits = {1, 2, 3, 4};
+  remove_way_point(plan, can, 1);
+  EXPECT_EQ(way_of(plan, can)->points, (std::vector<Vec2>{{2, 1}, {2, 3}}));
+  EXPECT_EQ(way_of(plan, can)->leg_speeds, (std::vector<double>{0.1, 0.4}));
+  EXPECT_EQ(way_of(plan, can)->waits, (std::vector<double>{1, 4}));
+}
+
 TEST(EditorPlan, SpeedsAndWaitsStayWithTheirWayPoints) {
   Plan plan = empty_plan(4, 4);
   const Item can = add_thing(plan, "can", {1, 1});

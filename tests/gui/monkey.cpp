@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDrag>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QPointer>
@@ -31,7 +32,20 @@ int Monkey::below(int bound) {
   return std::uniform_int_distribution<int>(0, std::max(1, bound) - 1)(random_);
 }
 
+void Monkey::let_go() {
+  if (!acts_) return;
+  QDrag::cancel();
+  if (QWidget* const popup = QApplication::activePopupWidget()) popup->close();
+  close_dialog();
+}
+
 void Monkey::act() {
+  acts_ = true;
+  act_now();
+  acts_ = false;
+}
+
+void Monkey::act_now() {
   QWidget& widget = any_widget();
   const QPoint place(below(widget.width()), below(widget.height()));
   constexpr std::array kButtons = {Qt::LeftButton, Qt::LeftButton, Qt::RightButton,
@@ -75,7 +89,7 @@ QWidget& Monkey::any_widget() {
   if (below(8) == 0) window->activateWindow();
   QList<QWidget*> shown{window};
   for (QWidget* child : window->findChildren<QWidget*>()) {
-    // Dialogs are answered: somebody who types into one for files may remove any that there is.
+    // Dialogs are closed: somebody who types into one for files may remove any that there is.
     const bool is_ours = child->window() == window || child->window()->inherits("QDockWidget");
     if (is_ours && child->isVisible() && child->isEnabled()) shown.push_back(child);
   }
@@ -124,7 +138,7 @@ void Monkey::choose_from_menu() {
   if (!entries.isEmpty()) entries.at(below(static_cast<int>(entries.size())))->trigger();
 }
 
-void Monkey::answer_dialog() {
+void Monkey::close_dialog() {
   QWidget* const dialog = QApplication::activeModalWidget();
   if (dialog == nullptr) return;
   dialog->close();

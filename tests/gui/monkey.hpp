@@ -14,11 +14,15 @@ class Monkey {
 
   /// One thing: a click, a drag, a turn of the wheel, a key, or an entry of a menu.
   void act();
+  /// Lets go of what an act waits for: text that is dragged waits for a real mouse's button, a menu
+  /// for an answer. Does nothing between acts.
+  void let_go();
   /// Closes the dialog that is open, if one is.
-  void answer_dialog();
+  void close_dialog();
   int below(int bound);
 
  private:
+  void act_now();
   [[nodiscard]] QWidget& any_widget();
   [[nodiscard]] Qt::KeyboardModifiers any_modifiers();
   [[nodiscard]] Qt::Key any_key();
@@ -28,6 +32,7 @@ class Monkey {
 
   const std::vector<QWidget*> windows_;
   std::mt19937 random_;
+  bool acts_ = false;
 };
 
 }  // namespace eyebridge::gui::testing

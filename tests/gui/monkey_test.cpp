@@ -5,7 +5,6 @@
 
 #include <QDir>
 #include <QDockWidget>
-#include <QDrag>
 #include <QElapsedTimer>
 #include <QFile>
 #include <QImage>
@@ -185,10 +184,10 @@ TEST(AMonkey, BreaksNothing) {
   {
     Cage cage;
     testing::Monkey monkey(cage.windows(), static_cast<unsigned>(seed));
-    // Text that is dragged waits for the button of a real mouse.
-    QTimer drops;
-    QObject::connect(&drops, &QTimer::timeout, [] { QDrag::cancel(); });
-    drops.start(20);
+    // Event loops within an act have no other end.
+    QTimer hands;
+    QObject::connect(&hands, &QTimer::timeout, [&monkey] { monkey.let_go(); });
+    hands.start(20);
     const int acts = number_of("EYEBRIDGE_TEST_MONKEY_ACTS", 600);
     const int seconds = number_of("EYEBRIDGE_TEST_MONKEY_SECONDS", 0);
     QElapsedTimer time;
@@ -197,7 +196,7 @@ TEST(AMonkey, BreaksNothing) {
     for (; seconds == 0 ? done < acts : time.elapsed() < 1000LL * seconds; ++done) {
       monkey.act();
       QApplication::processEvents();
-      if (monkey.below(4) == 0) monkey.answer_dialog();
+      if (monkey.below(4) == 0) monkey.close_dialog();
       cage.show();
       if (done % 10 == 0) cage.live(done / 10);
     }

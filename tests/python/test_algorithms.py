@@ -121,6 +121,11 @@ class Algorithms(unittest.TestCase):
             self.assertIsNone(matcher.match((0.7, 1.0, 0.6), *scan))
             with self.assertRaisesRegex(ValueError, "as many bearings as ranges"):
                 matcher.match(pose, scan[0][:5], scan[1])
+            with self.assertRaises(ValueError):
+                matcher.match(pose, *scan, max_range=math.inf)
+            with self.assertRaises(ValueError):
+                eyebridge.ScanMatcher(self.truth, window=1e9)
+            self.assertIsNone(matcher.match(pose, [1e12], [0.0], max_range=1e13))
 
     def test_slam_draws_a_map_and_knows_its_place_on_it(self):
         with eyebridge.Simulation(eyebridge.load_scenario(SOURCE / "worlds" / "rooms.wld")) as sim:

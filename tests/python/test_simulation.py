@@ -110,6 +110,7 @@ class Simulations(unittest.TestCase):
             np.testing.assert_allclose(counted, (0, 1 / 16, 6 / 16, 9 / 16, 0), atol=1e-12)
             with self.assertRaises(ValueError):
                 robot.encoder_probability(1, 1e300)
+            self.assertEqual(robot.encoder_probability(math.nan, 1.0), 0.0)
             for wrong in (0, -1, math.nan):
                 with self.assertRaises(ValueError):
                     robot.psd_probability(1, 0.5, 0.5, resolution=wrong)

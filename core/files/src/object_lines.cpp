@@ -76,8 +76,14 @@ void apply(const ObjectTraits& traits, world::ObjectSpec& object) {
   if (traits.friction) matter.friction = traits.friction;
   if (traits.restitution) matter.restitution = traits.restitution;
   if (traits.fixed) matter.fixed = true;
-  if (traits.path) object.path = traits.path;
-  if (traits.reaction) object.reaction = traits.reaction;
+  // One takes the place of the other.
+  if (traits.path) {
+    object.path = traits.path;
+    object.reaction.reset();
+  } else if (traits.reaction) {
+    object.reaction = traits.reaction;
+    object.path.reset();
+  }
   if (traits.yields_within) object.yields_within = *traits.yields_within;
 }
 

@@ -11,10 +11,12 @@ namespace {
 // Standard deviations from which on a hit counts for nothing: 2e-8.
 constexpr double kNoScore = 6.0;
 
-const MatchSettings& checked_match(const MatchSettings& s) {
+constexpr double kMostShifts = 1000;  // to each side
+
+const MatchSettings& checked_match(const MatchSettings& s, double resolution) {
   const bool good = s.window > 0.0 && s.turn_window > 0.0 && s.turn_window <= kPi &&
                     s.sigma > 0.0 && s.least_score >= 0.0 && s.least_score <= 1.0 && s.block > 0 &&
-                    s.rounds >= 0 && std::isfinite(s.window);
+                    s.rounds >= 0 && s.window <= kMostShifts * resolution;
   if (!good) throw std::invalid_argument("scan matching: settings out of range");
   return s;
 }
@@ -55,7 +57,7 @@ int nth_from_middle(int n) { return n % 2 == 0 ? n / 2 : -(n + 1) / 2; }
 ScanMatcher::ScanMatcher(const mapping::Raster<std::uint8_t>& occupied,
                          const MatchSettings& settings)
     : distances_(mapping::distance_field(occupied)),
-      settings_(checked_match(settings)),
+      settings_(checked_match(settings, occupied.geometry.resolution)),
       shifts_(static_cast<int>(std::ceil(settings.window / occupied.geometry.resolution - 1e-9))),
       // Hits are held at the first cell from which no shift leads into the map.
       padding_(2 * shifts_ + settings.block + 1),
@@ -97,6 +99,10 @@ std::vector<std::int32_t> ScanMatcher::places_of(const Pose& pose, const Scan& s
 Pose ScanMatcher::search(const Pose& guess, const Scan& scan) const {
   double farthest = distances_.geometry.resolution;
   for (const Vec2 hit : scan.hits) farthest = std::max(farthest, norm(hit));
+  // What is farther away than the map is wide is not on it, however it is turned.
+  const mapping::GridGeometry& where = distances_.geometry;
+  const Vec2 extent{where.columns * where.resolution, where.rows * where.resolution};
+  farthest = std::min(farthest, norm(extent) + settings_.window);
   const int turns = static_cast<int>(
       std::ceil(settings_.turn_window * farthest / distances_.geometry.resolution));
   const double turn_step = settings_.turn_window / turns;

@@ -12,7 +12,7 @@ namespace {
 
 void check(const DynamicWindowSettings& settings) {
   const auto positive = [](double value, const char* complaint) {
-    if (!(value > 0.0)) throw std::invalid_argument(complaint);
+    if (!(value > 0.0 && std::isfinite(value))) throw std::invalid_argument(complaint);
   };
   positive(settings.max_linear, "dynamic window: max_linear must be > 0");
   positive(settings.max_angular, "dynamic window: max_angular must be > 0");

@@ -85,6 +85,7 @@ double TickReadings::at_most(std::int64_t ticks) const {
 }
 
 double TickReadings::probability(double ticks, double resolution) const {
+  if (std::isnan(ticks) || std::isnan(resolution)) return 0.0;
   const auto up_to = [this](double reading) {
     const double most = 2 * kMostTicks;  // beyond there is nothing
     return at_most(static_cast<std::int64_t>(std::floor(std::clamp(reading, -most, most))));

@@ -64,9 +64,7 @@ void World::Impl::bounce_off(BodyId id, const Obstacle& end) {
 void World::step_objects(double dt) {
   for (Mover& mover : impl_->movers) impl_->follow(mover, dt);
   for (Reactor& reactor : impl_->reactors) impl_->react(reactor, dt);
-  for (const Impl::Thing& thing : impl_->things) {  // robots do not slide
-    if (impl_->bodies.response_[thing.body].slides) impl_->roll(thing.body, dt);
-  }
+  for (const BodyId id : impl_->sliders) impl_->roll(id, dt);
   impl_->contacts.end_step([&](BodyId id, BodyId other) { return impl_->gap(id, other); },
                            [&](BodyId id, BodyId other) {
                              if (other == kNoBody) impl_->bodies.hold_[id] = {};

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "world_impl.hpp"
@@ -17,30 +19,42 @@ void check(bool good, const char* what) {
   if (!good) throw std::invalid_argument(what);
 }
 
-/// Written so that NaN fails, too.
+/// Neither infinite nor NaN, which fails every comparison.
+bool is_positive(double value) { return value > 0.0 && std::isfinite(value); }
+bool is_not_negative(double value) { return value >= 0.0 && std::isfinite(value); }
+
 void check(const Path& path) {
-  check(path.speed > 0.0 && !path.points.empty(), "object: a path needs a speed and points");
-  check(path.acceleration >= 0.0, "object: the acceleration on a path must not be negative");
+  check(is_positive(path.speed) && !path.points.empty(), "object: a path needs a speed and points");
+  check(is_not_negative(path.acceleration),
+        "object: the acceleration on a path must be finite and not negative");
+  for (const Vec2 point : path.points) {
+    check(std::isfinite(point.x) && std::isfinite(point.y), "object: a way-point must be finite");
+  }
   check(path.leg_speeds.size() <= path.leg_count() && path.waits.size() <= path.leg_count(),
         "object: more speeds or waits than legs of the path");
-  for (const double speed : path.leg_speeds) check(speed > 0.0, "object: a leg needs a speed");
-  for (const double wait : path.waits) check(wait >= 0.0, "object: a wait must not be negative");
+  for (const double speed : path.leg_speeds)
+    check(is_positive(speed), "object: a leg needs a speed");
+  for (const double wait : path.waits)
+    check(is_not_negative(wait), "object: a wait must be finite and not negative");
 }
 
 }  // namespace
 
 void check_object(const ObjectSpec& object) {
   const Matter& matter = object.matter;
-  check(object.outer_radius() > 0.0, "object: the size must be positive");
+  check(is_positive(object.outer_radius()), "object: the size must be positive");
+  check(is_not_negative(object.height), "object: the height must be finite and not negative");
   check(object.kind != ObjectKind::Box || (object.size.x > 0.0 && object.size.y > 0.0),
         "object: length and width of a box must be positive");
-  check(matter.mass > 0.0, "object: the mass must be positive");
+  check(is_positive(matter.mass), "object: the mass must be positive");
   if (object.path) check(*object.path);
   check(!object.path || !object.reaction, "object: a path and a reaction: expected one of them");
-  check(!object.reaction || (object.reaction->speed > 0.0 && object.reaction->range >= 0.0),
+  check(!object.reaction || (is_positive(object.reaction->speed) && object.reaction->range >= 0.0),
         "object: a reaction needs a speed and a range");
-  check(object.yields_within >= 0.0, "object: it yields within a distance, which is not negative");
-  check(!matter.friction || *matter.friction >= 0.0, "object: friction must not be negative");
+  check(is_not_negative(object.yields_within),
+        "object: it yields within a distance, which is not negative");
+  check(!matter.friction || is_not_negative(*matter.friction),
+        "object: friction must be finite and not negative");
   check(!matter.restitution || (*matter.restitution >= 0.0 && *matter.restitution <= 1.0),
         "object: restitution must be 0 to 1");
 }
@@ -73,7 +87,8 @@ BodyId World::Impl::add_object(const ObjectSpec& object) {
                                Heading::from_angle(object.pose.theta), object.outer_radius(),
                                object.height, object.colour);
   bodies.response_[id] = response_of(object);
-  things.push_back({id, object});
+  things.push_back({id, object, object.matter.fixed});
+  note_slider(id);
   if (object.path) add_mover(id, object);
   if (object.reaction) add_reactor(id, object);
   if (object.kind != ObjectKind::Box) return id;
@@ -83,10 +98,18 @@ BodyId World::Impl::add_object(const ObjectSpec& object) {
 }
 
 void World::Impl::set_fixed(Thing& thing, bool fixed) {
-  thing.changed = true;
   thing.spec.matter.fixed = fixed;
   bodies.response_[thing.body] = response_of(thing.spec);
   if (fixed) bodies.set_velocity(thing.body, {});
+  note_slider(thing.body);
+}
+
+void World::Impl::note_slider(BodyId id) {
+  const auto at = std::ranges::lower_bound(sliders, id);
+  const bool is_noted = at != sliders.end() && *at == id;
+  const bool slides = bodies.response_[id].slides;
+  if (slides && !is_noted) sliders.insert(at, id);
+  if (!slides && is_noted) sliders.erase(at);
 }
 
 }  // namespace eyebridge::world

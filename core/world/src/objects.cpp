@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -12,6 +14,9 @@ namespace {
 
 // Metres. As for robots: what fills its place is free there, whatever rounding made of it.
 constexpr double kTouching = 1e-9;
+
+// Metres from the origin: beyond, nothing that is added could ever be met.
+constexpr double kFarthest = 1e6;
 
 [[noreturn]] void refuse(const ObjectSpec& object, const std::string& obstacle) {
   throw std::invalid_argument(fmt::format("{} at ({:.3f}, {:.3f}) m would stand in {}", object.name,
@@ -58,19 +63,29 @@ const World::Impl::Thing* World::Impl::thing_of(BodyId id) const {
 
 BodyId World::add_object(const ObjectSpec& object) {
   const Pose& pose = object.pose;
-  if (!std::isfinite(pose.x + pose.y + pose.theta)) {
-    throw std::invalid_argument("object: the pose must be finite");
+  if (!(std::abs(pose.x) <= kFarthest && std::abs(pose.y) <= kFarthest) ||
+      !std::isfinite(pose.theta)) {
+    throw std::invalid_argument("object: expected a pose within 1000 km");
   }
   check_object(object);
   impl_->check_free(object);
+  // As for one that a file places: it would stand there for good and look like a wall.
+  if (object.path && object.path->points == std::vector<Vec2>{pose.position()}) {
+    throw std::invalid_argument("object: the only way-point is where it stands");
+  }
+  if (object.path && wall_on_path(*impl_->model, object)) {
+    throw std::invalid_argument("object: its path leads into a wall");
+  }
   return impl_->add_object(object);
 }
 
 void World::remove(BodyId id) {
   if (id >= body_count()) throw std::out_of_range(fmt::format("no body {}", id));
+  if (!is_there(id)) return;
   Bodies& bodies = impl_->bodies;
   bodies.remove(id);
   bodies.response_[id] = {};
+  impl_->note_slider(id);
   bodies.set_velocity(id, {});
   impl_->contacts.forget(id);
   std::erase_if(impl_->movers, [&](const Mover& mover) { return mover.body == id; });

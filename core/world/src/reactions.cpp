@@ -45,6 +45,7 @@ void World::Impl::react(Reactor& reactor, double dt) {
   if (reaction.kind == Reaction::Kind::Wander) {
     const MoveResult result = drive(id, way * reactor.direction, dt);
     if (!result.blocked()) return;
+    ++reactor.bounces;
     const double into = dot(reactor.direction, result.contact);
     const Vec2 mirrored = reactor.direction - 2 * into * result.contact;
     const Heading scatter = Heading::from_angle(kScatter * (2 * reactor.random.uniform() - 1));

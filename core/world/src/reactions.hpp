@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "eyebridge/base/random.hpp"
 #include "eyebridge/world/world.hpp"
 
@@ -12,6 +14,7 @@ struct Reactor {
   double yields_within = 0.0;  ///< As in ObjectSpec.
   Random random;               ///< Of this object alone.
   Vec2 direction{};            ///< Unit vector in which it wanders.
+  std::uint64_t bounces = 0;   ///< How often that has changed: how far `random` is.
 };
 
 }  // namespace eyebridge::world

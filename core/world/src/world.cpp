@@ -93,6 +93,9 @@ void World::set_pose(BodyId id, const Pose& pose) {
   bodies.set_velocity(id, {});
   bodies.clearance_[id] = 0.0;
   bodies.hold_[id] = {};
+  for (Mover& mover : impl_->movers) {
+    if (mover.body == id) mover.present = 0.0;
+  }
   impl_->contacts.forget(id);
 }
 
@@ -127,9 +130,10 @@ void World::add_to(StateHash& hash) const {
   }
   for (const Reactor& reactor : impl_->reactors) {
     for (const double value : {reactor.direction.x, reactor.direction.y}) hash.add(value);
+    hash.add(reactor.bounces);
   }
   for (const Impl::Thing& thing : impl_->things) {
-    if (thing.changed) hash.add(std::uint64_t{thing.spec.matter.fixed});
+    if (thing.spec.matter.fixed != thing.was_fixed) hash.add(std::uint64_t{thing.body});
   }
 }
 

@@ -22,8 +22,8 @@ struct World::Impl {
   /// An object, in the order in which they came.
   struct Thing {
     BodyId body = kNoBody;
-    ObjectSpec spec;  ///< As it was added; `matter.fixed` as it is now.
-    bool changed = false;
+    ObjectSpec spec;         ///< As it was added; `matter.fixed` as it is now.
+    bool was_fixed = false;  ///< When it was added.
   };
 
   /// What a body's way ends at.
@@ -39,6 +39,8 @@ struct World::Impl {
   // matter.cpp
   BodyId add_object(const ObjectSpec& object);
   void set_fixed(Thing& thing, bool fixed);
+  /// Keeps `sliders` when `id` has begun or ended to be one.
+  void note_slider(BodyId id);
 
   // objects.cpp
   /// Throws std::invalid_argument where `object` would stand in something.
@@ -120,6 +122,7 @@ struct World::Impl {
   Bodies bodies;
   std::uint64_t seed;
   std::vector<Thing> things;
+  std::vector<BodyId> sliders;  ///< Of the things those that roll or slide, in order.
   std::vector<Mover> movers;
   std::vector<Reactor> reactors;
   ContactBook contacts;

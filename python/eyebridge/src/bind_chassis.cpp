@@ -120,8 +120,11 @@ void bind_chassis(py::module_& module) {
                              }))
       .def_property_readonly("body_twist",
                              [](const RobotHandle& r) {
-                               const HolonomicTwist twist =
-                                   with(r, [](auto& sim, auto i) { return sim.body_twist(i); });
+                               const HolonomicTwist twist = [&] {
+                                 const py::gil_scoped_release others_run;
+                                 return with(r,
+                                             [](auto& sim, auto i) { return sim.body_twist(i); });
+                               }();
                                return py::make_tuple(twist.linear, twist.lateral, twist.angular);
                              })
       .def_property_readonly("steering",

@@ -39,8 +39,9 @@ py::array_t<double> array_from(const localisation::Matrix3& matrix) {
 }
 
 LandmarkEkf ekf(const Place& pose, double position_sigma, double heading_sigma) {
-  if (!(position_sigma >= 0)) refuse("position_sigma", position_sigma, "0 m or more");
-  if (!(heading_sigma >= 0)) refuse("heading_sigma", heading_sigma, "0 or more");
+  const auto is_length = [](double value) { return value >= 0 && std::isfinite(value); };
+  if (!is_length(position_sigma)) refuse("position_sigma", position_sigma, "0 m or more");
+  if (!is_length(heading_sigma)) refuse("heading_sigma", heading_sigma, "0 or more");
   localisation::PoseEstimate start{pose_from(pose), {}};
   start.covariance(0, 0) = start.covariance(1, 1) = position_sigma * position_sigma;
   start.covariance(2, 2) = heading_sigma * heading_sigma;
@@ -122,8 +123,8 @@ struct Slam {
 };
 
 Slam make_slam(const OccupancyGrid& grid, const Place& start, double max_range, double sigma) {
-  if (!(max_range > 0)) refuse("max_range", max_range, "more than 0 m");
-  if (!(sigma >= 0)) refuse("sigma", sigma, "0 m or more");
+  if (!(max_range > 0 && std::isfinite(max_range))) refuse("max_range", max_range, "more than 0 m");
+  if (!(sigma >= 0 && std::isfinite(sigma))) refuse("sigma", sigma, "0 m or more");
   localisation::GridSlamSettings settings;
   settings.geometry = grid.geometry();
   settings.occupancy = grid.settings();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <stdexcept>
 #include <tuple>
 
@@ -28,7 +29,7 @@ inline Place place_of(const Pose& pose) { return {pose.x, pose.y, pose.theta}; }
 /// both.
 inline localisation::Scan scan_from(const Scanned& ranges, const Scanned& bearings,
                                     double max_range) {
-  if (!(max_range > 0)) refuse("max_range", max_range, "more than 0 m");
+  if (!(max_range > 0 && std::isfinite(max_range))) refuse("max_range", max_range, "more than 0 m");
   if (ranges.ndim() != 1 || bearings.ndim() != 1 || ranges.size() != bearings.size()) {
     throw std::invalid_argument("expected as many bearings as ranges");
   }

@@ -225,6 +225,24 @@ TEST(Load, AnObjectOfOneBoxIsABoxAndBehavesAsItsFileAndItsLinesSay) {
   EXPECT_EQ(bin.matter, (world::Matter{2.0, 0.7, std::nullopt, true}));
 }
 
+TEST(Load, AnObjectsFileMaySayHowItMovesAndTheScenarioOtherwise) {
+  const Folder folder;
+  folder.write("pet.esObj",
+               "obj pet.obj\ncollider capsule 0 100 0 50 20 y\nfollow 100 500\nyields 50\n");
+  const auto scenario = load_scenario(folder.write("a.sim",
+                                                   "world empty-room.wld\nobject pet.esObj\n"
+                                                   "S4 500 500 0\nPet 1500 1500 0\n"
+                                                   "Pet 500 1500 0\npath 100 back 1000 1500\n"));
+  ASSERT_EQ(scenario.world.objects.size(), 2u);
+  const world::ObjectSpec& pet = scenario.world.objects[0];
+  ASSERT_TRUE(pet.reaction);
+  EXPECT_DOUBLE_EQ(pet.reaction->range, 0.5);
+  EXPECT_DOUBLE_EQ(pet.yields_within, 0.05);
+  EXPECT_FALSE(scenario.world.objects[1].reaction);
+  EXPECT_TRUE(scenario.world.objects[1].path);
+  EXPECT_NO_THROW(world::World(std::make_shared<const world::WorldModel>(scenario.world)));
+}
+
 TEST(Load, APathMustBeFreeOfWalls) {
   const Folder folder;
   const std::string room = "world empty-room.wld\nS4 1800 1800 0\n";

@@ -1,3 +1,4 @@
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -165,7 +166,30 @@ TEST_F(LiveObjects, WhatWasChangedIsPartOfTheState) {
   const std::uint64_t fixed = state_of(world_);
   EXPECT_NE(fixed, before);
   world_.set_fixed(0, false);
-  EXPECT_NE(state_of(world_), fixed);
+  EXPECT_EQ(state_of(world_), before);
+  world_.set_fixed(world_.add_object(thing(ObjectKind::Can, 1.5, 0.5)), true);
+  const std::uint64_t second = state_of(world_);
+  world_.set_fixed(0, true);
+  EXPECT_NE(state_of(world_), second);
+  world_.set_fixed(world_.object_body(world_.object_count() - 1), false);
+  EXPECT_NE(state_of(world_), second) << "which of them is fixed counts";
+}
+
+TEST_F(LiveObjects, WhatIsNotFiniteOrFarAwayIsRefused) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  const auto expect_refused = [&](const auto& change) {
+    ObjectSpec object = thing(ObjectKind::Ball, 1.5, 0.5);
+    change(object);
+    EXPECT_THROW(world_.add_object(object), std::invalid_argument);
+  };
+  expect_refused([&](ObjectSpec& object) { object.matter.mass = infinite; });
+  expect_refused([&](ObjectSpec& object) { object.matter.friction = infinite; });
+  expect_refused([&](ObjectSpec& object) { object.radius = infinite; });
+  expect_refused([&](ObjectSpec& object) { object.height = infinite; });
+  expect_refused([&](ObjectSpec& object) { object.pose.x = 1e30; });
+  expect_refused([&](ObjectSpec& object) { object.path = Path{0.1, true, {{infinite, 0}}}; });
+  expect_refused([&](ObjectSpec& object) { object.path = Path{0.1, true, {{1.5, 0.5}}}; });
+  expect_refused([&](ObjectSpec& object) { object.path = Path{0.1, true, {{1.5, -5.0}}}; });
 }
 
 TEST(LiveObjectsInACrowd, ChangesAreTheSameInTwoRunsHoweverManyThereAre) {

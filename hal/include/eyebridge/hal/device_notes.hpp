@@ -78,6 +78,8 @@ class DeviceNotes {
   /// has the clock.
   [[nodiscard]] Time time_of(Time stamp) const;
   [[nodiscard]] Time now() const { return clock_.now(); }
+  /// Whether a stamp is the time itself.
+  [[nodiscard]] bool is_virtual() const { return is_virtual_; }
 
  private:
   Clock& clock_;
