@@ -69,7 +69,7 @@ void HandWindow::make_menus(QDockWidget& camera) {
   QMenu& file = *menuBar()->addMenu(tr("&File"));
   QAction* const save = file.addAction(tr("&Save picture..."), this, [this] {
     ask_where_to_save_picture(*this, tr("Save picture"), "hand.png",
-                      [this](const QString& path) { save_window(path); });
+                              [this](const QString& path) { save_window(path); });
   });
   save->setShortcut(QKeySequence::Save);
   file.addSeparator();

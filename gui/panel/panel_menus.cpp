@@ -46,7 +46,7 @@ void PanelWindow::make_remote_menu(QMenu& menu) {
 
 void PanelWindow::ask_for_picture() {
   ask_where_to_save_picture(*this, tr("Save screen"), "screen.png",
-                    [this](const QString& path) { save_screen(path); });
+                            [this](const QString& path) { save_screen(path); });
 }
 
 }  // namespace eyebridge::gui
