@@ -135,7 +135,7 @@ void paint_scan(QPainter& painter, const Viewport& view, std::span<const SensorR
   std::vector<QRect> dots;
   dots.reserve(rays.size());
   for (const SensorRay& ray : rays) {
-    const QPointF corner = view.to_pixel(ray.to) - QPointF(kDot / 2, kDot / 2);
+    const QPointF corner = view.to_pixel(ray.to) - QPointF(0.5 * kDot, 0.5 * kDot);
     dots.emplace_back(qRound(corner.x()), qRound(corner.y()), kDot, kDot);
   }
   const bool was_smooth = painter.testRenderHint(QPainter::Antialiasing);

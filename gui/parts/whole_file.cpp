@@ -28,7 +28,7 @@ class Writing {
     }
     // flush(): commit() does not notice when the last of its buffer finds no room.
     if (disk_.write(file_.bytes) == file_.bytes.size() && disk_.flush()) return {};
-    const QString why = disk_.errorString();
+    QString why = disk_.errorString();
     disk_.cancelWriting();
     return why;
   }

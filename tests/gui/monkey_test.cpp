@@ -133,7 +133,7 @@ class Cage {
     return QString::fromStdString(folder_.path() + "/" + name);
   }
   [[nodiscard]] QString script(const std::string& name, const std::string& text) {
-    const QString file = QString::fromStdString(folder_.write(name, "#!/bin/sh\n" + text));
+    QString file = QString::fromStdString(folder_.write(name, "#!/bin/sh\n" + text));
     QFile(file).setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     return file;
   }

@@ -261,7 +261,7 @@ TEST(Map, ThatNoReaderWouldTakeIsNotWritten) {
     mapping::OccupancySettings settings;
     settings.max_cells = 1U << 25U;
     const OccupancyGrid grid(geometry, settings);
-    const std::string error = error_of([&] { save_map(grid, folder.path() / "room.yaml"); });
+    std::string error = error_of([&] { save_map(grid, folder.path() / "room.yaml"); });
     EXPECT_EQ(error_of([&] { save_map_csv(grid, folder.path() / "room.csv"); }), error);
     EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
     return error;
