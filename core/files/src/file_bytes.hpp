@@ -9,7 +9,7 @@ namespace eyebridge::files {
 /// for messages. Throws ConfigError.
 std::string read_bytes(const std::filesystem::path& path, const std::string& what);
 
-/// Makes `bytes` the whole of the file at `path`. Throws ConfigError.
+/// Makes `bytes` the whole of the file at `path`, or leaves it as it is. Throws ConfigError.
 void write_bytes(const std::filesystem::path& path, const std::string& bytes);
 
 }  // namespace eyebridge::files

@@ -3,6 +3,8 @@
 #include <string>
 #include <system_error>
 
+#include <unistd.h>
+
 #include "eyebridge/files/readers.hpp"
 #include "file_bytes.hpp"
 #include "text.hpp"
@@ -32,11 +34,39 @@ std::string read_bytes(const std::filesystem::path& path, const std::string& wha
   return text;
 }
 
-void write_bytes(const std::filesystem::path& path, const std::string& bytes) {
+namespace {
+
+/// What is wrong, as the system says it; nothing when all is there.
+std::error_code write_there(const std::filesystem::path& path, const std::string& bytes) {
+  errno = 0;
   std::ofstream out(path, std::ios::binary);
   out << bytes << std::flush;
-  if (out) return;
-  const std::error_code error(errno, std::generic_category());
+  if (out) return {};
+  return {errno != 0 ? errno : EIO, std::generic_category()};
+}
+
+}  // namespace
+
+void write_bytes(const std::filesystem::path& path, const std::string& bytes) {
+  std::error_code error;
+  // A link stays one.
+  std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
+  if (error) target = path;
+  const auto there = std::filesystem::status(target, error);
+  // Beside its place first: a disk that is full leaves what was there. Not so for devices.
+  const bool in_place = std::filesystem::exists(there) && !std::filesystem::is_regular_file(there);
+  std::filesystem::path part = target;
+  if (!in_place) part += '.' + std::to_string(getpid()) + ".part";
+  error = write_there(part, bytes);
+  std::error_code ignored;
+  if (!in_place && !error) {
+    if (std::filesystem::exists(there)) {
+      std::filesystem::permissions(part, there.permissions(), ignored);
+    }
+    std::filesystem::rename(part, target, error);
+  }
+  if (!error) return;
+  if (!in_place) std::filesystem::remove(part, ignored);
   throw ConfigError({path.string(), 0, 0}, "cannot be written: " + error.message());
 }
 

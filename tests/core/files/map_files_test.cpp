@@ -1,9 +1,12 @@
 #include "eyebridge/files/map_files.hpp"
 
+#include <csignal>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include "reading.hpp"
 
@@ -241,6 +244,36 @@ TEST(Map, IsSavedAndLoadedWithItsPicture) {
   EXPECT_EQ(error_of([&] { save_map(grid, folder.path() / "no" / "room.yaml"); }),
             (folder.path() / "no" / "room.pgm").string() +
                 ": cannot be written: No such file or directory");
+}
+
+TEST(MapFiles, ADiskThatIsFullLeavesTheMapThatWasThere) {
+  const Folder folder;
+  const auto path = folder.path() / "room.csv";
+  save_map_csv(checkered(), path);
+  const std::string before = read_text_file(path);
+  OccupancyGrid other({{0, 0}, 0.05, 50, 50});
+  rlimit usual{};
+  getrlimit(RLIMIT_FSIZE, &usual);
+  const auto old = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit little{16, usual.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &little);
+  const std::string error = error_of([&] { save_map_csv(other, path); });
+  setrlimit(RLIMIT_FSIZE, &usual);
+  std::signal(SIGXFSZ, old);
+  EXPECT_EQ(error, path.string() + ": cannot be written: File too large");
+  EXPECT_EQ(read_text_file(path), before);
+  const std::filesystem::directory_iterator all(folder.path());
+  EXPECT_EQ(std::distance(begin(all), end(all)), 1) << "nothing is left beside it";
+}
+
+TEST(MapFiles, ALinkStaysOne) {
+  const Folder folder;
+  save_map_csv(checkered(), folder.path() / "real.csv");
+  std::filesystem::create_symlink("real.csv", folder.path() / "link.csv");
+  save_map_csv(OccupancyGrid({{0, 0}, 0.05, 50, 50}), folder.path() / "link.csv");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link.csv"));
+  EXPECT_EQ(read_map_csv(read_text_file(folder.path() / "real.csv"), "real.csv").geometry().columns,
+            50);
 }
 
 TEST(MapCsv, SurvivesBeingWrittenAndRead) {
