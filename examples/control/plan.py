@@ -1,6 +1,8 @@
 """Compares the planners on one map, then drives the shortest way by pure pursuit, and back by the dynamic window.
 
-eyebridge run examples/control/plan.py --world worlds/rooms.wld
+Particles tell it where it is: its wheels alone lead it into walls.
+
+eyebridge run examples/control/plan.py --world worlds/rooms.wld --errors realistic
 """
 
 import math
@@ -16,21 +18,39 @@ def length(path):
     return sum(math.dist(a, b) for a, b in zip(path, path[1:]))
 
 
-def pursue(one, keep_going, path):
+class Whereabouts:
+    """Where the robot is: by its wheels, and by what its lidar sees of the map."""
+
+    def __init__(self, one, grid):
+        self.one, self.lidar, self.steps, self.before = one, one.sensor("lidar"), 0, one.pose
+        self.filter = eyebridge.MonteCarlo(grid, max_range=self.lidar.max_range, particles=3000)
+        self.filter.start_at(one.pose, 0.02, 0.02)
+
+    def __call__(self):
+        now = self.one.pose
+        self.filter.predict(self.before, now)
+        self.before = now
+        self.steps += 1
+        if self.steps % 5 == 0:
+            self.filter.correct(self.lidar.read(), self.lidar.bearings)
+        return self.filter.estimate
+
+
+def pursue(one, keep_going, path, where):
     pursuit = eyebridge.PurePursuit(path, lookahead=0.15, speed=0.2)
     while keep_going() and not pursuit.has_arrived:
-        one.set_twist(*pursuit.follow(one.pose))
+        one.set_twist(*pursuit.follow(where()))
         yield
 
 
-def weave(one, keep_going, path, grid):
+def weave(one, keep_going, path, where, grid):
     """Aims at places some way ahead on the path: by itself the method gets stuck behind walls."""
     window = eyebridge.DynamicWindow(grid, radius=one.radius + 0.01, speed=0.2, max_angular=1.5, period=0.05, tolerance=0.03)
     ahead, now = 0, (0.0, 0.0)
-    while keep_going() and math.dist(one.pose[:2], path[-1]) > 0.05:
-        while ahead < len(path) - 1 and math.dist(one.pose[:2], path[ahead]) < 0.3:
+    while keep_going() and math.dist((pose := where())[:2], path[-1]) > 0.05:
+        while ahead < len(path) - 1 and math.dist(pose[:2], path[ahead]) < 0.3:
             ahead += 1
-        *now, _ = window.choose(one.pose, now, path[ahead])
+        *now, _ = window.choose(pose, now, path[ahead])
         one.set_twist(*now)
         yield
 
@@ -53,7 +73,8 @@ def run(robot, keep_going, belief_space, map_space, interact):
     for method, path in paths.items():
         found = "got stuck" if path is None else f"{length(path):.2f} m, {length(path) / best:.1%} of the shortest"
         interact.print(f"{method}: {found}")
+    where = Whereabouts(one, map_space.grid)
     path = paths["theta_star"]
-    drive("pure pursuit", one, pursue(one, keep_going, path), path, interact)
+    drive("pure pursuit", one, pursue(one, keep_going, path, where), path, interact)
     back = paths["astar"][::-1]
-    drive("dynamic window", one, weave(one, keep_going, back, map_space.grid), back, interact)
+    drive("dynamic window", one, weave(one, keep_going, back, where, map_space.grid), back, interact)

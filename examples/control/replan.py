@@ -1,6 +1,8 @@
 """Drives to a goal through a floor that it does not know: D* Lite takes what is unknown for free, and plans anew when it is not.
 
-eyebridge run examples/control/replan.py --world worlds/rooms.wld
+Where it is its wheels tell, and each scan, which must fit those before it.
+
+eyebridge run examples/control/replan.py --world worlds/rooms.wld --errors realistic
 """
 
 import math
@@ -25,22 +27,33 @@ def way_from(place, plans):
     return None, 0
 
 
+def see(one, lidar, belief_space):
+    """Corrects where the robot is believed to be, and believes what it sees from there."""
+    matcher = eyebridge.ScanMatcher(belief_space.grid)
+    found = matcher.match(belief_space.robot(one), lidar.read(), lidar.bearings, max_range=lidar.max_range)
+    if found is not None:
+        belief_space.set_robot(one, *found[0])
+    belief_space.update(one, lidar)
+
+
 def run(robot, keep_going, belief_space, map_space, interact):
     one = robot("Robot 1").start()
-    start = one.pose[:2]
+    start, lidar = one.pose[:2], one.sensor("lidar")
+    belief_space.set_robot(one)
     plans = planners(belief_space.grid, one.radius)
     work = fresh = way = 0
     before = one.true_pose
-    while keep_going() and math.dist(one.pose[:2], GOAL) > 0.05:
-        belief_space.update(one, "lidar")
-        path, expanded = way_from(one.pose[:2], plans)
+    while keep_going() and math.dist(belief_space.robot(one)[:2], GOAL) > 0.05:
+        see(one, lidar, belief_space)
+        place = belief_space.robot(one)[:2]
+        path, expanded = way_from(place, plans)
         if path is None:
             break
         work += expanded
-        fresh += way_from(one.pose[:2], planners(belief_space.grid, one.radius))[1]  # had it to begin again each time
+        fresh += way_from(place, planners(belief_space.grid, one.radius))[1]  # had it to begin again each time
         pursuit = eyebridge.PurePursuit(path, lookahead=0.1, speed=0.2, tolerance=0.03)
         for _ in range(5):
-            one.set_twist(*pursuit.follow(one.pose))
+            one.set_twist(*pursuit.follow(belief_space.robot(one)))
             interact.wait(0.04)
         way, before = way + math.dist(one.true_pose[:2], before[:2]), one.true_pose
     one.stop()

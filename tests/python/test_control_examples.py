@@ -31,7 +31,7 @@ class Examples(ControlTest):
         self.assertLess(float(re.search(r", (\d+) mm off", out).group(1)), 60)
 
     def test_plan_compares_the_planners_and_drives_their_ways(self):
-        out = self.example("plan.py", "rooms.wld", "--time-limit", "120s")
+        out = self.example("plan.py", "rooms.wld", "--errors", "realistic", "--time-limit", "120s")
         share = {name: float(number) for name, number in re.findall(r"^(\w+): [\d.]+ m, ([\d.]+)% of the shortest$", out, re.M)}
         self.assertEqual(set(share), {"astar", "dstar_lite", "wavefront", "theta_star", "rrt_star"})
         self.assertIn("potential_field: got stuck\n", out)  # it draws straight at a wall
@@ -47,7 +47,7 @@ class Examples(ControlTest):
             self.assertGreater(int(gap), 20, name)
 
     def test_replan_comes_through_unknown_floor_with_little_work(self):
-        out = self.example("replan.py", "rooms.wld", "--time-limit", "120s")
+        out = self.example("replan.py", "rooms.wld", "--errors", "realistic", "--time-limit", "120s")
         off, times, work, fresh = re.search(
             r"(\d+) mm from the goal after .* m, ([\d.]+) times\n.*; (\d+) cells expanded, (\d+) by", out).groups()  # fmt: skip
         self.assertLess(int(off), 60)
