@@ -64,8 +64,7 @@ world::Scene scene_of(const files::Scenario& scenario) {
                             model.height, Rgb{60, 120, 200}});
   }
   for (const world::ObjectSpec& object : scenario.world.objects) {
-    scene.bodies.push_back({id++, world::shape_of(object.kind), object.pose, object.outer_radius(),
-                            object.height, object.colour, object.size});
+    scene.bodies.push_back(world::view_of(object, id++));
   }
   return scene;
 }

@@ -3,7 +3,6 @@
 #include <cstddef>
 
 #include "render/gl_objects.hpp"
-#include "render/mesh.hpp"
 
 namespace eyebridge::camera {
 namespace {
@@ -38,9 +37,8 @@ BodyMesh mesh_of(world::BodyShape shape) {
       return robot_mesh();
     case world::BodyShape::Ball:
       return ball_mesh();
-    case world::BodyShape::Box:
-      return box_mesh();
     case world::BodyShape::Can:
+    case world::BodyShape::Polygon:  // has one of its own
       break;
   }
   return can_mesh();
@@ -54,7 +52,20 @@ BodyPainter::BodyPainter(const GlFunctions& gl)
     : gl_(gl),
       program_(make_program(gl, kBodyVertexShader, kBodyFragmentShader)),
       clip_from_world_(gl.get_uniform_location(program_, "clip_from_world")),
-      light_(gl.get_uniform_location(program_, "light")) {
+      light_(gl.get_uniform_location(program_, "light")),
+      polygon_corners_(make_buffer(gl)),
+      polygon_indices_(make_buffer(gl)) {
+  gl_.gen_vertex_arrays(1, &polygon_array_);
+  gl_.bind_vertex_array(polygon_array_);
+  describe(gl_, polygon_corners_, sizeof(Corner),
+           {{0, 3, GL_FLOAT, offsetof(Corner, vertex.x)},
+            {1, 3, GL_FLOAT, offsetof(Corner, vertex.nx)},
+            {2, 1, GL_FLOAT, offsetof(Corner, vertex.mark)},
+            {3, 4, GL_FLOAT, offsetof(Corner, body.x)},
+            {4, 3, GL_FLOAT, offsetof(Corner, body.length)},
+            {5, 4, GL_UNSIGNED_BYTE, offsetof(Corner, body.colour)},
+            {6, 4, GL_UNSIGNED_BYTE, offsetof(Corner, body.mark)}});
+  gl_.bind_buffer(GL_ELEMENT_ARRAY_BUFFER, polygon_indices_);
   for (std::size_t i = 0; i < shapes_.size(); ++i) {
     const BodyMesh mesh = mesh_of(static_cast<world::BodyShape>(i));
     Shape& shape = shapes_[i];
@@ -80,17 +91,36 @@ BodyPainter::BodyPainter(const GlFunctions& gl)
 BodyPainter::Instance BodyPainter::instance_of(const world::BodyView& body) {
   const Heading heading = Heading::from_angle(body.pose.theta);
   const bool ball = body.shape == world::BodyShape::Ball;
-  const bool box = body.shape == world::BodyShape::Box;
+  // A polygon's mesh has its size already.
+  const auto across = static_cast<float>(body.corners ? 1.0 : body.radius);
   const std::uint8_t mark = is_dark(body.colour) ? 240 : 40;
   return {static_cast<float>(body.pose.x),
           static_cast<float>(body.pose.y),
           static_cast<float>(heading.cos),
           static_cast<float>(heading.sin),
-          static_cast<float>(box ? body.size.x / 2 : body.radius),
-          static_cast<float>(box ? body.size.y / 2 : body.radius),
+          across,
+          across,
           static_cast<float>(ball ? body.radius : body.height),
           {body.colour.r, body.colour.g, body.colour.b, 255},
           {mark, mark, mark, 255}};
+}
+
+void BodyPainter::add_polygon(const world::BodyView& body) {
+  if (!body.corners) return;
+  const BodyMesh mesh = polygon_mesh(*body.corners);
+  const auto first = static_cast<std::uint32_t>(corners_.size());
+  const Instance instance = instance_of(body);
+  for (const BodyVertex& vertex : mesh.vertices) corners_.push_back({vertex, instance});
+  for (const std::uint32_t index : mesh.indices) indices_.push_back(first + index);
+}
+
+void BodyPainter::draw_polygons() {
+  if (indices_.empty()) return;
+  gl_.bind_vertex_array(polygon_array_);
+  fill_buffer(gl_, GL_ARRAY_BUFFER, polygon_corners_, corners_, GL_STREAM_DRAW);
+  fill_buffer(gl_, GL_ELEMENT_ARRAY_BUFFER, polygon_indices_, indices_, GL_STREAM_DRAW);
+  gl_.draw_elements_instanced(GL_TRIANGLES, static_cast<GLsizei>(indices_.size()), GL_UNSIGNED_INT,
+                              nullptr, 1);
 }
 
 void BodyPainter::draw(std::span<const world::BodyView> bodies, std::uint32_t carrier,
@@ -98,17 +128,24 @@ void BodyPainter::draw(std::span<const world::BodyView> bodies, std::uint32_t ca
                        const std::array<float, 16>& clip_from_world, float light) {
   bool any = false;
   for (Shape& shape : shapes_) shape.visible.clear();
+  corners_.clear();
+  indices_.clear();
   for (const world::BodyView& body : bodies) {
     const Vec3 middle{body.pose.x, body.pose.y, 0.5 * body.height};
     if (body.id == carrier || !lens.may_see(middle, body.radius + 0.5 * body.height)) continue;
     if (walls.hide(body.pose.position(), body.radius, body.height)) continue;
     any = true;
-    shapes_[static_cast<std::size_t>(body.shape)].visible.push_back(instance_of(body));
+    if (body.shape == world::BodyShape::Polygon) {
+      add_polygon(body);
+    } else {
+      shapes_[static_cast<std::size_t>(body.shape)].visible.push_back(instance_of(body));
+    }
   }
   if (!any) return;
   gl_.use_program(program_);
   gl_.uniform_1f(light_, light);
   gl_.uniform_matrix_4fv(clip_from_world_, 1, GL_FALSE, clip_from_world.data());
+  draw_polygons();
   for (const Shape& shape : shapes_) {
     if (shape.visible.empty()) continue;
     fill_buffer(gl_, GL_ARRAY_BUFFER, shape.instances, shape.visible, GL_STREAM_DRAW);

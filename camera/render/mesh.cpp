@@ -199,24 +199,31 @@ BodyMesh ball_mesh() {
   return mesh;
 }
 
-BodyMesh box_mesh() {
+BodyMesh polygon_mesh(const std::vector<Vec2>& corners) {
   BodyMesh mesh;
-  const auto add_face = [&](std::array<std::array<float, 3>, 4> corners,
-                            std::array<float, 3> normal) {
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (const auto& [x, y, z] : corners) {
-      mesh.vertices.push_back({x, y, z, normal[0], normal[1], normal[2], normal[2]});
-    }
-    for (const std::uint32_t i : {0U, 1U, 2U, 0U, 2U, 3U}) mesh.indices.push_back(first + i);
+  const auto add_corner = [&](Vec2 at, float z, Vec2 normal, float up) {
+    mesh.vertices.push_back({static_cast<float>(at.x), static_cast<float>(at.y), z,
+                             static_cast<float>(normal.x), static_cast<float>(normal.y), up, up});
   };
-  Vec2 n{1, 0};
-  for (int side = 0; side < 4; ++side, n = {-n.y, n.x}) {
-    const auto x = static_cast<float>(n.x);
-    const auto y = static_cast<float>(n.y);
-    add_face({{{x + y, y - x, 0}, {x - y, y + x, 0}, {x - y, y + x, 1}, {x + y, y - x, 1}}},
-             {x, y, 0});
+  const auto add_fan = [&](std::uint32_t first, std::uint32_t count) {
+    for (std::uint32_t i = 2; i < count; ++i) {
+      for (const std::uint32_t k : {0U, i - 1, i}) mesh.indices.push_back(first + k);
+    }
+  };
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2 from = corners[i];
+    const Vec2 to = corners[(i + 1) % corners.size()];
+    const Vec2 along = (1.0 / norm(to - from)) * (to - from);
+    const Vec2 normal{along.y, -along.x};
+    add_fan(static_cast<std::uint32_t>(mesh.vertices.size()), 4);
+    add_corner(from, 0.0F, normal, 0.0F);
+    add_corner(to, 0.0F, normal, 0.0F);
+    add_corner(to, 1.0F, normal, 0.0F);
+    add_corner(from, 1.0F, normal, 0.0F);
   }
-  add_face({{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}}, {0, 0, 1});
+  add_fan(static_cast<std::uint32_t>(mesh.vertices.size()),
+          static_cast<std::uint32_t>(corners.size()));
+  for (const Vec2 corner : corners) add_corner(corner, 1.0F, {}, 1.0F);
   return mesh;
 }
 

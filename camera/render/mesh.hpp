@@ -25,7 +25,8 @@ struct WorldVertex {
   Pattern pattern;
 };
 
-/// Corner of a body of radius 1 and height 1 that stands on the floor at the origin, facing +x.
+/// Corner of a body of height 1 that stands on the floor at the origin, facing +x: of radius 1, or
+/// a polygon of its own size.
 struct BodyVertex {
   float x, y, z;
   float nx, ny, nz;  ///< Normal.
@@ -86,7 +87,7 @@ BodyMesh robot_mesh();
 BodyMesh can_mesh();
 /// A ball of radius 1 about (0, 0, 1).
 BodyMesh ball_mesh();
-/// A box, 2 long and 2 wide, with a marked lid.
-BodyMesh box_mesh();
+/// What stands on a convex polygon, corners counter-clockwise, with a marked lid.
+BodyMesh polygon_mesh(const std::vector<Vec2>& corners);
 
 }  // namespace eyebridge::camera

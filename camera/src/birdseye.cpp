@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "src/canvas.hpp"
 #include "src/marker.hpp"
@@ -58,19 +59,20 @@ void draw_walls(Canvas& canvas, const world::WorldModel& model) {
   }
 }
 
-void draw_box(Canvas& canvas, const world::BodyView& body) {
+void draw_polygon(Canvas& canvas, const world::BodyView& body) {
   const Heading heading = Heading::from_angle(body.pose.theta);
-  const auto corner = [&](double x, double y) {
-    return body.pose.position() + heading.rotate({x * body.size.x / 2, y * body.size.y / 2});
-  };
-  const Vec2 corners[] = {corner(1, 1), corner(-1, 1), corner(-1, -1), corner(1, -1)};
-  const double width = std::max(canvas.to_pixels(body.size.y), Canvas::kThinLine);
-  canvas.line(corner(-1, 0), corner(1, 0), width, body.colour);
-  for (std::size_t i = 0; i < 4; ++i) canvas.line(corners[i], corners[(i + 1) % 4], 1.0, kInk);
+  std::vector<Vec2> corners;
+  for (const Vec2 corner : *body.corners) {
+    corners.push_back(body.pose.position() + heading.rotate(corner));
+  }
+  canvas.polygon(corners, body.colour);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    canvas.line(corners[i], corners[(i + 1) % corners.size()], 1.0, kInk);
+  }
 }
 
 void draw_body(Canvas& canvas, const world::BodyView& body) {
-  if (body.shape == world::BodyShape::Box) return draw_box(canvas, body);
+  if (body.corners) return draw_polygon(canvas, body);
   const Vec2 at = body.pose.position();
   const double radius = std::max(body.radius, 2.5 / canvas.to_pixels(1.0));
   canvas.disc(at, radius, body.colour);
@@ -78,9 +80,10 @@ void draw_body(Canvas& canvas, const world::BodyView& body) {
   if (body.shape != world::BodyShape::Robot) return;
   const Heading heading = Heading::from_angle(body.pose.theta);
   const bool dark = 3 * body.colour.r + 6 * body.colour.g + body.colour.b < 1280;
-  canvas.triangle(at + heading.rotate({0.85 * radius, 0.0}),
-                  at + heading.rotate({-0.35 * radius, 0.5 * radius}),
-                  at + heading.rotate({-0.35 * radius, -0.5 * radius}), dark ? kPaper : kInk);
+  const Vec2 mark[] = {at + heading.rotate({0.85 * radius, 0.0}),
+                       at + heading.rotate({-0.35 * radius, 0.5 * radius}),
+                       at + heading.rotate({-0.35 * radius, -0.5 * radius})};
+  canvas.polygon(mark, dark ? kPaper : kInk);
 }
 
 /// A bar of 1, 2 or 5 times a power of ten metres, about a fifth of the picture long.

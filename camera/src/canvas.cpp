@@ -109,9 +109,9 @@ void Canvas::ring(Vec2 centre, double radius, Rgb colour) {
   cairo_stroke(pen);
 }
 
-void Canvas::triangle(Vec2 a, Vec2 b, Vec2 c, Rgb colour) {
+void Canvas::polygon(std::span<const Vec2> corners, Rgb colour) {
   cairo_t* pen = sheet_->with(colour);
-  for (const Vec2 corner : {a, b, c}) {
+  for (const Vec2 corner : corners) {
     const Vec2 p = at(corner);
     cairo_line_to(pen, p.x, p.y);
   }

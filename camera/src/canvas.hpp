@@ -35,7 +35,7 @@ class Canvas {
   void path(std::span<const Vec2> points, double width, Rgb colour);
   void disc(Vec2 centre, double radius, Rgb colour);
   void ring(Vec2 centre, double radius, Rgb colour);
-  void triangle(Vec2 a, Vec2 b, Vec2 c, Rgb colour);
+  void polygon(std::span<const Vec2> corners, Rgb colour);
   /// Centred about `at`; `size` in pixels.
   void text(Vec2 at, const std::string& text, double size, Rgb colour);
   /// A bar `length` metres long with its label, in the border below the map.

@@ -32,7 +32,8 @@ class Painter {
     const Vec2 across{-along.y, along.x};
     canvas_.path(shaft, canvas_.to_pixels(kShaft), kGo);
     const Vec2 end = shaft.back();
-    canvas_.triangle(end + 0.5 * along, end + 0.38 * across, end - 0.38 * across, kGo);
+    const Vec2 tip[] = {end + 0.5 * along, end + 0.38 * across, end - 0.38 * across};
+    canvas_.polygon(tip, kGo);
   }
 
   /// A part of a circle about `centre`, both angles in degrees, `side` +1 or -1 from left to right.

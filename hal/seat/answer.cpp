@@ -47,6 +47,7 @@ Result<Values> set(WorldControl& world, const Call& call) {
     return done(world.set_object_pose(call.id, {v[0], v[1], v[2]}));
   }
   if (call.name == "add_object") return add_object(world, unpack_text(v));
+  if (call.name == "change_object") return done(world.change_object(call.id, unpack_text(v)));
   if (call.name == "remove_object") return done(world.remove_object(call.id));
   if (v.size() == 2 && call.name == "set_object_velocity") {
     return done(world.set_object_velocity(call.id, {v[0], v[1]}));

@@ -30,7 +30,7 @@ using Message = std::vector<std::uint8_t>;
 
 enum class MessageKind : std::uint8_t { Request = 'q', Reply = 'r', Welcome = 'w', Trace = 't' };
 
-inline constexpr int kSeatVersion = 2;
+inline constexpr int kSeatVersion = 3;
 
 /// A call of one of the robot's devices; of its "view" and its "world"; or of its "seat": "hello",
 /// "now", which only lets time pass, "trace" (1: from now on, 0: no more) and "stop".

@@ -7,7 +7,7 @@
 namespace eyebridge::hal {
 namespace {
 
-constexpr std::size_t kPerBody = 12;    // numbers
+constexpr std::size_t kPerBody = 11;    // numbers, the last one how many corners follow: x, y
 constexpr double kHalf = 4294967296.0;  // 2^32: a seed is told in two halves
 
 /// `value` as a whole number 0 … `most`.
@@ -30,38 +30,51 @@ Values pack_scene(const world::Scene& scene) {
   Values values{scene.time};
   values.reserve(1 + kPerBody * scene.bodies.size());
   for (const world::BodyView& b : scene.bodies) {
-    const std::array<double, kPerBody> body = {static_cast<double>(b.id),
-                                               static_cast<double>(b.shape),
-                                               b.pose.x,
-                                               b.pose.y,
-                                               b.pose.theta,
-                                               b.radius,
-                                               b.height,
-                                               static_cast<double>(b.colour.r),
-                                               static_cast<double>(b.colour.g),
-                                               static_cast<double>(b.colour.b),
-                                               b.size.x,
-                                               b.size.y};
+    const std::array<double, kPerBody> body = {
+        static_cast<double>(b.id),
+        static_cast<double>(b.shape),
+        b.pose.x,
+        b.pose.y,
+        b.pose.theta,
+        b.radius,
+        b.height,
+        static_cast<double>(b.colour.r),
+        static_cast<double>(b.colour.g),
+        static_cast<double>(b.colour.b),
+        b.corners ? static_cast<double>(b.corners->size()) : 0.0};
     values.insert(values.end(), body.begin(), body.end());
+    if (!b.corners) continue;
+    for (const Vec2 corner : *b.corners) values.insert(values.end(), {corner.x, corner.y});
   }
   return values;
 }
 
 bool unpack_scene(const Values& values, world::Scene& scene) {
-  if (values.size() % kPerBody != 1) return false;
-  scene.time = values.front();
-  scene.bodies.clear();
-  for (std::size_t at = 1; at < values.size(); at += kPerBody) {
+  if (values.empty()) return false;
+  std::vector<world::BodyView> bodies;
+  for (std::size_t at = 1; at < values.size();) {
+    if (values.size() - at < kPerBody) return false;
     const double* const v = values.data() + at;
-    world::BodyView& body = scene.bodies.emplace_back();
+    at += kPerBody;
+    world::BodyView& body = bodies.emplace_back();
     body.id = static_cast<std::uint32_t>(whole(v[0], kHalf - 1));
     body.shape = static_cast<world::BodyShape>(static_cast<int>(whole(v[1], 3.0)));
     body.pose = {v[2], v[3], v[4]};
     body.radius = v[5];
     body.height = v[6];
     body.colour = colour_of(v + 7);
-    body.size = {v[10], v[11]};
+    const auto count = static_cast<std::size_t>(whole(v[10], world::kMostCorners));
+    const bool is_polygon = body.shape == world::BodyShape::Polygon;
+    if ((values.size() - at) / 2 < count || (is_polygon ? count < 3 : count > 0)) return false;
+    if (!is_polygon) continue;
+    std::vector<Vec2> corners;
+    for (std::size_t i = 0; i < count; ++i, at += 2) {
+      corners.push_back({values[at], values[at + 1]});
+    }
+    body.corners = std::make_shared<const std::vector<Vec2>>(std::move(corners));
   }
+  scene.time = values.front();
+  scene.bodies = std::move(bodies);
   return true;
 }
 

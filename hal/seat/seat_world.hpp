@@ -40,6 +40,9 @@ class SeatWorld final : public WorldControl {
   Result<void> set_object_fixed(int id, bool fixed) override {
     return command(id, "set_object_fixed", {fixed ? 1.0 : 0.0});
   }
+  Result<void> change_object(int id, const std::string& lines) override {
+    return command(id, "change_object", pack_bytes(lines));
+  }
   Result<void> set_errors(int id, const std::string& rules, double share) override {
     Values request = pack_bytes(rules);
     request.insert(request.begin(), share);

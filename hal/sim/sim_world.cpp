@@ -90,7 +90,7 @@ std::string SimWorld::obstacle_at(Vec2 centre, double radius) const {
   const world::World& world = simulation_.world();
   for (world::BodyId body = 0; body < world.body_count(); ++body) {
     if (!world.is_there(body)) continue;
-    if (norm(centre - world.position(body)) >= radius + world.radius(body)) continue;
+    if (world.rim_distance(body, centre) >= radius) continue;
     const auto object = world.object_of(body);
     if (object) return name_of(std::nullopt, object);
     for (robot::RobotIndex robot = 0; robot < simulation_.robot_count(); ++robot) {

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "eyebridge/files/error_rules.hpp"
+#include "eyebridge/files/readers.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -77,6 +78,20 @@ Result<int> SimWorldControl::add_object(const world::ObjectSpec& object) {
     try {
       sim.world().add_object(object);
       return static_cast<int>(sim.world().object_count());
+    } catch (const std::invalid_argument& error) {
+      return fail(Errc::OutOfRange, error.what());
+    }
+  });
+}
+
+Result<void> SimWorldControl::change_object(int id, const std::string& lines) {
+  return with_object(world_, id, [&](auto& sim, world::BodyId body) -> Result<void> {
+    try {
+      world::World& world = sim.world();
+      world.change_object(body, files::read_object_change(world.object(body), lines, "object"));
+      return {};
+    } catch (const ConfigError& error) {
+      return fail(Errc::OutOfRange, error.what());
     } catch (const std::invalid_argument& error) {
       return fail(Errc::OutOfRange, error.what());
     }

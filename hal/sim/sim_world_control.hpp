@@ -18,6 +18,7 @@ class SimWorldControl final : public WorldControl, private SimDevice {
   [[nodiscard]] Result<Pose> object_pose(int id) const override;
   Result<void> set_object_pose(int id, const Pose& pose) override;
   Result<int> add_object(const world::ObjectSpec& object) override;
+  Result<void> change_object(int id, const std::string& lines) override;
   Result<void> remove_object(int id) override;
   Result<void> set_object_velocity(int id, Vec2 velocity) override;
   Result<void> set_object_fixed(int id, bool fixed) override;

@@ -195,7 +195,7 @@ class Simulation:
         """Linear and angular speed of each robot; a view like poses."""
     @property
     def objects(self) -> NDArray[numpy.float64]:
-        """x, y, theta of each ball, can and box; of one that was removed as it was then. A copy."""
+        """x, y, theta of each ball, can, box and polygon; of one that was removed as it was then. A copy."""
     def add_object(
         self,
         kind: str,
@@ -204,15 +204,17 @@ class Simulation:
         theta: float = 0.0,
         *,
         size: tuple[float, float] | None = None,
+        corners: Sequence[tuple[float, float]] | None = None,
         mass: float | None = None,
         friction: float | None = None,
         restitution: float | None = None,
         fixed: bool = False,
         lines: str = "",
     ) -> int:
-        """Puts a "golf", "soccer", "can", "crate" or "box" (then `size`: length and width) there, now; its row in objects.
+        """Puts a "golf", "soccer", "can", "crate", "box" (then `size`: length and width) or "polygon" (then
+        `corners`, x and y about its place, without a dent) there, now; its row in objects.
         `lines`: what more a .sim file can say of it (docs/worlds.md). reset() takes it away. Raises ValueError where there
-        is no room, or it cannot be; ConfigError for wrong lines."""
+        is no room, or it cannot be; ConfigError for wrong lines and corners."""
     def remove_object(self, object: int) -> None:
         """Takes an object out of the world, until reset(). Raises IndexError for one that is not there, as all of these do."""
     def set_object_pose(self, object: int, x: float, y: float, theta: float = 0.0) -> None:
@@ -221,6 +223,9 @@ class Simulation:
         """Kicks it: metres a second in the world. Raises ValueError for what neither rolls nor slides by itself."""
     def set_object_fixed(self, object: int, fixed: bool = True) -> None:
         """Whether nothing pushes it away from now on. Raises ValueError for what moves by itself."""
+    def change_object(self, object: int, lines: str) -> None:
+        """How it behaves from now on: what may follow its line in a .sim file (docs/worlds.md). Raises ValueError for what
+        cannot be, ConfigError for wrong lines."""
     def set_speeds(self, speeds: ArrayLike) -> None:
         """set_speed() for all robots: one row each, linear and angular."""
     def cast_rays(
@@ -252,7 +257,7 @@ class OccupancyGrid:
         moves the bounds. `half_life`: seconds in which decay() halves what is known, 0 for never. Raises ValueError."""
     @staticmethod
     def truth_of(scenario: Scenario, *, resolution: float = 0.05, objects: bool = False) -> OccupancyGrid:
-        """What stands in a scenario's world: its walls, and with `objects` its boxes and cans."""
+        """What stands in a scenario's world: its walls, and with `objects` its boxes, polygons and cans."""
     @staticmethod
     def load(path: str | os.PathLike[str]) -> OccupancyGrid:
         """Reads a ROS map (.yaml, with its .pgm) or .csv. Raises ConfigError; warns of what is odd."""

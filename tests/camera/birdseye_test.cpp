@@ -87,10 +87,16 @@ TEST(Birdseye, TheHeadingMarkTurnsWithTheRobot) {
   EXPECT_EQ(at(frame, 3.0, 0.86), kGreen);
 }
 
-TEST(Birdseye, ABoxIsARectangleThatLiesAsItIsTurned) {
+TEST(Birdseye, APolygonLiesAsItIsTurned) {
   world::Scene scene = scene_of(empty_room());
-  scene.bodies = {
-      {0, world::BodyShape::Box, {3.0, 1.0, 1.5707963267948966}, 0.5, 0.1, kGreen, {0.8, 0.2}}};
+  scene.bodies = {{0,
+                   world::BodyShape::Polygon,
+                   {3.0, 1.0, 1.5707963267948966},
+                   0.5,
+                   0.1,
+                   kGreen,
+                   std::make_shared<const std::vector<Vec2>>(
+                       std::vector<Vec2>{{0.4, 0.1}, {-0.4, 0.1}, {-0.4, -0.1}, {0.4, -0.1}})}};
   const Frame frame = draw_birdseye(scene, {}, kOptions);
   for (const double y : {0.65, 1.0, 1.35}) EXPECT_EQ(at(frame, 3.0, y), kGreen) << y;
   EXPECT_NE(at(frame, 3.2, 1.0), kGreen);

@@ -207,17 +207,38 @@ TEST_P(Projection, ABallIsADiscOfTheRightSizeAtTheRightPlace) {
   }
 }
 
+std::shared_ptr<const std::vector<Vec2>> rectangle(double length, double width) {
+  const Vec2 half{length / 2, width / 2};
+  return std::make_shared<const std::vector<Vec2>>(std::vector<Vec2>{
+      {half.x, half.y}, {-half.x, half.y}, {-half.x, -half.y}, {half.x, -half.y}});
+}
+
 TEST_P(Projection, ABoxIsAsWideAndHighAsTheSideThatItShows) {
   constexpr double kEyeHeight = 0.05;
   shot_.eye = {1.0, 1.0, kEyeHeight, 0.0, 0.0, 1.0};
   shot_.scene.bodies = {
-      {3, world::BodyShape::Box, {1.8, 1.0, kPi / 2}, 0.2, 0.1, kRed, {0.3, 0.2}}};
+      {3, world::BodyShape::Polygon, {1.8, 1.0, kPi / 2}, 0.2, 0.1, kRed, rectangle(0.3, 0.2)}};
   const Extent seen = extent(draw(), is_red);
   // Turned by a quarter it shows its length, 0.7 m away: 0.8 m less half its width.
   EXPECT_NEAR(seen.left, column(std::atan2(0.15, 0.7)), 1.0);
   EXPECT_NEAR(seen.right, column(-std::atan2(0.15, 0.7)), 1.0);
   EXPECT_NEAR(seen.top, row(std::atan2(0.1 - kEyeHeight, 0.7)), 1.0);
   EXPECT_NEAR(seen.bottom, row(-std::atan2(kEyeHeight, 0.7)), 1.0);
+}
+
+TEST_P(Projection, APolygonShowsTheSidesThatLookThisWay) {
+  constexpr double kEyeHeight = 0.05;
+  shot_.eye = {1.0, 1.0, kEyeHeight, 0.0, 0.0, 1.0};
+  // A triangle whose tip points here, with one shorter flank.
+  const auto wedge = std::make_shared<const std::vector<Vec2>>(
+      std::vector<Vec2>{{-0.2, 0.0}, {0.1, -0.2}, {0.1, 0.1}});
+  shot_.scene.bodies = {{3, world::BodyShape::Polygon, {1.8, 1.0, 0.0}, 0.25, 0.1, kRed, wedge},
+                        {4, world::BodyShape::Polygon, {1.5, 3.0, 0.0}, 0.25, 0.1, kGreen, wedge}};
+  const Extent seen = extent(draw(), is_red);
+  EXPECT_NEAR(seen.left, column(std::atan2(0.1, 0.9)), 1.0);
+  EXPECT_NEAR(seen.right, column(-std::atan2(0.2, 0.9)), 1.0);
+  EXPECT_NEAR(seen.top, row(std::atan2(0.1 - kEyeHeight, 0.6)), 1.0) << "at its tip";
+  EXPECT_NEAR(seen.bottom, row(-std::atan2(kEyeHeight, 0.6)), 1.0);
 }
 
 TEST_P(Projection, AnotherRobotIsDrawnAndTheCarrierIsNot) {

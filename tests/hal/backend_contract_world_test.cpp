@@ -116,5 +116,39 @@ TEST_P(BackendContract, WorldControlAddsChangesAndRemovesObjects) {
   EXPECT_EQ(world->remove_object(3).error().what, "no object 3, the world has 2");
 }
 
+TEST_P(BackendContract, APolygonIsMetAndSeenAndTakesAnotherWay) {
+  const Rig rig = make(1.0);
+  WorldControl* world = rig.backend->world();
+  ASSERT_EQ(world != nullptr, traits().world);
+  if (world == nullptr) return;
+  world::ObjectSpec wedge;
+  wedge.kind = world::ObjectKind::Polygon;
+  wedge.name = "polygon";
+  wedge.corners = {{0.1, 0.0}, {-0.05, 0.1}, {-0.05, -0.1}};
+  wedge.pose = {facing(1.0).x + kFrontOffset + 0.5, kSideWall, kPi};
+  const int id = must(world->add_object(wedge));
+  EXPECT_NEAR(front(rig), 0.4, traits().range) << "its tip points here";
+  if (traits().one_world) {
+    const world::Scene scene = rig.backend->camera_view()->scene();
+    const auto polygon =
+        std::ranges::find(scene.bodies, world::BodyShape::Polygon, &world::BodyView::shape);
+    ASSERT_NE(polygon, scene.bodies.end());
+    ASSERT_NE(polygon->corners, nullptr);
+    EXPECT_EQ(*polygon->corners, wedge.corners);
+  }
+  EXPECT_TRUE(world->set_object_velocity(id, {0.1, 0.0}).error().code == Errc::OutOfRange);
+  ASSERT_TRUE(world->change_object(id, "friction 0.2\nmass 3"));
+  EXPECT_TRUE(world->set_object_velocity(id, {0.0, 0.0}));
+  ASSERT_TRUE(world->change_object(id, "wander 100"));
+  EXPECT_EQ(world->set_object_fixed(id, true).error().what,
+            "object " + std::to_string(id) + " moves by itself");
+  ASSERT_TRUE(world->change_object(id, "still\nfixed"));
+  EXPECT_TRUE(world->set_object_fixed(id, false));
+  EXPECT_EQ(world->change_object(id, "mass -1").error().code, Errc::OutOfRange);
+  EXPECT_EQ(world->change_object(id, "can 1 2 3").error().what,
+            "object:1:1: 'can' found: expected what may follow the line of an object");
+  EXPECT_EQ(world->change_object(id + 1, "fixed").error().code, Errc::OutOfRange);
+}
+
 }  // namespace
 }  // namespace eyebridge::hal

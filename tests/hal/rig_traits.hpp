@@ -13,8 +13,9 @@ struct RigTraits {
     AsBuilt,  ///< A shape selects rays of the robot's own scans.
     Free,     ///< Any shape.
   };
-  bool world = true;     ///< World control, a camera's view, and a trace that knows the truth.
-  bool switches = true;  ///< Proximity switches and bumpers.
+  bool world = true;      ///< World control, a camera's view, and a trace that knows the truth.
+  bool one_world = true;  ///< Its camera sees the world that its world control changes.
+  bool switches = true;   ///< Proximity switches and bumpers.
   bool compass = true;
   bool inertial = true;  ///< Gyroscope and accelerometer.
   bool stalls = true;    ///< Says which wheel is held.

@@ -67,12 +67,14 @@ Rig real_seat_rig(const Pose& start) { return seated_rig(start, {{"factor", "50"
 }  // namespace
 
 std::vector<RigCase> contract_rows() {
+  RigTraits mixed = kSimulated;
+  mixed.one_world = false;
   return {{"SimLockstep", lockstep_rig, kSimulated},
           {"SimRealTime", real_time_rig, kSimulated},
           {"FaultNone", faultless_rig, kSimulated},
           {"FaultLater", rig_before_its_faults, kSimulated},
           {"OnHost", hosted_rig, kSimulated},
-          {"MixOther", mixed_rig, kSimulated},
+          {"MixOther", mixed_rig, mixed},
           {"Noted", noted_rig, kSimulated},
           {"Seat", virtual_seat_rig, kSimulated},
           {"SeatRealTime", real_seat_rig, kSimulated},

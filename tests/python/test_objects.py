@@ -34,6 +34,24 @@ class InASimulation(unittest.TestCase):
             sim.set_object_pose(can, 1.0, 1.0)
         with self.assertRaisesRegex(IndexError, "no object 2, the world has 2"):
             sim.remove_object(2)
+        wedge = sim.add_object("polygon", *ahead(0.5), theta, corners=[(0.1, 0), (-0.2, 0.1), (-0.2, -0.1)])
+        self.assertLess(robot.psd(1), free - 0.2)
+        sim.change_object(wedge, "path 100 back 1000 300\nmass 2")
+        there, began = sim.objects[wedge], sim.time
+        sim.step()
+        self.assertAlmostEqual(math.dist(there[:2], sim.objects[wedge][:2]), 0.1 * (sim.time - began), places=6)
+        sim.change_object(wedge, "still")
+        there = sim.objects[wedge]
+        sim.step()
+        np.testing.assert_array_equal(sim.objects[wedge], there)
+        with self.assertRaisesRegex(eyebridge.ConfigError, "corner 3 of the polygon: expected three corners or more"):
+            sim.add_object("polygon", 1, 1, corners=[(0.1, 0), (-0.2, 0.1)])
+        with self.assertRaisesRegex(ValueError, "corners"):
+            sim.add_object("can", 1, 1, corners=[(0.1, 0), (-0.2, 0.1), (-0.2, -0.1)])
+        with self.assertRaisesRegex(ValueError, "path leads into a wall"):
+            sim.change_object(wedge, "path 100 back 9000 300")
+        with self.assertRaisesRegex(eyebridge.ConfigError, "change_object:2:1: 'can' found"):
+            sim.change_object(wedge, "fixed\ncan 1 2 3")
         before = sim.state_hash
         for wrong in [("chair", 1, 0.3), ("box", 1, 0.3), ("can", 0.0, 0.3), ("can", math.nan, 1)]:
             with self.assertRaises(ValueError):
@@ -68,6 +86,18 @@ class InAControlFile(ControlTest):
             interact.wait(1)
             interact.print(0.7 < ball.pose[0] < 0.95)
             interact.print(abs(post.pose[0] - 0.6) < 0.01)
+        """)
+
+    def test_a_thing_takes_another_way_and_stands_again(self):
+        self.says(["True", "True"], """
+            wedge = map_space.add_object("polygon", 0.5, 0.3, corners=[(0.1, 0), (-0.1, 0.1), (-0.1, -0.1)])
+            wedge.change("path 100 back 1500 300")
+            interact.wait(1)
+            x = wedge.pose[0]
+            interact.print(abs(x - 0.6) < 0.01)
+            wedge.change("still")
+            interact.wait(1)
+            interact.print(abs(wedge.pose[0] - x) < 0.01)
         """)
 
     def test_mistakes_are_told(self):

@@ -59,11 +59,16 @@ bool is_motion_trait(std::string_view keyword) {
   return std::ranges::find(kMotionTraits, keyword) != kMotionTraits.end();
 }
 
+bool begins_way(std::string_view keyword) {
+  return keyword == "path" || keyword == "follow" || keyword == "flee" || keyword == "wander";
+}
+
 void read_motion_trait(const Statement& s, ObjectTraits& traits) {
   const std::string keyword = lower(s.text(0));
   if (keyword == "follow" || keyword == "flee" || keyword == "wander") {
     if (traits.path) s.fail(0, in_quotes(keyword) + " for one on a path: expected one of them");
     traits.reaction = read_reaction(s, keyword);
+    traits.still = false;
     return;
   }
   if (keyword == "yields") {
@@ -71,7 +76,7 @@ void read_motion_trait(const Statement& s, ObjectTraits& traits) {
       s.fail(0, "'yields' of what stands: expected 'path', 'follow', 'flee' or 'wander' before it");
     }
     s.expect_arguments(1, "yields MM");
-    traits.yields_within = s.millimetres(1, "the distance", kLeastDistance);
+    traits.yields_within = s.millimetres(1, "the distance", 0);
     return;
   }
   if (!traits.path) s.fail(0, in_quotes(keyword) + " without a path: expected 'path' before it");

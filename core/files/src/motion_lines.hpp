@@ -11,6 +11,9 @@ namespace eyebridge::files {
 /// The keywords of lines that say how an object moves by itself, beside its path.
 bool is_motion_trait(std::string_view keyword);
 
+/// Whether it makes an object move by itself, and so takes the place of what did.
+bool begins_way(std::string_view keyword);
+
 /// Reads "speeds", "waits", "acceleration" (of `traits.path`), "yields", "follow", "flee" or
 /// "wander" into `traits`. Throws ConfigError for numbers that cannot be, and for what goes with
 /// none of what `traits` has.

@@ -9,8 +9,8 @@
 namespace eyebridge::files {
 namespace {
 
-constexpr std::array<std::string_view, 5> kTraits = {"mass", "friction", "restitution", "fixed",
-                                                     "path"};
+constexpr std::array<std::string_view, 7> kTraits = {"mass", "friction", "restitution", "fixed",
+                                                     "path", "loose",    "still"};
 constexpr double kLeastSize = 1;  // millimetres
 constexpr double kMostSize = 10000;
 constexpr std::size_t kMostPoints = 1000;
@@ -52,11 +52,23 @@ void read_object_trait(const Statement& s, ObjectTraits& traits) {
   if (keyword == "fixed") {
     s.expect_arguments(0, "fixed");
     traits.fixed = true;
+    traits.loose = false;
+  } else if (keyword == "loose") {
+    s.expect_arguments(0, "loose");
+    traits.fixed = false;
+    traits.loose = true;
+  } else if (keyword == "still") {
+    s.expect_arguments(0, "still");
+    traits.path.reset();
+    traits.reaction.reset();
+    traits.yields_within.reset();
+    traits.still = true;
   } else if (is_motion_trait(keyword)) {
     read_motion_trait(s, traits);
   } else if (keyword == "path") {
     if (traits.reaction) s.fail(0, "'path' for one that moves otherwise: expected one of them");
     traits.path = read_path(s);
+    traits.still = false;
     traits.path_where = s.where(0);
   } else if (keyword == "mass") {
     s.expect_arguments(1, "mass KG");
@@ -70,12 +82,26 @@ void read_object_trait(const Statement& s, ObjectTraits& traits) {
   }
 }
 
+ObjectTraits read_more(const Statement& s, world::ObjectSpec& object) {
+  ObjectTraits traits;  // some lines say more of what others said
+  traits.path = object.path;
+  traits.reaction = object.reaction;
+  read_object_trait(s, traits);
+  apply(traits, object);
+  return traits;
+}
+
 void apply(const ObjectTraits& traits, world::ObjectSpec& object) {
   world::Matter& matter = object.matter;
   if (traits.mass) matter.mass = *traits.mass;
   if (traits.friction) matter.friction = traits.friction;
   if (traits.restitution) matter.restitution = traits.restitution;
-  if (traits.fixed) matter.fixed = true;
+  if (traits.fixed || traits.loose) matter.fixed = traits.fixed;
+  if (traits.still) {
+    object.path.reset();
+    object.reaction.reset();
+    object.yields_within = 0.0;
+  }
   // One takes the place of the other.
   if (traits.path) {
     object.path = traits.path;
@@ -87,23 +113,94 @@ void apply(const ObjectTraits& traits, world::ObjectSpec& object) {
   if (traits.yields_within) object.yields_within = *traits.yields_within;
 }
 
+namespace {
+
+Rgb read_colour(const Statement& s, std::size_t first) {
+  const auto channel = [&](std::size_t i) {
+    return static_cast<std::uint8_t>(s.integer(i, "a colour", 0, 255));
+  };
+  return {channel(first), channel(first + 1), channel(first + 2)};
+}
+
+/// What a box or polygon is, but for its outline.
+world::ObjectSpec block(world::ObjectKind kind, const char* name, const Pose& pose) {
+  world::ObjectSpec out;
+  out.kind = kind;
+  out.name = name;
+  out.pose = pose;
+  out.height = kBoxHeight;
+  out.matter.mass = kBoxMass;
+  out.colour = kBoxColour;
+  return out;
+}
+
+/// Token of the first corner in "polygon x y phi x1 y1 ...".
+constexpr std::size_t kFirstCorner = 4;
+
+/// Counter-clockwise; fails at the corner that cannot be.
+std::vector<Vec2> read_corners(const Statement& s, std::size_t end) {
+  std::vector<Vec2> corners;
+  if ((end - kFirstCorner) / 2 > world::kMostCorners) {
+    s.fail(kFirstCorner + 2 * world::kMostCorners,
+           "more than " + std::to_string(world::kMostCorners) + " corners of a polygon");
+  }
+  for (std::size_t i = kFirstCorner; i + 1 < end; i += 2) {
+    corners.push_back({s.millimetres(i, "x of a corner", -kMostSize, kMostSize),
+                       s.millimetres(i + 1, "y of a corner", -kMostSize, kMostSize)});
+  }
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    if (corners[i] == corners[i - 1]) {
+      s.fail(kFirstCorner + 2 * i, "a corner where the one before it is: expected another place");
+    }
+  }
+  double turned = 0.0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    turned += cross(corners[i], corners[(i + 1) % corners.size()]);
+  }
+  const bool clockwise = turned < 0.0;
+  if (clockwise) std::ranges::reverse(corners);
+  if (const auto fault = world::fault_of_corners(corners)) {
+    const std::size_t last = corners.size() - 1;
+    const bool is_one = fault->corner <= last;
+    const std::size_t corner = clockwise && is_one ? last - fault->corner : fault->corner;
+    s.fail(kFirstCorner + 2 * corner,
+           "corner " + std::to_string(corner + 1) + " of the polygon: expected " + fault->expected);
+  }
+  return corners;
+}
+
+}  // namespace
+
+world::ObjectSpec read_polygon(const Statement& s, const Pose& pose) {
+  world::ObjectSpec polygon = block(world::ObjectKind::Polygon, "polygon", pose);
+  std::size_t at = kFirstCorner;
+  while (s.is_number(at)) ++at;
+  if (at % 2 != 0) s.fail(at, "x of a corner without its y: expected x1 y1 x2 y2 x3 y3 ...");
+  polygon.corners = read_corners(s, at);
+  polygon.radius = polygon.outer_radius();
+  for (; at < s.size();) {
+    const std::string word = lower(s.text(at));
+    if (word == "height") {
+      polygon.height = s.millimetres(at + 1, "the height", kLeastSize, kMostSize);
+      at += 2;
+    } else if (word == "colour" || word == "color") {
+      polygon.colour = read_colour(s, at + 1);
+      at += 4;
+    } else {
+      s.fail(at,
+             in_quotes(s.text(at)) + " found: expected a corner, 'height MM' or 'colour R G B'");
+    }
+  }
+  return polygon;
+}
+
 world::ObjectSpec read_box(const Statement& s, const Pose& pose) {
-  world::ObjectSpec box;
-  box.kind = world::ObjectKind::Box;
-  box.name = "box";
-  box.pose = pose;
+  world::ObjectSpec box = block(world::ObjectKind::Box, "box", pose);
   box.size = {s.millimetres(4, "the length", kLeastSize, kMostSize),
               s.millimetres(5, "the width", kLeastSize, kMostSize)};
   box.radius = box.outer_radius();
-  box.height = s.size() > 6 ? s.millimetres(6, "the height", kLeastSize, kMostSize) : kBoxHeight;
-  box.matter.mass = kBoxMass;
-  box.colour = kBoxColour;
-  if (s.size() > 7) {
-    const auto channel = [&](std::size_t i) {
-      return static_cast<std::uint8_t>(s.integer(i, "a colour", 0, 255));
-    };
-    box.colour = {channel(7), channel(8), channel(9)};
-  }
+  if (s.size() > 6) box.height = s.millimetres(6, "the height", kLeastSize, kMostSize);
+  if (s.size() > 7) box.colour = read_colour(s, 7);
   return box;
 }
 

@@ -13,15 +13,22 @@ bool is_object_trait(std::string_view keyword);
 /// that cannot be.
 void read_object_trait(const Statement& s, ObjectTraits& traits);
 
+/// The same into `object`, which may have some of them.
+ObjectTraits read_more(const Statement& s, world::ObjectSpec& object);
+
 /// What `traits` say, said of `object`.
 void apply(const ObjectTraits& traits, world::ObjectSpec& object);
 
-/// What a box is like whose line says no more than its size.
+/// What a box or polygon is like whose line says no more than its size.
 inline constexpr double kBoxHeight = 0.2;  ///< Metres.
 inline constexpr Rgb kBoxColour{150, 110, 60};
 inline constexpr double kBoxMass = 1.0;  ///< Kilograms.
 
 /// Our own "box x y phi length width [height [red green blue]]". Throws ConfigError.
 world::ObjectSpec read_box(const Statement& s, const Pose& pose);
+
+/// Our own "polygon x y phi x1 y1 x2 y2 x3 y3 ... [height MM] [colour R G B]"; otherwise it is like
+/// a box. Its corners may go round either way. Throws ConfigError.
+world::ObjectSpec read_polygon(const Statement& s, const Pose& pose);
 
 }  // namespace eyebridge::files

@@ -93,10 +93,7 @@ world::ObjectSpec read_object(std::string_view text, const std::string& file,
         warnings.add(s.line(), s.token(1).column, "mass 0 is ignored: expected more");
       }
     } else if (is_object_trait(keyword) && keyword != "path") {  // which is of a place
-      ObjectTraits traits;  // some lines say more of what others said
-      traits.reaction = out.reaction;
-      read_object_trait(s, traits);
-      apply(traits, out);
+      read_more(s, out);
     } else if (std::find(kObjectKeywords.begin(), kObjectKeywords.end(), keyword) ==
                kObjectKeywords.end()) {
       warnings.add(s.line(), s.token(0).column,

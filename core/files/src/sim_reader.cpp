@@ -12,10 +12,11 @@ namespace eyebridge::files {
 namespace {
 
 constexpr std::size_t kMaxThings = 100000;
-constexpr std::array<std::string_view, 23> kSimKeywords = {
-    "world",  "maze",  "robi",         "robot",    "obj",         "object", "settings", "marker",
-    "box",    "mass",  "fixed",        "friction", "restitution", "path",   "error",    "enters",
-    "speeds", "waits", "acceleration", "yields",   "follow",      "flee",   "wander"};
+constexpr std::array<std::string_view, 26> kSimKeywords = {
+    "world",  "maze",   "robi",    "robot", "obj",          "object",      "settings",
+    "marker", "box",    "mass",    "fixed", "friction",     "restitution", "path",
+    "error",  "enters", "speeds",  "waits", "acceleration", "yields",      "follow",
+    "flee",   "wander", "polygon", "loose", "still"};
 constexpr std::string_view kRobotForm = "NAME x y phi [program]' or 'NAME S [phi] [program]";
 
 bool is_start_letter(std::string_view word) {
@@ -84,6 +85,8 @@ class SimReader {
                s.size() != 4) {  // with x y phi alone: one that a file describes
       s.expect_arguments({5, 6, 9}, "box x y phi length width [height [red green blue]]");
       add(read_box(s, pose(s, 1)));
+    } else if (keyword == "polygon" && s.size() != 4) {
+      add(read_polygon(s, pose(s, 1)));
     } else {
       read_robot(s, keyword);
     }
@@ -105,11 +108,7 @@ class SimReader {
       s.fail(0, in_quotes(s.text(0)) + " before any object: expected the line of an object first");
     }
     if (last_ == Last::Robot) return read_object_trait(s, out_.robots.back().traits);
-    ObjectTraits traits;  // some lines say more of what others said
-    traits.path = out_.objects.back().path;
-    traits.reaction = out_.objects.back().reaction;
-    read_object_trait(s, traits);
-    apply(traits, out_.objects.back());
+    const ObjectTraits traits = read_more(s, out_.objects.back());
     if (lower(s.text(0)) == "path") out_.path_places.back() = traits.path_where;
   }
 

@@ -85,6 +85,12 @@ std::string object_lines(const world::ObjectSpec& object) {
     if (coloured || object.height != kBoxHeight) out += ' ' + write_millimetres(object.height);
     if (coloured) out += ' ' + channels(object.colour);
     mass = kBoxMass;
+  } else if (object.kind == world::ObjectKind::Polygon) {
+    out = "polygon " + pose_words(object.pose);
+    for (const Vec2 corner : object.corners) out += ' ' + place(corner);
+    if (object.height != kBoxHeight) out += " height " + write_millimetres(object.height);
+    if (object.colour != kBoxColour) out += " colour " + channels(object.colour);
+    mass = kBoxMass;
   } else if (const auto builtin = builtin_object(object.name)) {
     out = object.name + ' ' + pose_words(object.pose);
     mass = builtin->matter.mass;
@@ -102,8 +108,12 @@ std::string trait_lines(const ObjectTraits& traits) {
   if (traits.friction) out += "friction " + decimal(*traits.friction) + '\n';
   if (traits.restitution) out += "restitution " + decimal(*traits.restitution) + '\n';
   if (traits.fixed) out += "fixed\n";
+  if (traits.loose) out += "loose\n";
+  if (traits.still) out += "still\n";
   if (traits.path) out += path_line(*traits.path);
-  return out + motion_lines(traits.path, traits.reaction, traits.yields_within.value_or(0.0));
+  out += motion_lines(traits.path, traits.reaction, traits.yields_within.value_or(0.0));
+  if (traits.yields_within == 0.0) out += "yields 0\n";  // whatever its file says
+  return out;
 }
 
 /// `value` as a number that the reader, which divides it, reads back unchanged.
@@ -194,8 +204,10 @@ class SimWriter {
       const SimFile read = read_sim('\n' + word(robot.model) + " 0 0 0 p", "name", warnings);
       return read.robots.size() != 1 || read.robots.front().model != robot.model;
     } catch (const ConfigError&) {
-      // A file may describe a "box", which takes no program.
-      return lower(robot.model) != "box" || !robot.program.empty() || !robot.arguments.empty();
+      // A file may describe a "box" or "polygon", which take no program.
+      const std::string name = lower(robot.model);
+      const bool may_be = name == "box" || name == "polygon";
+      return !may_be || !robot.program.empty() || !robot.arguments.empty();
     }
   }
 
@@ -233,8 +245,8 @@ class SimWriter {
 
 bool same_traits(const ObjectTraits& a, const ObjectTraits& b) {
   return a.mass == b.mass && a.friction == b.friction && a.restitution == b.restitution &&
-         a.fixed == b.fixed && a.path == b.path && a.reaction == b.reaction &&
-         a.yields_within == b.yields_within;
+         a.fixed == b.fixed && a.loose == b.loose && a.still == b.still && a.path == b.path &&
+         a.reaction == b.reaction && a.yields_within == b.yields_within;
 }
 
 bool same_rule(const ErrorRule& a, const ErrorRule& b) {

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace eyebridge::mapping {
 namespace {
 
-/// A rectangle in the plane: a wall, or a box.
+/// A rectangle in the plane: a wall.
 struct Slab {
   Vec2 centre;
   Heading heading;  ///< Of its length.
@@ -43,6 +44,22 @@ bool overlap(const Slab& slab, const Square& square) {
          std::abs(away.y) <= square.half + s * slab.half_length + c * slab.half_width &&
          std::abs(in_slab.x) <= slab.half_length + own &&
          std::abs(in_slab.y) <= slab.half_width + own;
+}
+
+/// The same of a convex polygon, corners counter-clockwise.
+bool overlap(const std::vector<Vec2>& corners, const Square& square) {
+  Vec2 low = corners.front();
+  Vec2 high = low;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vec2 from = corners[i];
+    low = {std::min(low.x, from.x), std::min(low.y, from.y)};
+    high = {std::max(high.x, from.x), std::max(high.y, from.y)};
+    const Vec2 along = corners[(i + 1) % corners.size()] - from;
+    const double own = square.half * (std::abs(along.x) + std::abs(along.y));
+    if (cross(along, square.centre - from) < -own) return false;  // all of it is beyond that edge
+  }
+  return std::abs(2.0 * square.centre.x - low.x - high.x) <= 2.0 * square.half + high.x - low.x &&
+         std::abs(2.0 * square.centre.y - low.y - high.y) <= 2.0 * square.half + high.y - low.y;
 }
 
 bool overlap(Vec2 centre, double radius, const Square& square) {
@@ -98,9 +115,13 @@ void fill(OccupancyGrid& grid, const world::Wall& wall) {
 void fill(OccupancyGrid& grid, const world::ObjectSpec& object) {
   if (object.kind == world::ObjectKind::Ball) return;
   const Vec2 centre = object.pose.position();
-  if (object.kind == world::ObjectKind::Box) {
-    fill(grid, Slab{centre, Heading::from_angle(object.pose.theta), 0.5 * object.size.x,
-                    0.5 * object.size.y});
+  std::vector<Vec2> corners = world::corners_of(object);
+  if (!corners.empty()) {
+    const Heading heading = Heading::from_angle(object.pose.theta);
+    for (Vec2& corner : corners) corner = centre + heading.rotate(corner);
+    const double reach = object.outer_radius();
+    fill(grid, centre, {reach, reach},
+         [&](const Square& square) { return overlap(corners, square); });
     return;
   }
   fill(grid, centre, {object.radius, object.radius},

@@ -34,7 +34,7 @@ BodyId Bodies::add(BodyShape shape, Vec2 position, Heading heading, double radiu
   shape_.push_back(shape);
   colour_.push_back(colour);
   response_.emplace_back();
-  half_.emplace_back();
+  outline_.emplace_back();
   next_.push_back(kNoBody);
   previous_.push_back(kNoBody);
   cell_.push_back(0);

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
-#include "boxes.hpp"
+#include "convex.hpp"
 #include "eyebridge/base/colour.hpp"
 #include "eyebridge/base/pose.hpp"
 #include "eyebridge/world/scene.hpp"
@@ -174,15 +175,17 @@ class Bodies {
   std::vector<BodyShape> shape_;
   std::vector<Rgb> colour_;
   std::vector<Response> response_;
-  std::vector<Vec2> half_;  ///< Half the size of a box, metres; null for discs.
-  bool any_box_ = false;    ///< Without boxes nothing else than discs needs to be thought of.
+  std::vector<std::shared_ptr<const Outline>> outline_;  ///< Null for discs.
+  bool any_convex_ = false;  ///< Else nothing but discs needs to be thought of.
 
-  /// Whether one of them is a box.
-  [[nodiscard]] bool box_among(BodyId a, BodyId b) const {
-    return any_box_ && (shape_[a] == BodyShape::Box || shape_[b] == BodyShape::Box);
+  /// Whether it has an outline, and is no disc.
+  [[nodiscard]] bool is_convex(BodyId id) const { return shape_[id] == BodyShape::Polygon; }
+  /// Whether one of them has.
+  [[nodiscard]] bool convex_among(BodyId a, BodyId b) const {
+    return any_convex_ && (is_convex(a) || is_convex(b));
   }
-  [[nodiscard]] Rectangle rectangle(BodyId id) const {
-    return {position(id), {cos_[id], sin_[id]}, half_[id]};
+  [[nodiscard]] Convex convex(BodyId id) const {
+    return {*outline_[id], position(id), {cos_[id], sin_[id]}};
   }
 
  private:

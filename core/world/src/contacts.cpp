@@ -26,23 +26,28 @@ void ContactBook::forget(BodyId body) {
 }
 
 void World::Impl::note(BodyId id, const Obstacle& end) {
-  const Vec2 centre = bodies.position(id);
-  Vec2 place = centre + bodies.radius_[id] * towards(end, id);
-  if (bodies.shape_[id] == BodyShape::Box) {
-    const Vec2 met =
-        end.wall ? closest_point(walls.segments()[end.segment], centre) : bodies.position(end.body);
-    place = closest_point(bodies.rectangle(id), met);
+  const Vec2 normal = towards(end, id);
+  Vec2 place = bodies.position(id) + bodies.radius_[id] * normal;
+  if (bodies.is_convex(id)) {
+    const Convex own = bodies.convex(id);
+    if (end.wall) {
+      place = contact_place(own, Convex(walls.segments()[end.segment]), normal);
+    } else if (bodies.is_convex(end.body)) {
+      place = contact_place(own, bodies.convex(end.body), normal);
+    } else {
+      place = closest_point(own, bodies.position(end.body));
+    }
   }
   contacts.note({id, end.wall ? kNoBody : end.body, place});
 }
 
 double World::Impl::gap(BodyId id, BodyId other) const {
   if (other == kNoBody) return wall_gap(id);
-  const bool box = bodies.shape_[id] == BodyShape::Box;
-  if (box && bodies.shape_[other] == BodyShape::Box) {
-    return separation(bodies.rectangle(id), bodies.rectangle(other)).distance;
+  const bool convex = bodies.is_convex(id);
+  if (convex && bodies.is_convex(other)) {
+    return separation(bodies.convex(id), bodies.convex(other)).distance;
   }
-  if (box) return gap_to_point(id, bodies.position(other)) - bodies.radius_[other];
+  if (convex) return gap_to_point(id, bodies.position(other)) - bodies.radius_[other];
   return gap_to_point(other, bodies.position(id)) - bodies.radius_[id];
 }
 
@@ -51,11 +56,11 @@ double World::Impl::wall_gap(BodyId id) const {
   if (bodies.hold_[id].from == centre) return 0.0;  // it stands where a wall held it
   const double radius = bodies.radius_[id];
   const double limit = radius + 2 * ContactBook::kReleaseGap;  // farther ones need no number
-  if (bodies.shape_[id] != BodyShape::Box) return walls.distance(centre, limit) - radius;
+  if (!bodies.is_convex(id)) return walls.distance(centre, limit) - radius;
   double least = std::numeric_limits<double>::infinity();
+  const Convex own = bodies.convex(id);
   walls.each_near(centre, limit, [&](std::uint32_t segment, double) {
-    const Rectangle wall = rectangle_of(walls.segments()[segment]);
-    least = std::min(least, separation(bodies.rectangle(id), wall).distance);
+    least = std::min(least, separation(own, Convex(walls.segments()[segment])).distance);
   });
   return least;
 }

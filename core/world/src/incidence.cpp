@@ -10,15 +10,14 @@ namespace {
 /// than anything that a sensor tells apart.
 constexpr double kOnSurface = 1e-6;
 
-/// Of a ray along `direction` that ended at `place`, on the rim of a box or next to it.
-double box_incidence(const Rectangle& box, Vec2 place, Vec2 direction) {
-  const Vec2 p = box.local(place);
-  const Vec2 d{std::abs(dot(direction, box.u)), std::abs(cross(box.u, direction))};
-  const double beyond_x = std::abs(p.x) - box.half.x;
-  const double beyond_y = std::abs(p.y) - box.half.y;
+/// Of a ray along `direction` that ended at `place`, on the rim of `shape` or next to it.
+double convex_incidence(const Convex& shape, Vec2 place, Vec2 direction) {
+  if (std::abs(distance_to(shape, place)) >= kOnSurface) return 0.0;
   double best = 0.0;
-  if (std::abs(beyond_x) < kOnSurface && beyond_y < kOnSurface) best = d.x;
-  if (std::abs(beyond_y) < kOnSurface && beyond_x < kOnSurface) best = std::max(best, d.y);
+  for (std::size_t i = 0; i < shape.count; ++i) {
+    if (std::abs(shape.beyond(i, place)) >= kOnSurface) continue;
+    best = std::max(best, std::abs(dot(direction, shape.normal[i])));
+  }
   return best;
 }
 
@@ -32,8 +31,8 @@ double World::incidence_cosine(Vec2 place, Vec2 direction, BodyId ignore) const 
   const Bodies& bodies = impl_->bodies;
   bodies.each_on_way(place, {}, kOnSurface, [&](BodyId id) {
     if (id == ignore) return;
-    if (bodies.box_among(id, id)) {
-      best = std::max(best, box_incidence(bodies.rectangle(id), place, direction));
+    if (bodies.convex_among(id, id)) {
+      best = std::max(best, convex_incidence(bodies.convex(id), place, direction));
       return;
     }
     const Vec2 outward = place - bodies.position(id);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "world_impl.hpp"
 
@@ -46,6 +47,12 @@ void check_object(const ObjectSpec& object) {
   check(is_not_negative(object.height), "object: the height must be finite and not negative");
   check(object.kind != ObjectKind::Box || (object.size.x > 0.0 && object.size.y > 0.0),
         "object: length and width of a box must be positive");
+  if (object.kind == ObjectKind::Polygon) {
+    if (const auto fault = fault_of_corners(object.corners)) {
+      throw std::invalid_argument("object: corner " + std::to_string(fault->corner + 1) +
+                                  " of the polygon: expected " + fault->expected);
+    }
+  }
   check(is_positive(matter.mass), "object: the mass must be positive");
   if (object.path) check(*object.path);
   check(!object.path || !object.reaction, "object: a path and a reaction: expected one of them");
@@ -58,8 +65,6 @@ void check_object(const ObjectSpec& object) {
   check(!matter.restitution || (*matter.restitution >= 0.0 && *matter.restitution <= 1.0),
         "object: restitution must be 0 to 1");
 }
-
-namespace {
 
 Response response_of(const ObjectSpec& object) {
   const Matter& matter = object.matter;
@@ -74,34 +79,20 @@ Response response_of(const ObjectSpec& object) {
   return out;
 }
 
-}  // namespace
-
-BodyShape shape_of(ObjectKind kind) {
-  if (kind == ObjectKind::Ball) return BodyShape::Ball;
-  return kind == ObjectKind::Can ? BodyShape::Can : BodyShape::Box;
-}
-
 BodyId World::Impl::add_object(const ObjectSpec& object) {
   check_object(object);
   const BodyId id = bodies.add(shape_of(object.kind), object.pose.position(),
                                Heading::from_angle(object.pose.theta), object.outer_radius(),
                                object.height, object.colour);
   bodies.response_[id] = response_of(object);
-  things.push_back({id, object, object.matter.fixed});
+  things.push_back({id, object});
   note_slider(id);
   if (object.path) add_mover(id, object);
   if (object.reaction) add_reactor(id, object);
-  if (object.kind != ObjectKind::Box) return id;
-  bodies.half_[id] = 0.5 * object.size;
-  bodies.any_box_ = true;
+  if (!bodies.is_convex(id)) return id;
+  bodies.outline_[id] = std::make_shared<const Outline>(corners_of(object));
+  bodies.any_convex_ = true;
   return id;
-}
-
-void World::Impl::set_fixed(Thing& thing, bool fixed) {
-  thing.spec.matter.fixed = fixed;
-  bodies.response_[thing.body] = response_of(thing.spec);
-  if (fixed) bodies.set_velocity(thing.body, {});
-  note_slider(thing.body);
 }
 
 void World::Impl::note_slider(BodyId id) {

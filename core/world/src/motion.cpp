@@ -22,7 +22,7 @@ constexpr double kJamSine = 0.2;
 }  // namespace
 
 World::Impl::Obstacle World::Impl::first_wall(BodyId id, Vec2 motion) {
-  if (bodies.shape_[id] == BodyShape::Box) return first_wall_of_box(id, motion);
+  if (bodies.is_convex(id)) return first_wall_of_convex(id, motion);
   const double length = norm(motion);
   double& clearance = bodies.clearance_[id];
   if (length < clearance) return {};
@@ -54,7 +54,9 @@ void World::Impl::travel(BodyId id, Vec2 motion, double length) {
 }
 
 Vec2 World::Impl::towards(const Obstacle& obstacle, BodyId id) const {
-  if (bodies.box_among(id, obstacle.wall ? id : obstacle.body)) return box_towards(obstacle, id);
+  if (bodies.convex_among(id, obstacle.wall ? id : obstacle.body)) {
+    return towards_convex(obstacle, id);
+  }
   const Vec2 p = bodies.position(id);
   return direction_to(obstacle.wall ? closest_point(walls.segments()[obstacle.segment], p)
                                     : bodies.position(obstacle.body),

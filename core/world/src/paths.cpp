@@ -1,6 +1,6 @@
 #include "paths.hpp"
 
-#include "boxes.hpp"
+#include "convex.hpp"
 #include "world_impl.hpp"
 
 namespace eyebridge::world {
@@ -12,14 +12,16 @@ std::vector<Vec2> stops_of(const ObjectSpec& object) {
   return stops;
 }
 
-/// Whether `object`, moved to `from`, meets `wall` on its way along `motion`.
-bool meets(const ObjectSpec& object, Vec2 from, Vec2 motion, const Segment& wall) {
-  if (object.kind != ObjectKind::Box) {
+/// Whether `object`, moved to `from`, meets `wall` on its way along `motion`; `outline` is that of
+/// what is no disc.
+bool meets(const ObjectSpec& object, const Outline& outline, Vec2 from, Vec2 motion,
+           const Segment& wall) {
+  if (shape_of(object.kind) != BodyShape::Polygon) {
     return wall_contact(wall, from, motion, object.radius + kContactGap) <= 1.0;
   }
-  const Heading heading = Heading::from_angle(object.pose.theta);
-  const Rectangle box{from, heading.forward(), 0.5 * object.size};
-  return box_contact(box, rectangle_of(wall), motion, kContactGap) <= 1.0;
+  const Vec2 forward = Heading::from_angle(object.pose.theta).forward();
+  const Convex shape(outline, from, forward);
+  return convex_contact(shape, Convex(wall), motion, kContactGap) <= 1.0;
 }
 
 }  // namespace
@@ -66,11 +68,12 @@ void World::Impl::add_mover(BodyId id, const ObjectSpec& object) {
 std::optional<std::size_t> wall_on_path(const WorldModel& model, const ObjectSpec& object) {
   const std::vector<Vec2> stops = stops_of(object);
   const std::size_t legs = object.path->loop ? stops.size() : stops.size() - 1;
+  const Outline outline(corners_of(object));
   for (std::size_t i = 0; i < model.walls.size(); ++i) {
     for (const Segment& segment : outlines_of({model.walls[i]})) {
       for (std::size_t leg = 0; leg < legs; ++leg) {
         const Vec2 motion = stops[(leg + 1) % stops.size()] - stops[leg];
-        if (meets(object, stops[leg], motion, segment)) return i;
+        if (meets(object, outline, stops[leg], motion, segment)) return i;
       }
     }
   }

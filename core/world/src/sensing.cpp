@@ -64,7 +64,7 @@ double World::cast_ray(Vec2 origin, Vec2 direction, double max_range, BodyId ign
 void World::cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_range, BodyId ignore,
                      std::span<double> ranges) const {
   if (ranges.empty()) return;
-  if (directions.size() > 1 && directions.size() <= Sweep::kFew && !impl_->bodies.any_box_) {
+  if (directions.size() > 1 && directions.size() <= Sweep::kFew && !impl_->bodies.any_convex_) {
     impl_->cast_around(origin, directions, 0.0, max_range, ignore, ranges);
     return;
   }
@@ -76,10 +76,10 @@ void World::cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_r
     const double radius = bodies.radius_[id];
     const double reach = farthest + radius;
     if (id == ignore || norm_squared(centre - origin) >= reach * reach) return;
-    if (bodies.box_among(id, id)) {
-      const Rectangle box = bodies.rectangle(id);
+    if (bodies.convex_among(id, id)) {
+      const Convex shape = bodies.convex(id);
       for (std::size_t i = 0; i < directions.size(); ++i) {
-        ranges[i] = nearer_box_hit(box, origin, directions[i], ranges[i]);
+        ranges[i] = nearer_convex_hit(shape, origin, directions[i], ranges[i]);
       }
       return;
     }
@@ -97,7 +97,7 @@ void World::cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_r
 
 void World::cast_sweep(Vec2 origin, std::span<const Vec2> directions, double gap, double max_range,
                        BodyId ignore, std::span<double> ranges) const {
-  if (impl_->bodies.any_box_) {  // sweeps know discs only
+  if (impl_->bodies.any_convex_) {  // sweeps know discs only
     cast_fan(origin, directions, max_range, ignore, ranges);
     return;
   }
@@ -125,7 +125,7 @@ void World::contacts(BodyId id, double reach, std::vector<Vec2>& out) const {
   const std::size_t walls = touches.size();
   bodies.each_on_way(p, {}, limit, [&](BodyId other) {
     if (other == id || norm(bodies.position(other) - p) >= limit + bodies.radius_[other]) return;
-    if (bodies.box_among(other, other) && impl_->gap_to_point(other, p) >= limit) return;
+    if (bodies.convex_among(other, other) && impl_->gap_to_point(other, p) >= limit) return;
     touches.push_back({other, {0.0, false, 0, other}});
   });
   // The grids do not promise an order.
@@ -147,7 +147,7 @@ bool World::is_free(Vec2 centre, double radius, BodyId ignore) const {
   bool free = true;
   impl_->bodies.each_on_way(centre, {}, radius, [&](BodyId id) {
     const double touching = radius + impl_->bodies.radius_[id];
-    if (impl_->bodies.box_among(id, id) && impl_->gap_to_point(id, centre) > radius) return;
+    if (impl_->bodies.convex_among(id, id) && impl_->gap_to_point(id, centre) > radius) return;
     if (id != ignore && norm_squared(impl_->bodies.position(id) - centre) <= touching * touching) {
       free = false;
     }

@@ -47,7 +47,7 @@ BodyId World::add_robot(const Pose& pose, double radius, double height, Rgb colo
   }
   BodyId met = kNoBody;
   const auto overlap_with = [&](BodyId other) {
-    return bodies.box_among(other, other)
+    return bodies.convex_among(other, other)
                ? radius - impl_->gap_to_point(other, centre)
                : radius + bodies.radius_[other] - norm(centre - bodies.position(other));
   };
@@ -106,9 +106,15 @@ Scene World::scene(double time) const {
   scene.bodies.reserve(body_count());
   for (BodyId id = 0; id < body_count(); ++id) {
     if (!is_there(id)) continue;
-    scene.bodies.push_back({id, impl_->bodies.shape_[id], pose(id), impl_->bodies.radius_[id],
-                            impl_->bodies.height_[id], impl_->bodies.colour_[id],
-                            2.0 * impl_->bodies.half_[id]});
+    BodyView& view = scene.bodies.emplace_back();
+    view = {id,
+            impl_->bodies.shape_[id],
+            pose(id),
+            impl_->bodies.radius_[id],
+            impl_->bodies.height_[id],
+            impl_->bodies.colour_[id]};
+    const std::shared_ptr<const Outline>& outline = impl_->bodies.outline_[id];
+    if (outline) view.corners = {outline, &outline->corners};
   }
   return scene;
 }
@@ -132,9 +138,7 @@ void World::add_to(StateHash& hash) const {
     for (const double value : {reactor.direction.x, reactor.direction.y}) hash.add(value);
     hash.add(reactor.bounces);
   }
-  for (const Impl::Thing& thing : impl_->things) {
-    if (thing.spec.matter.fixed != thing.was_fixed) hash.add(std::uint64_t{thing.body});
-  }
+  impl_->add_changes(hash);
 }
 
 }  // namespace eyebridge::world

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include "bodies.hpp"
@@ -22,8 +24,8 @@ struct World::Impl {
   /// An object, in the order in which they came.
   struct Thing {
     BodyId body = kNoBody;
-    ObjectSpec spec;         ///< As it was added; `matter.fixed` as it is now.
-    bool was_fixed = false;  ///< When it was added.
+    ObjectSpec spec;  ///< As it was added, with the behaviour that it has now.
+    std::unique_ptr<const ObjectSpec> first{};  ///< As it was added, once that has changed.
   };
 
   /// What a body's way ends at.
@@ -38,14 +40,23 @@ struct World::Impl {
 
   // matter.cpp
   BodyId add_object(const ObjectSpec& object);
-  void set_fixed(Thing& thing, bool fixed);
   /// Keeps `sliders` when `id` has begun or ended to be one.
   void note_slider(BodyId id);
 
   // objects.cpp
-  /// Throws std::invalid_argument where `object` would stand in something.
-  void check_free(const ObjectSpec& object) const;
+  /// What `object` would stand in, in words; nothing where it is free.
+  [[nodiscard]] std::optional<std::string> obstacle_of(const ObjectSpec& object,
+                                                       BodyId ignore = kNoBody) const;
   [[nodiscard]] const Thing* thing_of(BodyId id) const;
+  /// Throws std::out_of_range for what is no object's body.
+  [[nodiscard]] Thing& need_thing(BodyId id);
+
+  // change.cpp
+  void change(Thing& thing, const ObjectSpec& like);
+  /// It moves by itself no more.
+  void stand(BodyId id);
+  /// What is no longer as it was when it was added.
+  void add_changes(StateHash& hash) const;
 
   // motion.cpp
   MoveResult drive(BodyId id, Vec2 motion, double dt);
@@ -104,10 +115,10 @@ struct World::Impl {
   void roll(BodyId id, double dt);
   void bounce_off(BodyId id, const Obstacle& end);
 
-  // box_contacts.cpp: the same questions where a box is among those that meet
-  [[nodiscard]] double box_pair_contact(BodyId id, BodyId other, Vec2 motion) const;
-  Obstacle first_wall_of_box(BodyId id, Vec2 motion);
-  [[nodiscard]] Vec2 box_towards(const Obstacle& obstacle, BodyId id) const;
+  // convex_contacts.cpp: the same questions where one with an outline is among those that meet
+  [[nodiscard]] double convex_pair_contact(BodyId id, BodyId other, Vec2 motion) const;
+  Obstacle first_wall_of_convex(BodyId id, Vec2 motion);
+  [[nodiscard]] Vec2 towards_convex(const Obstacle& obstacle, BodyId id) const;
   /// Distance from `p` to the rim of `id`, metres; less than 0 within it.
   [[nodiscard]] double gap_to_point(BodyId id, Vec2 p) const;
 
@@ -131,6 +142,10 @@ struct World::Impl {
 
 /// Throws std::invalid_argument for an object that cannot be.
 void check_object(const ObjectSpec& object);
+/// The same for one whose path leads nowhere, or into a wall of `model`.
+void check_path(const WorldModel& model, const ObjectSpec& object);
+/// How it answers to pushes and hits.
+Response response_of(const ObjectSpec& object);
 
 /// Unit vector from `from` to `to`; null where they are one.
 inline Vec2 direction_to(Vec2 to, Vec2 from) {
@@ -158,8 +173,8 @@ std::pair<World::Impl::Obstacle, World::Impl::Obstacle> World::Impl::first_bodie
     const double others_gap = norm(away) - touching;
     if (others_gap < gap) gap = others_gap;
     if (others_gap > length + kSlack) return;
-    const double fraction = bodies.box_among(id, other) ? box_pair_contact(id, other, motion)
-                                                        : disc_contact(away, motion, touching);
+    const double fraction = bodies.convex_among(id, other) ? convex_pair_contact(id, other, motion)
+                                                           : disc_contact(away, motion, touching);
     if (fraction > 1.0) return;
     Obstacle& first = blocks(other) ? best.first : best.second;
     if (fraction < first.fraction || (fraction == first.fraction && other < first.body)) {

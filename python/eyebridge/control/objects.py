@@ -4,7 +4,7 @@ from .robots import COMMAND_COST, READ_COST, finite
 
 
 class WorldObject:
-    """A ball, can or box of the world. LookupError once it was removed.
+    """A ball, can, box or polygon of the world. LookupError once it was removed.
 
     Metres, radians, seconds, in the world; x, y of its middle.
     """
@@ -43,6 +43,12 @@ class WorldObject:
         """Whether nothing pushes it away from now on. ValueError for what moves by itself."""
         self._turns.spend(COMMAND_COST)
         self._world.set_object_fixed(self.number, bool(fixed))
+
+    def change(self, lines):
+        """How it behaves from now on: lines that may follow its own in a .sim file ("mass 2", "path 100 loop 500 500",
+        "still", "loose"; docs/worlds.md), millimetres there. ValueError for what cannot be."""
+        self._turns.spend(COMMAND_COST)
+        self._world.change_object(self.number, lines)
 
     def remove(self):
         """Takes it out of the world, for good."""

@@ -110,8 +110,9 @@ class Robot:
         for kind, id, name, pose, reach in world.sensors(index):
             sensor = Sensor(self, kind, counts[kind], id, name, pose, reach)
             counts[kind] += 1
-            for each in {plain(name), kind if kind in ONLY_ONE else f"{kind} {id}"} - {""}:
-                self._sensors.setdefault(each, sensor)
+            for each in plain(name), kind if kind in ONLY_ONE else f"{kind} {id}":
+                if each:
+                    self._sensors.setdefault(each, sensor)
 
     def start(self, routine=None):
         """Lets it move, and runs `routine(robot, keep_going, belief_space, map_space, interact)` beside everything else:
@@ -162,7 +163,9 @@ class Robot:
 
     def sensor(self, name):
         """The device of that name: "PSD_FRONT", "psd 1", "lidar", "compass", "gyroscope", "accelerometer", "bumper 1",
-        "ir 1", "encoder left"."""
+        "ir 1", "encoder left"; or that device itself."""
+        if isinstance(name, Sensor) and name.robot is self:
+            return name
         return find(f"sensor of {self.name}", name, self._sensors)
 
     def read(self, name):

@@ -180,7 +180,7 @@ class Run:
     def _halt(self, routine):
         """The robot of a routine that failed stands; all of them, where it was run()."""
         robot = self._robot_of.get(routine)
-        for each in [robot] if robot is not None else set(self._robots.values()):
+        for each in [robot] if robot is not None else dict.fromkeys(self._robots.values()):
             self.world.set_twist(each.index, 0.0, 0.0)
 
     def _tell_astray(self, routine):

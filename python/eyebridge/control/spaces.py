@@ -109,9 +109,9 @@ class MapSpace(Space):
         self._world = world
 
     def add_object(self, kind, x, y, theta=0.0, **traits):
-        """Puts a thing into the world: "golf", "soccer", "can", "crate" or "box" (then `size`, its length and width), its
-        middle at x, y. `mass`, `friction`, `restitution`, `fixed`, and `lines`, what more a .sim file can say of it
-        (docs/worlds.md). The WorldObject; ValueError where there is no room, or it cannot be."""
+        """Puts a thing into the world: "golf", "soccer", "can", "crate", "box" (then `size`, its length and width) or
+        "polygon" (then `corners`, x and y of each about its place), its middle at x, y. `mass`, `friction`,
+        `restitution`, `fixed`, and `lines`, what more a .sim file can say of it (docs/worlds.md). The WorldObject; ValueError where there is no room, or it cannot be."""
         self._turns.spend(COMMAND_COST)
         return WorldObject(self._world, self._turns, self._world.add_object(kind, x, y, theta, **traits))
 

@@ -8,6 +8,9 @@
 
 namespace eyebridge::python {
 
+/// Numbers in an array of any shape, or what numpy makes one of: lists, single ones, other types.
+using Numbers = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
+
 /// A base for numpy arrays that keeps `owner` alive as long as they live.
 template <class Owner>
 pybind11::capsule keep(std::shared_ptr<Owner> owner) {

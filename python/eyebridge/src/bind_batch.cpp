@@ -15,7 +15,6 @@ namespace {
 namespace py = pybind11;
 using episode::EpisodeBatch;
 using SharedBatch = std::shared_ptr<EpisodeBatch>;
-using Actions = py::array_t<double, py::array::c_style | py::array::forcecast>;
 using Marks = py::array_t<std::uint8_t, py::array::c_style | py::array::forcecast>;
 using Release = py::call_guard<py::gil_scoped_release>;
 
@@ -50,7 +49,7 @@ SharedBatch make_batch(const std::vector<std::shared_ptr<files::Scenario>>& scen
       std::move(settings));
 }
 
-void step_batch(EpisodeBatch& batch, const Actions& actions, const Marks& resets) {
+void step_batch(EpisodeBatch& batch, const Numbers& actions, const Marks& resets) {
   const std::span<const double> numbers(actions.data(), static_cast<std::size_t>(actions.size()));
   const std::span<const std::uint8_t> marks(resets.data(), static_cast<std::size_t>(resets.size()));
   const py::gil_scoped_release others_run;

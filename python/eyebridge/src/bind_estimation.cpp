@@ -105,8 +105,8 @@ void bind_matcher(py::module_& module) {
            py::arg("least_score") = usual.least_score)
       .def(
           "match",
-          [](const ScanMatcher& matcher, const Place& guess, const Scanned& ranges,
-             const Scanned& bearings, double max_range) -> std::optional<Match> {
+          [](const ScanMatcher& matcher, const Place& guess, const Numbers& ranges,
+             const Numbers& bearings, double max_range) -> std::optional<Match> {
             const auto found =
                 matcher.match(pose_from(guess), scan_from(ranges, bearings, max_range));
             if (!found) return std::nullopt;
@@ -134,8 +134,8 @@ Slam make_slam(const OccupancyGrid& grid, const Place& start, double max_range, 
   return {GridSlam(settings, pose_from(start)), max_range};
 }
 
-std::string add_scan(Slam& self, const Place& odometry, const Scanned& ranges,
-                     const Scanned& bearings) {
+std::string add_scan(Slam& self, const Place& odometry, const Numbers& ranges,
+                     const Numbers& bearings) {
   const auto outcome =
       self.slam.add(pose_from(odometry), scan_from(ranges, bearings, self.max_range));
   if (!outcome) throw std::runtime_error(outcome.error().what);

@@ -43,7 +43,7 @@ Localiser monte_carlo(const OccupancyGrid& grid, double sigma, double max_range,
   return {{std::move(field), free, settings, seed}, max_range};
 }
 
-void correct(Localiser& localiser, const Scanned& ranges, const Scanned& bearings) {
+void correct(Localiser& localiser, const Numbers& ranges, const Numbers& bearings) {
   const localisation::Scan scan = scan_from(ranges, bearings, localiser.max_range);
   localiser.filter.correct(scan.thinned(kBeams));
 }

@@ -31,7 +31,6 @@ namespace py = pybind11;
 using mapping::OccupancyGrid;
 using Grid = std::shared_ptr<OccupancyGrid>;
 using PoseTuple = std::tuple<double, double, double>;
-using Ranges = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 Pose pose_of(const PoseTuple& pose) {
   const auto [x, y, theta] = pose;
@@ -245,7 +244,7 @@ void bind_mapping(py::module_& module) {
       .def(
           "insert_ranges",
           [](mapping::RobotMapper& mapper, OccupancyGrid& grid, const PoseTuple& pose,
-             const Ranges& ranges) {
+             const Numbers& ranges) {
             need_done(mapper.insert_ranges(
                 grid, pose_of(pose), {ranges.data(), static_cast<std::size_t>(ranges.size())}));
           },
@@ -253,7 +252,7 @@ void bind_mapping(py::module_& module) {
       .def(
           "insert_lidar",
           [](mapping::RobotMapper& mapper, OccupancyGrid& grid, const PoseTuple& pose,
-             const Ranges& ranges, double field_of_view) {
+             const Numbers& ranges, double field_of_view) {
             need_done(
                 mapper.insert_lidar(grid, pose_of(pose), field_of_view,
                                     {ranges.data(), static_cast<std::size_t>(ranges.size())}));

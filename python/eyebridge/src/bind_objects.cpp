@@ -48,12 +48,7 @@ py::array_t<double> objects(const SharedSimulation& shared) {
   return array_of(std::move(rows)).reshape({-1, 3});
 }
 
-std::size_t add_object(SharedSimulation& shared, const std::string& kind, double x, double y,
-                       double theta, std::optional<std::pair<double, double>> size,
-                       std::optional<double> mass, std::optional<double> friction,
-                       std::optional<double> restitution, bool fixed, const std::string& lines) {
-  const world::ObjectSpec object =
-      object_of(kind, {x, y, theta}, {size, mass, friction, restitution, fixed, lines});
+std::size_t add_object(SharedSimulation& shared, const world::ObjectSpec& object) {
   return in_world(shared, [&](world::World& world) {
     world.add_object(object);
     return world.object_count() - 1;
@@ -94,20 +89,26 @@ void set_object_fixed(SharedSimulation& shared, std::size_t object, bool fixed) 
   });
 }
 
+void change_object(SharedSimulation& shared, std::size_t object, const std::string& lines) {
+  in_world(shared, [&](world::World& world) {
+    const world::BodyId body = body_there(world, object);
+    world.change_object(body,
+                        files::read_object_change(world.object(body), lines, "change_object"));
+  });
+}
+
 }  // namespace
 
 void bind_objects(py::class_<SharedSimulation, std::shared_ptr<SharedSimulation>>& simulation) {
+  define_add_object(simulation, &add_object);
   simulation.def_property_readonly("objects", &objects)
-      .def("add_object", &add_object, py::arg("kind"), py::arg("x"), py::arg("y"),
-           py::arg("theta") = 0.0, py::kw_only(), py::arg("size") = py::none(),
-           py::arg("mass") = py::none(), py::arg("friction") = py::none(),
-           py::arg("restitution") = py::none(), py::arg("fixed") = false, py::arg("lines") = "")
       .def("remove_object", &remove_object, py::arg("object"))
       .def("set_object_pose", &set_object_pose, py::arg("object"), py::arg("x"), py::arg("y"),
            py::arg("theta") = 0.0)
       .def("set_object_velocity", &set_object_velocity, py::arg("object"), py::arg("x"),
            py::arg("y"))
-      .def("set_object_fixed", &set_object_fixed, py::arg("object"), py::arg("fixed") = true);
+      .def("set_object_fixed", &set_object_fixed, py::arg("object"), py::arg("fixed") = true)
+      .def("change_object", &change_object, py::arg("object"), py::arg("lines"));
 }
 
 }  // namespace eyebridge::python

@@ -20,7 +20,6 @@ namespace {
 namespace py = pybind11;
 using Release = py::call_guard<py::gil_scoped_release>;
 using Shared = std::shared_ptr<SharedSimulation>;
-using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 Shared make(std::shared_ptr<files::Scenario> scenario, std::uint64_t seed, double step) {
   if (!scenario) scenario = std::make_shared<files::Scenario>(files::default_scenario());

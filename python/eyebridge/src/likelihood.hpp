@@ -5,12 +5,11 @@
 
 #include <pybind11/numpy.h>
 
+#include "arrays.hpp"
 #include "checks.hpp"
 #include "eyebridge/robot/sensor_likelihood.hpp"
 
 namespace eyebridge::python {
-
-using Numbers = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
 
 /// P(reading | truth) for arrays of both; `readings_of(truth)` gives the distribution of the
 /// readings there. Raises ValueError for a resolution that is not above 0.

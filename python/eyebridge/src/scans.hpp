@@ -6,6 +6,7 @@
 
 #include <pybind11/numpy.h>
 
+#include "arrays.hpp"
 #include "checks.hpp"
 #include "eyebridge/localisation/scan.hpp"
 
@@ -13,7 +14,6 @@ namespace eyebridge::python {
 
 /// x, y, theta, as Python has poses.
 using Place = std::tuple<double, double, double>;
-using Scanned = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
 
 /// Raises ValueError for what is not finite.
 inline Pose pose_from(const Place& place) {
@@ -27,7 +27,7 @@ inline Place place_of(const Pose& pose) { return {pose.x, pose.y, pose.theta}; }
 /// What a scanner in the middle of the robot saw: `ranges` along `bearings`. What met nothing reads
 /// as `max_range`, give or take rounding: a miss. Raises ValueError unless there are as many of
 /// both.
-inline localisation::Scan scan_from(const Scanned& ranges, const Scanned& bearings,
+inline localisation::Scan scan_from(const Numbers& ranges, const Numbers& bearings,
                                     double max_range) {
   if (!(max_range > 0 && std::isfinite(max_range))) refuse("max_range", max_range, "more than 0 m");
   if (ranges.ndim() != 1 || bearings.ndim() != 1 || ranges.size() != bearings.size()) {

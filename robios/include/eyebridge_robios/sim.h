@@ -14,7 +14,7 @@
 int SIMGetRobot(int id, int* x, int* y, int* z, int* phi);
 /** Puts a robot to a pose. */
 int SIMSetRobot(int id, int x, int y, int z, int phi);
-/** Pose of an object: a ball, a can, a box. */
+/** Pose of an object: a ball, a can, a box, a polygon. */
 int SIMGetObject(int id, int* x, int* y, int* z, int* phi);
 /** Puts an object to a pose. */
 int SIMSetObject(int id, int x, int y, int z, int phi);

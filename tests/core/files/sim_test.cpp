@@ -81,6 +81,79 @@ TEST(Sim, ReadsBoxesOfAnySizeAndColour) {
   EXPECT_EQ(sim.objects[2].colour, (Rgb{6, 7, 8}));
 }
 
+TEST(Sim, ReadsPolygonsRoundEitherWay) {
+  const auto sim = sim_of(
+      "polygon 1000 2000 90 200 0 -100 150 -100 -150\n"
+      "POLYGON 1 2 0 -100 -150 -100 150 200 0 colour 1 2 3 height 50\nmass 3\n"
+      "polygon 1 2 0\n");
+  ASSERT_EQ(sim.objects.size(), 2u);
+  const world::ObjectSpec& one = sim.objects[0];
+  EXPECT_EQ(one.kind, world::ObjectKind::Polygon);
+  EXPECT_EQ(one.pose, (Pose{1, 2, kPi / 2}));
+  EXPECT_EQ(one.corners, (std::vector<Vec2>{{0.2, 0}, {-0.1, 0.15}, {-0.1, -0.15}}));
+  EXPECT_EQ(one.height, 0.2);
+  EXPECT_EQ(one.radius, 0.2);
+  EXPECT_EQ(sim.objects[1].corners, one.corners) << "the second one goes round clockwise";
+  EXPECT_EQ(sim.objects[1].colour, (Rgb{1, 2, 3}));
+  EXPECT_EQ(sim.objects[1].height, 0.05);
+  EXPECT_EQ(sim.objects[1].matter.mass, 3);
+  EXPECT_EQ(sim.robots.size(), 1u) << "what a file calls so";
+}
+
+TEST(Sim, LaterLinesUndoEarlierOnes) {
+  const auto sim = sim_of(
+      "Can 1 2 0\nfixed\nloose\npath 100 loop 3 4\nyields 5\nstill\nCan 1 2 0\nwander 5\nstill\n"
+      "path 100 back 3 4\nDog 1 2 0\nfixed\nloose\nstill\n");
+  ASSERT_EQ(sim.objects.size(), 2u);
+  EXPECT_FALSE(sim.objects[0].matter.fixed);
+  EXPECT_EQ(sim.objects[0].path, std::nullopt);
+  EXPECT_EQ(sim.objects[0].yields_within, 0.0);
+  EXPECT_EQ(sim.objects[1].reaction, std::nullopt);
+  ASSERT_TRUE(sim.objects[1].path);
+  ASSERT_EQ(sim.robots.size(), 1u);
+  EXPECT_TRUE(sim.robots[0].traits.loose && sim.robots[0].traits.still);
+  EXPECT_FALSE(sim.robots[0].traits.fixed);
+  EXPECT_THAT(error_of([&] { sim_of("Can 1 2 0\nwander 5\nstill\nyields 5\n"); }),
+              HasSubstr("of what stands"));
+}
+
+TEST(Sim, WhatIsThereIsChangedByTheSameLines) {
+  world::ObjectSpec can;
+  can.path = world::Path{0.1, true, {{1, 1}}};
+  const world::ObjectSpec changed = read_object_change(can, "mass 2\nspeeds 50", "it");
+  EXPECT_EQ(changed.matter.mass, 2);
+  EXPECT_EQ(changed.path->leg_speeds, std::vector<double>{0.05});
+  EXPECT_EQ(read_object_change(can, "", "it"), can);
+  const world::ObjectSpec other = read_object_change(can, "wander 100\nyields 0", "it");
+  EXPECT_EQ(other.path, std::nullopt) << "it takes the path's place";
+  EXPECT_EQ(read_object_change(other, "path 5 back 1 1", "it").reaction, std::nullopt);
+  EXPECT_THAT(error_of([&] { read_object_change(can, "wander 100\npath 5 back 1 1", "it"); }),
+              HasSubstr("expected one of them"));
+  EXPECT_THAT(error_of([&] { read_object_change(can, "mass 2\nCan 1 2 3", "it"); }),
+              HasSubstr("it:2:1: 'Can' found"));
+  EXPECT_THAT(error_of([&] { read_object_change(can, "mass x", "it"); }), HasSubstr("it:1:6:"));
+}
+
+TEST(Sim, PointsAtTheCornerThatCannotBe) {
+  const auto error = [](const char* text) { return error_of([&] { sim_of(text); }); };
+  EXPECT_THAT(error("polygon 1 2 0 200 0 -100 150"), HasSubstr(":1:29: corner 3"));
+  EXPECT_THAT(error("polygon 1 2 0 9 9 9 -9 -9 -9 -9 -9"), HasSubstr(":1:30: a corner where"));
+  std::string many = "polygon 1 2 0";
+  for (int i = 17; i > 0; --i) many += " " + std::to_string(i) + " " + std::to_string(i * i);
+  EXPECT_THAT(error(many.c_str()), HasSubstr("more than 16 corners"));
+  const auto alone = [](const char* text) {
+    return error_of([&] { read_object_text(text, "it"); });
+  };
+  EXPECT_THAT(alone("polygon 1 2 3"), HasSubstr("it:1:1: the polygon has no corners"));
+  EXPECT_THAT(alone("box 1 2 3"), HasSubstr("it:1:1: the box has no size"));
+  EXPECT_THAT(error("polygon 1 2 0 200 0 -100 150 -100"), HasSubstr("without its y"));
+  EXPECT_THAT(error("polygon 1 2 0 9 9 -9 9 -5 1 -9 -9"), HasSubstr(":1:29: corner 4"));
+  EXPECT_THAT(error("polygon 1 2 0 -9 -9 -5 1 -9 9 9 9"), HasSubstr(":1:15: corner 1"))
+      << "the same, clockwise";
+  EXPECT_THAT(error("polygon 1 2 0 200 0 -100 150 -100 -150 heigt 3"), HasSubstr("'heigt' found"));
+  EXPECT_THAT(error("polygon 1 2 0 200 0 -100 150 -100 -150 height"), HasSubstr("height"));
+}
+
 TEST(Sim, LinesAfterAnObjectSayHowItBehaves) {
   const auto sim = sim_of(
       "Can 1 2 0\nGolf 3 4 0\nmass 0.2\nFriction 0\nrestitution 0.9\nbox 1 2 0 3 4\nfixed\n"

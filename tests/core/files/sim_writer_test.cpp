@@ -35,7 +35,19 @@ TEST(SimWriter, WritesHowThingsMoveByThemselves) {
       "object dog.esObj\nCan 1 2 0\npath 120.7 loop 2500 1020 1 1\nspeeds 33.3 0.1 700\n"
       "waits 0 1.7 0.1\nacceleration 333.3\nyields 123.4\nCan 1 2 0\nfollow 200\n"
       "box 1 2 30 300 200\nflee 100.1 700.7\nyields 5\nGolf 1 2 3\nwander 33.3\n"
-      "dog 1 2 3\npath 5 back 1 1\nwaits 4\ndog 5 6 7\nwander 100\nyields 20\n");
+      "dog 1 2 3\npath 5 back 1 1\nwaits 4\ndog 5 6 7\nwander 100\nyields 20\n"
+      "dog 1 2 3\nloose\nstill\ndog 1 2 3\nwander 5\nyields 0\n");
+}
+
+TEST(SimWriter, WritesPolygons) {
+  expect_round_trip(
+      "polygon 1 2 30 200 0 -100 150.7 -100 -150\nmass 2\n"
+      "polygon 1 2 3 9 9 -9 9 -9 -9 9 -9 colour 1 2 3 height 33.3\nwander 20\n"
+      "robi polygon prog 1 2 3\npolygon 1 2 3\n");
+  SimFile sim;
+  sim.objects.emplace_back().kind = world::ObjectKind::Polygon;
+  sim.objects.back().corners = {{0.1, 0}, {0, 0.1}};
+  EXPECT_THAT(error_of([&] { write_sim(sim); }), HasSubstr("three corners or more"));
 }
 
 TEST(SimWriter, WritesTheErrorsOfRobots) {

@@ -111,6 +111,23 @@ TEST(GroundTruth, HasBoxesAndCansWhenAskedForAndNoBalls) {
             "..........\n");
 }
 
+TEST(GroundTruth, HasPolygonsWhereTheyAreAndNotTheirCorners) {
+  world::WorldModel model = floor_of(1.0, 0.5);
+  world::ObjectSpec wedge;
+  wedge.kind = world::ObjectKind::Polygon;
+  wedge.pose = {0.44, 0.25, kPi};
+  wedge.corners = {{0.3, 0.0}, {-0.15, 0.19}, {-0.15, -0.19}};  // its tip to the left
+  model.objects = {wedge};
+  TruthSettings settings = coarse();
+  settings.objects = true;
+  EXPECT_EQ(drawn(truth_of(model, settings)),
+            "....##....\n"
+            "..####....\n"
+            ".#####....\n"
+            "..####....\n"
+            "....##....\n");
+}
+
 TEST(GroundTruth, RefusesWhatCannotBe) {
   const auto refusal = [](const world::WorldModel& model, const TruthSettings& settings) {
     try {

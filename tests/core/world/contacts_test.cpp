@@ -81,6 +81,8 @@ World bustle() {
     ObjectSpec spec;
     const int row = i / 3;
     spec.kind = static_cast<ObjectKind>(i % 3);
+    if (i > 6) spec.kind = ObjectKind::Polygon;
+    spec.corners = {{0.04, 0.0}, {-0.03, 0.03}, {-0.03, -0.03}};
     spec.size = {0.08, 0.05};
     spec.pose = {0.3 + 0.45 * (i % 3), 0.4 + 0.4 * row, 0.5 * i};
     if (row == 1) spec.matter.friction = 0.05;
@@ -95,7 +97,7 @@ TEST(Contacts, EachBeginsWhereTheTwoAreAndOnlyAfterTheyWereApart) {
   World world = bustle();
   const WallIndex walls(world.model().walls);
   const auto is_box = [&](BodyId id) {
-    return id < world.object_count() && world.model().objects[id].kind == ObjectKind::Box;
+    return id < world.object_count() && world.shape(id) == BodyShape::Polygon;
   };
   // Discs only: the distances of boxes are tested where they are made.
   const auto gap = [&](BodyId a, BodyId b) {

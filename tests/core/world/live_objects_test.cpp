@@ -175,6 +175,106 @@ TEST_F(LiveObjects, WhatWasChangedIsPartOfTheState) {
   EXPECT_NE(state_of(world_), second) << "which of them is fixed counts";
 }
 
+TEST_F(LiveObjects, WhatStoodTakesAWayAndWhatMovedStands) {
+  const BodyId can = world_.add_object(thing(ObjectKind::Can, 1, 0.5));
+  ObjectSpec like = world_.object(can);
+  like.path = Path{0.5, false, {{2, 0.5}}};
+  world_.change_object(can, like);
+  EXPECT_TRUE(world_.moves_by_itself(can));
+  EXPECT_FALSE(world_.gives_way(can));
+  for (int i = 0; i < 100; ++i) world_.step_objects(kLiveStep);
+  EXPECT_NEAR(world_.position(can).x, 1.0 + 100 * kLiveStep * 0.5, 1e-9);
+  like.matter.mass = 3;
+  world_.change_object(can, like);
+  world_.step_objects(kLiveStep);
+  EXPECT_NEAR(world_.position(can).x, 1.0 + 101 * kLiveStep * 0.5, 1e-9) << "still on its way";
+  like.path.reset();
+  world_.change_object(can, like);
+  const Vec2 there = world_.position(can);
+  world_.step_objects(kLiveStep);
+  EXPECT_EQ(world_.position(can), there);
+  EXPECT_TRUE(world_.gives_way(can));
+  like.path = Path{0.5, true, {{1, 0.5}}};
+  world_.change_object(can, like);
+  for (int i = 0; i < 1000; ++i) world_.step_objects(kLiveStep);
+  EXPECT_GE(world_.position(can).x, 1.0 - 1e-9);
+  EXPECT_LE(world_.position(can).x, there.x + 1e-9)
+      << "from where it was, not from its first place";
+  EXPECT_EQ(world_.object(can).pose.x, world_.position(can).x);
+  EXPECT_EQ(world_.object(can).matter.mass, 3);
+}
+
+TEST_F(LiveObjects, WhoOnlyYieldsOtherwiseGoesOnWhereItWas) {
+  const BodyId can = world_.add_object(thing(ObjectKind::Can, 1, 0.5));
+  ObjectSpec like = world_.object(can);
+  like.path = Path{1.0, true, {{2, 0.5}, {2, 0.8}}};
+  world_.change_object(can, like);
+  for (int i = 0; i < 110; ++i) world_.step_objects(kLiveStep);  // on its second leg
+  const Vec2 there = world_.position(can);
+  ASSERT_GT(there.y, 0.5);
+  like.yields_within = 0.01;
+  world_.change_object(can, like);
+  world_.step_objects(kLiveStep);
+  EXPECT_NEAR(world_.position(can).y, there.y + kLiveStep, 1e-9);
+  EXPECT_NEAR(world_.position(can).x, 2.0, 1e-9);
+}
+
+TEST_F(LiveObjects, FixingWhatMovesByItselfDoesNothing) {
+  const BodyId can = world_.add_object(thing(ObjectKind::Can, 1, 0.5));
+  ObjectSpec like = world_.object(can);
+  like.path = Path{1.0, true, {{2, 0.5}}};
+  world_.change_object(can, like);
+  const std::uint64_t before = state_of(world_);
+  world_.set_fixed(can, true);
+  EXPECT_EQ(state_of(world_), before);
+  EXPECT_FALSE(world_.object(can).matter.fixed);
+}
+
+TEST_F(LiveObjects, WhatIsGivenAFrictionSlides) {
+  const BodyId can = world_.add_object(thing(ObjectKind::Can, 1, 0.5));
+  ObjectSpec like = world_.object(can);
+  like.matter.friction = 0.0;
+  world_.change_object(can, like);
+  world_.set_velocity(can, {1, 0});
+  world_.step_objects(kLiveStep);
+  EXPECT_NEAR(world_.position(can).x, 1.0 + kLiveStep, 1e-9);
+  like.matter.friction.reset();
+  world_.change_object(can, like);
+  EXPECT_EQ(world_.velocity(can), (Vec2{}));
+}
+
+TEST_F(LiveObjects, AChangeThatCannotBeChangesNothing) {
+  const BodyId can = world_.add_object(thing(ObjectKind::Can, 1, 0.5));
+  const std::uint64_t before = state_of(world_);
+  ObjectSpec like = world_.object(can);
+  like.matter.mass = -1;
+  EXPECT_THROW(world_.change_object(can, like), std::invalid_argument);
+  like = world_.object(can);
+  like.path = Path{0.5, true, {{9, 0.5}}};
+  EXPECT_THROW(world_.change_object(can, like), std::invalid_argument) << "into a wall";
+  like.path = Path{0.5, true, {{1, 0.5}}};
+  EXPECT_THROW(world_.change_object(can, like), std::invalid_argument) << "nowhere";
+  EXPECT_THROW(world_.change_object(robot_, like), std::out_of_range);
+  EXPECT_THROW(static_cast<void>(world_.object(robot_)), std::out_of_range);
+  EXPECT_EQ(state_of(world_), before);
+}
+
+TEST_F(LiveObjects, AnotherWayIsAnotherState) {
+  const BodyId can = world_.add_object(thing(ObjectKind::Can, 1, 0.5));
+  const std::uint64_t before = state_of(world_);
+  ObjectSpec like = world_.object(can);
+  like.reaction = Reaction{Reaction::Kind::Follow, 0.2};
+  world_.change_object(can, like);
+  const std::uint64_t slow = state_of(world_);
+  EXPECT_NE(slow, before);
+  like.reaction->speed = 0.3;
+  world_.change_object(can, like);
+  EXPECT_NE(state_of(world_), slow);
+  like.reaction.reset();
+  world_.change_object(can, like);
+  EXPECT_EQ(state_of(world_), before) << "as it was";
+}
+
 TEST_F(LiveObjects, WhatIsNotFiniteOrFarAwayIsRefused) {
   const double infinite = std::numeric_limits<double>::infinity();
   const auto expect_refused = [&](const auto& change) {
@@ -215,7 +315,7 @@ TEST(LiveObjectsInACrowd, ChangesAreTheSameInTwoRunsHoweverManyThereAre) {
     }
     for (BodyId id = 0; id < world.body_count(); ++id) {
       if (!world.is_there(id)) continue;
-      EXPECT_GT(world.position(id).x, world.shape(id) == BodyShape::Box ? 0.05 : 0.0499);
+      EXPECT_GT(world.position(id).x, world.shape(id) == BodyShape::Polygon ? 0.05 : 0.0499);
     }
     return state_of(world);
   };

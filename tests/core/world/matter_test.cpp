@@ -20,6 +20,7 @@ ObjectSpec thing(ObjectKind kind, double x, double y, const Matter& matter) {
   spec.kind = kind;
   spec.pose = {x, y, 0};
   spec.size = {0.05, 0.04};
+  spec.corners = {{0.035, 0.0}, {0.0, 0.03}, {-0.03, 0.01}, {-0.02, -0.03}};
   spec.matter = matter;
   return spec;
 }
@@ -128,7 +129,7 @@ World billiard(std::uint64_t seed, double friction, double restitution) {
                         .restitution = restitution * random.uniform()};
     const int row = i / 6;
     objects.push_back(
-        thing(static_cast<ObjectKind>(i % 3), 0.12 + 0.15 * (i % 6), 0.12 + 0.15 * row, matter));
+        thing(static_cast<ObjectKind>(i % 4), 0.12 + 0.15 * (i % 6), 0.12 + 0.15 * row, matter));
     objects.back().pose.theta = 2 * kPi * random.uniform();
   }
   World world = world_holding(room(1, 1), objects);
@@ -174,7 +175,7 @@ TEST(MatterInvariants, MomentumStaysWhateverMeetsAwayFromWalls) {
     for (int i = 0; i < 2; ++i) {
       const Matter matter{
           .mass = 0.01 + random.uniform(), .friction = 0.0, .restitution = random.uniform()};
-      const auto kind = static_cast<ObjectKind>(random.bits() % 3);
+      const auto kind = static_cast<ObjectKind>(random.bits() % 4);
       objects.push_back(thing(kind, 20 + 0.2 * i, 20 + 0.02 * random.uniform(), matter));
       objects.back().pose.theta = 2 * kPi * random.uniform();
     }

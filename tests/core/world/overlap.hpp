@@ -3,27 +3,28 @@
 #include <algorithm>
 #include <utility>
 
-#include "boxes.hpp"
+#include "convex.hpp"
 #include "eyebridge/world/world.hpp"
 
 namespace eyebridge::world {
 
-inline bool is_box(const World& world, BodyId id) {
-  return id < world.object_count() && world.model().objects[id].kind == ObjectKind::Box;
+inline bool is_convex(const World& world, BodyId id) {
+  return world.shape(id) == BodyShape::Polygon;
 }
 
-inline Rectangle rectangle_at(const World& world, BodyId id) {
-  return {world.position(id), world.heading(id).forward(), 0.5 * world.model().objects[id].size};
+inline Convex convex_at(const World& world, BodyId id) {
+  return {Outline(corners_of(world.model().objects[id])), world.position(id),
+          world.heading(id).forward()};
 }
 
 /// How deep two bodies stand in each other, metres; less than 0 when they are apart.
 inline double overlap(const World& world, BodyId a, BodyId b) {
-  if (is_box(world, a) && is_box(world, b)) {
-    return -separation(rectangle_at(world, a), rectangle_at(world, b)).distance;
+  if (is_convex(world, a) && is_convex(world, b)) {
+    return -separation(convex_at(world, a), convex_at(world, b)).distance;
   }
-  if (is_box(world, a)) std::swap(a, b);
-  if (is_box(world, b)) {
-    return world.radius(a) - distance_to(rectangle_at(world, b), world.position(a));
+  if (is_convex(world, a)) std::swap(a, b);
+  if (is_convex(world, b)) {
+    return world.radius(a) - distance_to(convex_at(world, b), world.position(a));
   }
   return world.radius(a) + world.radius(b) - norm(world.position(a) - world.position(b));
 }
@@ -39,8 +40,8 @@ inline double deepest_of_all(const World& world) {
     }
     const Vec2 p = world.position(id);
     for (const Segment& wall : walls) {
-      const double gap = is_box(world, id)
-                             ? separation(rectangle_at(world, id), rectangle_of(wall)).distance
+      const double gap = is_convex(world, id)
+                             ? separation(convex_at(world, id), Convex(wall)).distance
                              : norm(p - closest_point(wall, p)) - world.radius(id);
       deepest = std::max(deepest, -gap);
     }

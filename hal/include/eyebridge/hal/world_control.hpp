@@ -21,7 +21,7 @@ class WorldControl {
 
   /// With those that were removed, whose ids are not there any more.
   [[nodiscard]] virtual int robot_count() const = 0;
-  /// Of balls, cans and boxes, with those that were removed.
+  /// Of balls, cans, boxes and polygons, with those that were removed.
   [[nodiscard]] virtual int object_count() const = 0;
   // Ids from 1, in the order of the scenario; robot 0 is the caller's own. An id that is not there
   // and a pose that is not finite are OutOfRange.
@@ -38,6 +38,9 @@ class WorldControl {
   virtual Result<void> set_object_velocity(int id, Vec2 velocity) = 0;
   /// Whether nothing pushes it away from now on. OutOfRange for what moves by itself.
   virtual Result<void> set_object_fixed(int id, bool fixed) = 0;
+  /// Changes how an object behaves: `lines` are those that may follow its line in a `.sim` file
+  /// ("mass 2", "path 100 loop 500 500"). OutOfRange, in words, for what cannot be.
+  virtual Result<void> change_object(int id, const std::string& lines) = 0;
   /// Does to the errors that robot `id` has now what `rules` say, written as the setting `errors`
   /// ("realistic", "psd:1 dropout=5%"; robot:N not), then scales them by `share`, 0 … 1. Rules
   /// that are wrong are OutOfRange, too, and change nothing.

@@ -30,12 +30,8 @@ void on_object(ControlWorld& world, int number, Act act) {
   if (!done) throw std::invalid_argument(done.error().what);
 }
 
-int add_object(ControlWorld& world, const std::string& kind, double x, double y, double theta,
-               std::optional<std::pair<double, double>> size, std::optional<double> mass,
-               std::optional<double> friction, std::optional<double> restitution, bool fixed,
-               const std::string& lines) {
-  const auto number = control_of(world).add_object(
-      object_of(kind, {x, y, theta}, {size, mass, friction, restitution, fixed, lines}));
+int add_object(ControlWorld& world, const world::ObjectSpec& object) {
+  const auto number = control_of(world).add_object(object);
   if (!number) throw std::invalid_argument(number.error().what);
   return *number;
 }
@@ -43,13 +39,10 @@ int add_object(ControlWorld& world, const std::string& kind, double x, double y,
 }  // namespace
 
 void bind_things(py::class_<ControlWorld>& world) {
+  define_add_object(world, &add_object);
   world
       .def_property_readonly("object_count",
                              [](ControlWorld& self) { return control_of(self).object_count(); })
-      .def("add_object", &add_object, py::arg("kind"), py::arg("x"), py::arg("y"),
-           py::arg("theta") = 0.0, py::kw_only(), py::arg("size") = py::none(),
-           py::arg("mass") = py::none(), py::arg("friction") = py::none(),
-           py::arg("restitution") = py::none(), py::arg("fixed") = false, py::arg("lines") = "")
       .def("is_object_there",
            [](ControlWorld& self, int number) {
              return control_of(self).object_pose(number).has_value();
@@ -69,6 +62,12 @@ void bind_things(py::class_<ControlWorld>& world) {
            [](ControlWorld& self, int number, double x, double y) {
              on_object(self, number, [&](hal::WorldControl& control) {
                return control.set_object_velocity(number, {x, y});
+             });
+           })
+      .def("change_object",
+           [](ControlWorld& self, int number, const std::string& lines) {
+             on_object(self, number, [&](hal::WorldControl& control) {
+               return control.change_object(number, lines);
              });
            })
       .def("set_object_fixed",

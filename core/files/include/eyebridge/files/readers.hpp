@@ -68,6 +68,8 @@ struct ObjectTraits {
   std::optional<double> friction{};     ///< Coefficient.
   std::optional<double> restitution{};  ///< 0 ... 1.
   bool fixed = false;
+  bool loose = false;  ///< Not fixed, whatever was said before.
+  bool still = false;  ///< Does not move by itself, whatever was said before.
   std::optional<world::Path> path{};
   SourceLocation path_where;
   std::optional<world::Reaction> reaction{};
@@ -125,6 +127,10 @@ std::string write_sim(const SimFile& sim);
 /// One object as a `.sim` file says it: its line, and those of its traits. `name` is what errors
 /// call the text. Throws ConfigError for anything else in it.
 world::ObjectSpec read_object_text(std::string_view text, const std::string& name);
+/// `object`, of which the lines in `text` say more: only such as may follow that of an object in a
+/// `.sim` file. Throws ConfigError; `name` is what errors call the text.
+world::ObjectSpec read_object_change(world::ObjectSpec object, std::string_view text,
+                                     const std::string& name);
 /// Writes `object` so that read_object_text() gives an equal one back. Throws as write_sim() does.
 std::string write_object_text(const world::ObjectSpec& object);
 

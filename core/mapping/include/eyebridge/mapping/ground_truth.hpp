@@ -12,7 +12,7 @@ namespace eyebridge::mapping {
 struct TruthSettings {
   double resolution = 0.05;  ///< Metres, > 0.
   int margin = 1;            ///< Cells around the floor, >= 0: walls on its edge need one.
-  bool objects = false;  ///< Whether boxes and cans (no balls) count, where they stand at first.
+  bool objects = false;      ///< Whether things but balls count, where they stand at first.
   std::size_t max_cells = 1U << 24U;
 };
 

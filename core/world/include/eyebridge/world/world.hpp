@@ -48,7 +48,7 @@ struct Bump {
 
 /// Walls and bodies: who is where, who touches whom, how far a ray goes.
 ///
-/// Robots, balls and cans are discs, boxes rectangles that do not turn; state is struct-of-arrays.
+/// Robots, balls and cans are discs, boxes and polygons do not turn; state is struct-of-arrays.
 /// A driven body stops at the contact without sliding, as in EyeSim; objects give way unless they
 /// are fixed. Objects and robots may be added and removed at any time. Same calls, same bits:
 /// nothing here depends on addresses, threads or libm. Not thread-safe.
@@ -90,7 +90,7 @@ class World {
   [[nodiscard]] Pose pose(BodyId id) const;
   [[nodiscard]] Vec2 position(BodyId id) const;
   [[nodiscard]] Heading heading(BodyId id) const;
-  /// Metres; of a box, that of the disc that covers it.
+  /// Metres; of a box or polygon, that of the disc that covers it.
   [[nodiscard]] double radius(BodyId id) const;
   /// Whether robots push it away: objects, unless they are fixed or on a path.
   [[nodiscard]] bool gives_way(BodyId id) const;
@@ -107,6 +107,14 @@ class World {
   /// fixed stops. Does nothing to one that moves by itself, or was removed. Throws
   /// std::out_of_range for what is no object's body.
   void set_fixed(BodyId id, bool fixed);
+  /// An object as it is now: where it is, how it behaves. Throws std::out_of_range for what is no
+  /// object's body.
+  [[nodiscard]] ObjectSpec object(BodyId id) const;
+  /// From now on an object behaves as `like` does: its matter, path, reaction and yields_within; a
+  /// path begins where the object is. Its looks and its place stay, and the way that it is on,
+  /// unless that is another one. Throws as add_object() does, but for room, and then changes
+  /// nothing; std::out_of_range for what is no object's body. Does nothing to one that was removed.
+  void change_object(BodyId id, const ObjectSpec& like);
   /// Puts a body somewhere, at rest. No check: a person may put it into a wall. One on a path goes
   /// on from there to the point that it was heading for. One that was removed stays away.
   void set_pose(BodyId id, const Pose& pose);
@@ -153,6 +161,10 @@ class World {
 
   /// True when a disc of `radius` at `centre` touches neither wall nor body (other than `ignore`).
   [[nodiscard]] bool is_free(Vec2 centre, double radius, BodyId ignore = kNoBody) const;
+  /// The same of `object`, where it is placed.
+  [[nodiscard]] bool is_free(const ObjectSpec& object, BodyId ignore = kNoBody) const;
+  /// Distance from `p` to the rim of a body, metres; less than 0 within it.
+  [[nodiscard]] double rim_distance(BodyId id, Vec2 p) const;
 
   [[nodiscard]] const WorldModel& model() const;
   /// Without those that were removed.

@@ -26,9 +26,10 @@ struct Wall {
 
 /// What kind of thing lies about.
 enum class ObjectKind {
-  Ball,  ///< A disc that rolls when pushed, and bounces off walls.
-  Can,   ///< A disc that slides while pushed, then stands still.
-  Box,   ///< A rectangle that slides as a can does, without turning.
+  Ball,     ///< A disc that rolls when pushed, and bounces off walls.
+  Can,      ///< A disc that slides while pushed, then stands still.
+  Box,      ///< A rectangle that slides as a can does, without turning.
+  Polygon,  ///< The same with any convex outline.
 };
 
 /// Acceleration of a falling body, metres per second squared.
@@ -38,8 +39,8 @@ inline constexpr double kGravity = 9.81;
 struct Matter {
   double mass = 0.046;  ///< Kilograms, > 0: of two things that roll or slide, how they share a hit.
   /// Coefficient, >= 0, of rolling (balls) or sliding: what moves slows down by friction *
-  /// kGravity. Without: a ball slows down by 0.3 m/s^2; a can or a box stops with its pusher, and
-  /// no ball moves it.
+  /// kGravity. Without: a ball slows down by 0.3 m/s^2; other things stop with their
+  /// pusher, and no ball moves them.
   std::optional<double> friction{};
   /// Share of the speed of approach that it leaves with, 0 ... 1; when two meet that move, the
   /// larger one counts. Without: 0.6 for a ball, 0.5 when a robot hits it, and 0 for others.
@@ -92,10 +93,12 @@ struct ObjectSpec {
   ObjectKind kind = ObjectKind::Ball;
   std::string name = "ball";  ///< As the file calls it, lower case: "golf", "soccer", "can".
   Pose pose;                  ///< Of its centre in the world.
-  double radius = 0.02;       ///< Metres; a box has a `size` instead.
+  double radius = 0.02;       ///< Metres; a box has a `size` instead, a polygon `corners`.
   double height = 0.04;       ///< Metres; a ball's is its diameter.
   Rgb colour{255, 140, 0};
   Vec2 size{};  ///< Of a box: length along its heading and width, metres, > 0.
+  /// Of a polygon, metres from its pose, x along its heading: what fault_of_corners() lets pass.
+  std::vector<Vec2> corners{};
   Matter matter;
   std::optional<Path> path{};
   std::optional<Reaction> reaction{};  ///< Not with a path.
@@ -158,6 +161,22 @@ std::vector<Wall> walls_of(const MazeGrid& maze);
 
 /// Four walls round a floor of `width` x `height`, metres, counter-clockwise from (0, 0).
 std::vector<Wall> walls_around(double width, double height);
+
+/// Corners that an outline may have.
+inline constexpr std::size_t kMostCorners = 16;
+
+/// What is wrong with the corners of a polygon: one that no outline can have, with its index, and
+/// what was expected. Nothing for 3 ... kMostCorners that lie counter-clockwise about the origin,
+/// which is within, without a dent and no three in a line.
+struct CornerFault {
+  std::size_t corner = 0;
+  std::string expected;
+};
+std::optional<CornerFault> fault_of_corners(const std::vector<Vec2>& corners);
+
+/// The corners of a box or polygon, counter-clockwise, metres from its pose, x along its heading;
+/// none of what is round.
+std::vector<Vec2> corners_of(const ObjectSpec& object);
 
 /// Distance from `p` to the rim of `object`, metres; less than 0, or 0, within it.
 double rim_distance(const ObjectSpec& object, Vec2 p);
