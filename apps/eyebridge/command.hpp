@@ -29,6 +29,6 @@ void add_camera(CLI::App& root, int& code);
 void add_config(CLI::App& root, int& code);
 void add_doctor(CLI::App& root, int& code);
 void add_lab(CLI::App& root, int& code);
-void add_edit(CLI::App& root, int& code);
+void add_edit(CLI::App& root);
 
 }  // namespace eyebridge::apps

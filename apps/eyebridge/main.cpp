@@ -30,7 +30,7 @@ int run(int argc, char** argv) {
   add_config(app, code);
   add_doctor(app, code);
   add_lab(app, code);
-  add_edit(app, code);
+  add_edit(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& done) {  // --help, --version

@@ -4,13 +4,18 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QMetaObject>
+#include <QScreen>
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
+#include <cstdio>
 #include <future>
 #include <memory>
 #include <utility>
 
 #include <pthread.h>
+#include <unistd.h>
 
 #include "editor/editor_window.hpp"
 #include "environment/environment_window.hpp"
@@ -30,6 +35,19 @@ constexpr int kCascade = 32;
 constexpr int kCascadeLength = 10;
 constexpr int kPanelWidth = 440;  // about that of a panel, and a margin
 
+/// Of this process, which has one at most.
+std::atomic<GuiWindows*> the_windows = nullptr;
+QtMessageHandler usual_handler = nullptr;
+
+/// Qt calls exit() when its display is gone, and before it has nothing but this to say so.
+void take_message(QtMsgType type, const QMessageLogContext& context, const QString& text) {
+  usual_handler(type, context, text);
+  GuiWindows* const windows = the_windows;
+  if (windows != nullptr && text.startsWith("The X11 connection broke")) {
+    windows->display_went_away();
+  }
+}
+
 }  // namespace
 
 GuiWindows::GuiWindows(robios::WindowsStart start) : start_(std::move(start)) {
@@ -40,12 +58,39 @@ GuiWindows::GuiWindows(robios::WindowsStart start) : start_(std::move(start)) {
 
 GuiWindows::~GuiWindows() {
   post([] { QApplication::quit(); });
-  thread_.join();
+  join();
+}
+
+void GuiWindows::display_went_away() {
+  if (std::this_thread::get_id() != thread_.get_id()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!std::exchange(is_ready_, false)) return;  // nobody waits for us from now on
+  }
+  std::fputs("eyebridge: the display went away: the run ends\n", stderr);
+  keep_all();
+  start_.quit();
+  // The signal ends the process when motors stand and results are written; going on would end it
+  // before.
+  while (true) pause();
+}
+
+void GuiWindows::keep_all() {
+  for (const auto& window : environments_) window->stop_film();
+  for (const auto& window : editors_) {
+    if (auto* const editor = dynamic_cast<EditorWindow*>(window.data())) editor->keep_now();
+#ifdef EYEBRIDGE_HAVE_CODE_PANEL
+    if (auto* const code = dynamic_cast<CodeWindow*>(window.data())) code->keep_now();
+#endif
+  }
 }
 
 void GuiWindows::run() {
   pthread_setname_np(pthread_self(), "eb:gui");
+  the_windows = this;
+  if (usual_handler == nullptr) usual_handler = qInstallMessageHandler(take_message);
   run_application();
+  the_windows = nullptr;
   // Not before Qt is done: whoever waits for us ends the process.
   const std::lock_guard lock(mutex_);
   has_ended_ = true;
@@ -191,6 +236,15 @@ void GuiWindows::bring_to_front(QWidget& window) {
 }
 
 void GuiWindows::show(QWidget& window) {
+  const QRect screen = window.screen()->availableGeometry();
+  if (!screen.contains(window.geometry())) {
+    window.resize(window.size().boundedTo(screen.size()));
+    const QSize rest = screen.size() - window.size();
+    const QPoint from = window.pos() - screen.topLeft();
+    // What is larger for good begins at the upper left corner, where its menus are.
+    window.move(screen.topLeft() + QPoint(std::clamp(from.x(), 0, std::max(0, rest.width())),
+                                          std::clamp(from.y(), 0, std::max(0, rest.height()))));
+  }
   window.show();
   window.raise();
 }
@@ -205,14 +259,11 @@ void GuiWindows::last_window_closed() {
 }
 
 void GuiWindows::complete_files() {
-  const auto complete = [this] {
-    for (const auto& window : environments_) window->stop_film();
-  };
-  if (std::this_thread::get_id() == thread_.get_id()) return complete();
+  if (std::this_thread::get_id() == thread_.get_id()) return keep_all();
   auto done = std::make_shared<std::promise<void>>();
   std::future<void> is_done = done->get_future();
-  const bool comes = post([complete, done] {
-    complete();
+  const bool comes = post([this, done] {
+    keep_all();
     done->set_value();
   });
   constexpr std::chrono::seconds kPatience(1);  // the windows may hang
@@ -220,7 +271,7 @@ void GuiWindows::complete_files() {
 }
 
 void GuiWindows::finish(const std::string& how) {
-  // The display went away, and Qt ends the process.
+  // Called on the way of an exit() of Qt's.
   if (std::this_thread::get_id() == thread_.get_id()) return;
   post([this, how] {
     program_has_ended_ = true;
@@ -241,8 +292,15 @@ void GuiWindows::finish(const std::string& how) {
     }
     if (!any) QApplication::quit();
   });
+  join();
+}
+
+void GuiWindows::join() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return has_ended_; });
+  // Not only to the end of run(): what Qt has for each thread goes after it, and must not meet what
+  // goes with the process.
+  if (thread_.joinable()) thread_.join();
 }
 
 }  // namespace eyebridge::gui

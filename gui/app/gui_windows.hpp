@@ -37,18 +37,25 @@ class GuiWindows final : public robios::Windows {
   void complete_files() override;
   void finish(const std::string& how) override;
 
+  /// Qt is about to end the process, as its display is gone: ends the run politely first. Returns
+  /// at once in other threads than the windows', where it never returns.
+  void display_went_away();
   /// For tests: runs `action` in the windows' thread and waits for it.
   void in_thread(const std::function<void()>& action);
 
  private:
   void run();
   void run_application();
+  /// Returns when the windows' thread is gone.
+  void join();
   void show(QWidget& window);
   void open_editor(const QString& file);
   /// Whether `file` is what `window` edits; a tab with it comes to the front there.
   static bool is_open_in(QWidget& window, const QString& file);
   static void bring_to_front(QWidget& window);
   void last_window_closed();
+  /// Completes and keeps what persons made: films, edits that are not saved. The windows' thread.
+  void keep_all();
   /// False when the windows have ended: it will not be done.
   bool post(std::function<void()> action);
 

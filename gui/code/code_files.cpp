@@ -3,8 +3,10 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QPointer>
 
 #include "code/code_window.hpp"
+#include "parts/ask_for_file.hpp"
 #include "parts/recent_files.hpp"
 
 namespace eyebridge::gui {
@@ -144,6 +146,11 @@ void CodeWindow::show_titles() {
   setWindowModified(front != nullptr && front->is_modified());
 }
 
+void CodeWindow::keep_now() {
+  if (!is_closing_) keep_drafts();
+  recovery_.finish();
+}
+
 void CodeWindow::keep_drafts() {
   for (int i = 0; i < tabs_->count(); ++i) {
     const Page& page = page_at(i);
@@ -207,15 +214,10 @@ void CodeWindow::save_all(const std::function<void()>& then) {
 }
 
 void CodeWindow::ask_where(Page& page, const std::function<void()>& then) {
-  auto* const dialog = new QFileDialog(this, tr("Save as"));
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setAcceptMode(QFileDialog::AcceptSave);
-  if (!page.path().isEmpty()) dialog->setDirectory(QFileInfo(page.path()).path());
-  dialog->selectFile(page.name());
-  connect(dialog, &QFileDialog::fileSelected, &page, [this, &page, then](const QString& path) {
-    if (save_as(page, path) && then) then();
-  });
-  dialog->open();
+  ask_where_to_save(*this, tr("Save as"), page.path().isEmpty() ? page.name() : page.path(), {},
+                    [this, still = QPointer(&page), then](const QString& path) {
+                      if (still && save_as(*still, path) && then) then();
+                    });
 }
 
 void CodeWindow::ask_about_unsaved(const QStringList& names, const std::function<void()>& save,

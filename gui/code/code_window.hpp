@@ -52,6 +52,8 @@ class CodeWindow final : public QMainWindow {
   [[nodiscard]] Runner& runner() { return *runner_; }
   /// What the status bar says of the last run, or of the last thing that went wrong.
   [[nodiscard]] QString state() const { return state_->text(); }
+  /// Keeps texts that are not saved; returns when they are on the disk.
+  void keep_now();
 
  protected:
   void closeEvent(QCloseEvent* event) override;

@@ -7,6 +7,8 @@
 #include <QJsonObject>
 #include <QUuid>
 
+#include "parts/process_lock.hpp"
+
 namespace eyebridge::gui {
 namespace {
 
@@ -23,11 +25,7 @@ bool read_draft(const QString& path, Draft& draft) {
 }
 
 std::unique_ptr<QLockFile> locked(const QString& folder) {
-  auto lock = std::make_unique<QLockFile>(QDir(folder).filePath(kLock));
-  // Never by its age: only by whether its process lives.
-  lock->setStaleLockTime(0);
-  if (!lock->tryLock(0)) return nullptr;
-  return lock;
+  return take_lock(QDir(folder).filePath(kLock));
 }
 
 }  // namespace

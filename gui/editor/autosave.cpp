@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "parts/process_lock.hpp"
+
 namespace eyebridge::gui {
 namespace {
 
@@ -41,9 +43,8 @@ std::string text_at(const QJsonObject& kept, const char* key) {
 
 bool Autosave::take(const QString& name) {
   const QString file = autosave_folder() + '/' + name + ".autosave";
-  auto lock = std::make_unique<QLockFile>(file + ".editor");
-  lock->setStaleLockTime(0);  // only the end of its process makes a lock stale, never its age
-  if (!lock->tryLock(0)) return false;
+  auto lock = take_lock(file + ".editor");
+  if (lock == nullptr) return false;
   file_ = file;
   lock_ = std::move(lock);
   is_there_ = QFile::exists(file_);
@@ -144,7 +145,7 @@ QString Autosave::set_aside() {
   for (int i = 1; name.isEmpty() || QFile::exists(name); ++i) {
     name = QString("%1.unreadable-%2").arg(file_).arg(i);
   }
-  if (!QFile::rename(file_, name)) return file_;
+  if (!QFile::rename(file_, name)) return {};
   is_there_ = false;
   return name;
 }

@@ -31,10 +31,13 @@ class Autosave {
   /// Soon, in another thread, which waits for the disk. Throws ConfigError where no file can hold
   /// the plan.
   void write(const Plan& plan);
-  /// What was left, and cannot be read, gets another name: that one is returned.
+  /// What was left, and cannot be read, gets another name: that one is returned; empty where the
+  /// disk refuses.
   QString set_aside();
   /// Nothing is to be recovered any more.
   void drop();
+  /// Returns when all is on the disk.
+  void finish() { files_.finish(); }
 
  private:
   bool take(const QString& name);

@@ -143,7 +143,7 @@ void Canvas::press_way(Vec2 place, Qt::KeyboardModifiers keys) {
     say(tr("Click where it shall go, point by point"));
     return document_.select({hold->item});
   }
-  if (!has_one) return say(tr("Click on a ball, can or box first: its way begins there"));
+  if (!has_one) return say(tr("Click on a thing first: its way begins there"));
   const Item item = *selection.begin();
   const Vec2 at = snapped(place, keys);
   document_.edit(tr("Add way-point"),

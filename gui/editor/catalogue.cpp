@@ -24,13 +24,18 @@ files::SearchPlaces search_places() {
 }
 
 const std::vector<std::string>& builtin_things() {
-  static const std::vector<std::string> names = {"golf", "soccer", "can", "crate", "box"};
+  static const std::vector<std::string> names = {"golf",  "soccer", "can",
+                                                 "crate", "box",    "polygon"};
   return names;
 }
 
 world::ObjectSpec builtin_thing(const std::string& name) {
   std::vector<Warning> warnings;
-  const std::string line = name + (name == "box" ? " 0 0 0 300 200" : " 0 0 0");
+  // Of a box its size, of a polygon its corners: a triangle to begin with.
+  const std::string line = name + " 0 0 0" +
+                           (name == "box"       ? " 300 200"
+                            : name == "polygon" ? " 150 0 -150 150 -150 -150"
+                                                : "");
   return files::read_sim(line, "editor", warnings).objects.at(0);
 }
 

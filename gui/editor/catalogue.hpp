@@ -46,7 +46,7 @@ class Catalogue {
 /// Where files that files name are looked for: EYESIM_HOME as a run has it.
 files::SearchPlaces search_places();
 
-/// The things that need no file: golf, soccer, can, crate, box.
+/// The things that need no file: golf, soccer, can, crate, box, polygon.
 const std::vector<std::string>& builtin_things();
 /// One of them, at the origin.
 world::ObjectSpec builtin_thing(const std::string& name);

@@ -292,10 +292,14 @@ void EditorWindow::offer_left() {
                        document_.edit(tr("Recover"), [&](Plan& plan) { plan = left; });
                        show_catalogue();
                      } catch (const ConfigError& error) {
+                       const QString kept = autosave_->set_aside();
                        notices_->tell(
                            "unreadable",
-                           tr("The edits cannot be recovered: %1. They are kept as %2")
-                               .arg(QString::fromStdString(error.what()), autosave_->set_aside()));
+                           tr("The edits cannot be recovered: %1. %2")
+                               .arg(QString::fromStdString(error.what()),
+                                    kept.isEmpty() ? tr("Nor can they be put aside: the next edit "
+                                                        "takes their place")
+                                                   : tr("They are kept as %1").arg(kept)));
                      }
                      refresh();  // from now on our own edits are kept
                    }},
@@ -313,6 +317,11 @@ void EditorWindow::take_autosave() {
 
 void EditorWindow::drop_own() {
   if (autosave_ && notices_->text("recovery").isEmpty()) autosave_->drop();
+}
+
+void EditorWindow::keep_now() {
+  keep_edits();
+  if (autosave_) autosave_->finish();
 }
 
 void EditorWindow::keep_edits() {

@@ -63,6 +63,8 @@ class EditorWindow final : public QMainWindow {
   void answer(Answer answer);
   /// Milliseconds from an edit to its autosave.
   void set_autosave_delay(int ms) { autosave_timer_.setInterval(ms); }
+  /// Keeps edits that are not saved; returns when they are on the disk.
+  void keep_now();
 
  protected:
   void closeEvent(QCloseEvent* event) override;

@@ -1,5 +1,6 @@
 // What can be said of things and robots.
 #include <QProcess>
+#include <QRegularExpression>
 #include <optional>
 #include <string>
 
@@ -36,6 +37,7 @@ void behave(Plan& plan, const Item& item, const Behaviour& behaviour) {
   traits.friction = behaviour.friction;
   traits.restitution = behaviour.restitution;
   traits.fixed = behaviour.fixed;
+  traits.loose = traits.loose && !behaviour.fixed;
 }
 
 Property open_number(const QString& name, const QString& none, double high,
@@ -68,6 +70,8 @@ void Rows::add_matter(std::vector<Property>& rows) {
         Behaviour behaviour = behaviour_of(plan, item);
         behaviour.fixed = value.toBool();
         behave(plan, item, behaviour);
+        // Its file may say that it is fixed.
+        if (item.kind == Kind::Robot) plan.robots[item.index].traits.loose = !behaviour.fixed;
       }));
 }
 
@@ -95,36 +99,70 @@ void Rows::add_way(std::vector<Property>& rows) {
       }));
 }
 
+Property Rows::corners() {
+  return other(
+      tr("Corners (mm)"), Property::Type::Text,
+      [](const Plan& plan, const Item& item) {
+        const world::ObjectSpec& spec = plan.things[item.index].spec;
+        if (spec.kind != world::ObjectKind::Polygon) return QVariant();
+        QStringList places;
+        for (const Vec2 corner : spec.corners) {
+          places << QString("%1, %2")
+                        .arg(m_to_mm(corner.x), 0, 'g', 10)
+                        .arg(m_to_mm(corner.y), 0, 'g', 10);
+        }
+        return QVariant(places.join("; "));
+      },
+      [](Plan& plan, const Item& item, const QVariant& value) {
+        world::ObjectSpec& spec = plan.things[item.index].spec;
+        if (spec.kind != world::ObjectKind::Polygon) return;
+        QString places = value.toString();
+        places.replace(QRegularExpression("[,;]"), " ");
+        try {  // as a file says it, and what no file can say changes nothing
+          spec.corners =
+              files::read_object_text("polygon 0 0 0 " + places.toStdString(), "corners").corners;
+          spec.radius = spec.outer_radius();
+        } catch (const ConfigError&) {
+        }
+      });
+}
+
 std::vector<Property> Rows::thing() {
   std::vector<Property> rows;
   add_pose(rows, true);
-  // Only boxes have sizes of their own: files cannot say others.
-  const auto of_box = [](const QString& name, auto member) {
+  // Only boxes and polygons have sizes of their own: files cannot say others.
+  const auto of_block = [](const QString& name, world::ObjectKind only, auto member) {
+    const auto fits = [only](const world::ObjectSpec& spec) {
+      return spec.kind == world::ObjectKind::Box || spec.kind == only;
+    };
     return number(
         name, "mm", 1, 10000, 1,
-        [member](const Plan& plan, const Item& item) {
+        [=](const Plan& plan, const Item& item) {
           const world::ObjectSpec& spec = plan.things[item.index].spec;
-          return spec.kind == world::ObjectKind::Box
-                     ? QVariant(m_to_mm(member(const_cast<world::ObjectSpec&>(spec))))
-                     : QVariant();
+          return fits(spec) ? QVariant(m_to_mm(member(const_cast<world::ObjectSpec&>(spec))))
+                            : QVariant();
         },
-        [member](Plan& plan, const Item& item, const QVariant& value) {
+        [=](Plan& plan, const Item& item, const QVariant& value) {
           world::ObjectSpec& spec = plan.things[item.index].spec;
-          if (spec.kind != world::ObjectKind::Box) return;
+          if (!fits(spec)) return;
           member(spec) = mm_to_m(value.toDouble());
           spec.radius = spec.outer_radius();
         });
   };
-  rows.push_back(of_box(tr("Length"), [](world::ObjectSpec& o) -> double& { return o.size.x; }));
-  rows.push_back(of_box(tr("Width"), [](world::ObjectSpec& o) -> double& { return o.size.y; }));
-  rows.push_back(of_box(tr("Height"), [](world::ObjectSpec& o) -> double& { return o.height; }));
+  const auto box = world::ObjectKind::Box;
+  const auto polygon = world::ObjectKind::Polygon;
+  using Spec = world::ObjectSpec;
+  rows.push_back(of_block(tr("Length"), box, [](Spec& o) -> double& { return o.size.x; }));
+  rows.push_back(of_block(tr("Width"), box, [](Spec& o) -> double& { return o.size.y; }));
+  rows.push_back(of_block(tr("Height"), polygon, [](Spec& o) -> double& { return o.height; }));
+  rows.push_back(corners());
   Property paint = colour(tr("Colour"), [](Plan& plan, const Item& item) -> Rgb& {
     return plan.things[item.index].spec.colour;
   });
   const Get any_colour = paint.get;
   paint.get = [any_colour](const Plan& plan, const Item& item) {
-    const bool is_box = plan.things[item.index].spec.kind == world::ObjectKind::Box;
-    return is_box ? any_colour(plan, item) : QVariant();
+    const world::ObjectKind kind = plan.things[item.index].spec.kind;
+    return kind == box || kind == polygon ? any_colour(plan, item) : QVariant();
   };
   rows.push_back(paint);
   add_matter(rows);

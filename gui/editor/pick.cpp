@@ -45,13 +45,11 @@ std::optional<Hold> pick_body(const Plan& plan, const Catalogue& catalogue, cons
   }
   world::ObjectSpec shape = shape_of(plan, catalogue, item);
   shape.pose = *pose;
-  if (shape.kind == world::ObjectKind::Box) {
+  if (const std::vector<Vec2> corners = world::corners_of(shape); !corners.empty()) {
     if (world::rim_distance(shape, place) > slack) return {};
     const Heading heading = Heading::from_angle(pose->theta);
-    for (const Vec2 sides : {Vec2{1, 1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{-1, -1}}) {
-      const Vec2 corner =
-          middle + heading.rotate({sides.x * shape.size.x / 2, sides.y * shape.size.y / 2});
-      if (norm(place - corner) < 1.5 * slack) hold.part = Hold::Part::Rim;
+    for (const Vec2 corner : corners) {
+      if (norm(place - middle - heading.rotate(corner)) < 1.5 * slack) hold.part = Hold::Part::Rim;
     }
   } else if (item.kind == Kind::Robot && away > kRimShare * radius) {
     hold.part = Hold::Part::Rim;

@@ -11,7 +11,7 @@ namespace eyebridge::gui {
 struct Hold {
   enum class Part {
     Body,
-    Rim,     ///< Of a robot, start or box: turns it.
+    Rim,     ///< Of a robot, start, box or polygon: turns it.
     Vertex,  ///< An end of a wall, and of all walls that share it.
     WayPoint,
     Way,  ///< Between two points of a way.

@@ -104,6 +104,7 @@ world::Path* make_way(Plan& plan, const Item& item) {
     files::ObjectTraits& traits = plan.robots[item.index].traits;
     traits.any = true;
     if (!traits.path) traits.path.emplace();
+    traits.still = false;
     traits.reaction.reset();  // it goes its way, or does as it likes
     return &*traits.path;
   }

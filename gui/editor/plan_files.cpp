@@ -256,10 +256,11 @@ class Saver {
       plan().robots[i].pose = pose;
     }
     for (Thing& thing : plan().things) {
-      const world::ObjectSpec usual = builtin_thing(thing.spec.name);
       thing.is_drawn = false;
+      if (!world::corners_of(thing.spec).empty()) continue;  // its line says its size
+      const world::ObjectSpec usual = builtin_thing(thing.spec.name);
       thing.spec.radius = usual.radius;
-      thing.spec.height = usual.kind == world::ObjectKind::Box ? thing.spec.height : usual.height;
+      thing.spec.height = usual.height;
     }
   }
 

@@ -67,16 +67,6 @@ void paint_start(QPainter& painter, const Viewport& view, const world::StartPose
   painter.restore();
 }
 
-world::BodyView view_of(const world::ObjectSpec& object, const Pose& pose) {
-  world::BodyView body;
-  body.shape = world::shape_of(object.kind);
-  body.pose = pose;
-  body.radius = object.outer_radius();
-  body.colour = object.colour;
-  body.size = object.size;
-  return body;
-}
-
 void paint_robots(QPainter& painter, const Viewport& view, const Plan& plan,
                   const Catalogue& catalogue) {
   const std::vector<int> numbers = run_numbers(
@@ -86,7 +76,9 @@ void paint_robots(QPainter& painter, const Viewport& view, const Plan& plan,
     if (!pose) continue;
     const Catalogue::Entry entry = catalogue.find(plan.robots[i].model);
     if (entry.is_object) {
-      paint_thing(painter, view, view_of(entry.object, *pose));
+      world::BodyView body = world::view_of(entry.object, 0);
+      body.pose = *pose;
+      paint_thing(painter, view, body);
       continue;
     }
     world::BodyView body;
@@ -123,7 +115,7 @@ void paint_plan_items(QPainter& painter, const Viewport& view, const Plan& plan,
   for (std::size_t i = 0; i < plan.robots.size(); ++i)
     paint_way(painter, view, plan, {Kind::Robot, i});
   for (const Thing& thing : plan.things) {
-    paint_thing(painter, view, view_of(thing.spec, thing.spec.pose));
+    paint_thing(painter, view, world::view_of(thing.spec, 0));
   }
   paint_robots(painter, view, plan, catalogue);
 }

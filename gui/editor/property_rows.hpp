@@ -31,6 +31,7 @@ class Rows {
   static void add_pose(std::vector<Property>& rows, bool with_heading);
   static void add_matter(std::vector<Property>& rows);
   static void add_way(std::vector<Property>& rows);
+  static Property corners();
 };
 
 /// What a Property asks and does.

@@ -21,7 +21,7 @@ AddRobotPanel::AddRobotPanel(robios::Crew* crew, QWidget* parent)
       crew_(crew),
       model_(new QComboBox(this)),
       program_(new QLineEdit(this)),
-      place_(new QPushButton(tr("Show its place with the mouse"), this)) {
+      place_(new PlaceButton("add_place", this)) {
   model_->setEditable(true);
   model_->setObjectName("add_model");
   model_->setAccessibleName(tr("Model, or .robi file"));
@@ -33,9 +33,6 @@ AddRobotPanel::AddRobotPanel(robios::Crew* crew, QWidget* parent)
   auto* const choose = new QPushButton(tr("..."), this);
   choose->setAccessibleName(tr("Choose a program"));
   connect(choose, &QPushButton::clicked, this, &AddRobotPanel::choose_program);
-  place_->setCheckable(true);
-  place_->setObjectName("add_place");
-  place_->setToolTip(tr("Press where it shall stand, and drag to where it shall look"));
   connect(place_, &QPushButton::toggled, this, [this](bool on) {
     if (on_placing) on_placing(on);
   });

@@ -3,10 +3,10 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPushButton>
 #include <QWidget>
 #include <functional>
 
+#include "environment/place_button.hpp"
 #include "eyebridge/hal/environment.hpp"
 #include "windows/windows.hpp"
 
@@ -37,7 +37,7 @@ class AddRobotPanel final : public QWidget {
   robios::Crew* const crew_;
   QComboBox* model_;
   QLineEdit* program_;
-  QPushButton* place_;
+  PlaceButton* place_;
   std::size_t known_ = 0;  ///< Robots whose models are offered.
 };
 

@@ -104,6 +104,9 @@ void EnvironmentWindow::make_robot_menu() {
   QAction* const adding = adding_dock_->toggleViewAction();
   adding->setShortcut(Qt::Key_A);
   menu.addAction(adding);
+  QAction* const things = things_dock_->toggleViewAction();
+  things->setShortcut(QKeySequence("Shift+A"));
+  menu.addAction(things);
   drive_ = add_switch(menu, tr("&Drive with the arrow keys"), Qt::Key_K, false,
                       [this](bool drives) { view_->set_driving(drives); });
   make_removal(menu);
@@ -123,7 +126,7 @@ void EnvironmentWindow::make_view_menu() {
   centre_ =
       add_action(menu, tr("Centre on &robot"), Qt::Key_R, [this] { view_->centre_on_robot(); });
   measure_ = add_switch(menu, tr("&Measure"), Qt::Key_M, false, [this](bool measures) {
-    if (measures) adding_->stop_placing();
+    if (measures) stop_placing();
     view_->set_tool(measures ? Tool::Tape : Tool::Hand);
   });
   menu.addSeparator();

@@ -45,40 +45,60 @@ EnvironmentWindow::~EnvironmentWindow() {
   if (isVisible()) keep_layout();
 }
 
+QDockWidget* EnvironmentWindow::add_dock(const QString& title, const char* name,
+                                         Qt::DockWidgetArea area, QWidget* widget) {
+  auto* const dock = new QDockWidget(title, this);
+  dock->setObjectName(name);
+  dock->setWidget(widget);
+  addDockWidget(area, dock);
+  return dock;
+}
+
 void EnvironmentWindow::make_docks() {
-  const auto add = [this](const QString& title, const char* name, Qt::DockWidgetArea area,
-                          QWidget* widget) {
-    auto* dock = new QDockWidget(title, this);
-    dock->setObjectName(name);
-    dock->setWidget(widget);
-    addDockWidget(area, dock);
-    return dock;
-  };
   readings_ = new Readings(this);
   events_ = new EventLog(this);
   scene_ = new SceneView(environment_.directory(), this);
   errors_ = new ErrorPanel(environment_, this);
-  add(tr("Readings"), "readings", Qt::BottomDockWidgetArea, readings_);
-  add(tr("Events"), "events", Qt::BottomDockWidgetArea, events_);
+  add_dock(tr("Readings"), "readings", Qt::BottomDockWidgetArea, readings_);
+  add_dock(tr("Events"), "events", Qt::BottomDockWidgetArea, events_);
   // Opened by who wants them: pictures in 3D take the computer's time.
-  scene_dock_ = add(tr("3D"), "scene", Qt::RightDockWidgetArea, scene_);
+  scene_dock_ = add_dock(tr("3D"), "scene", Qt::RightDockWidgetArea, scene_);
   scene_dock_->hide();
-  add(tr("Errors"), "errors", Qt::RightDockWidgetArea, errors_)->hide();
-  adding_ = new AddRobotPanel(crew_, this);
-  adding_dock_ = add(tr("Add robot"), "add_robot", Qt::RightDockWidgetArea, adding_);
-  adding_dock_->hide();
-  adding_->on_placing = [this](bool places) {
-    if (places) measure_->setChecked(false);
-    view_->set_tool(places ? Tool::Place : Tool::Hand);
-  };
-  adding_->on_answer = [this](const QString& text) {
-    trouble_->setText(text);
-    events_->add(text);
-  };
-  view_->on_place = [this](const Pose& pose) { adding_->add(pose); };
+  add_dock(tr("Errors"), "errors", Qt::RightDockWidgetArea, errors_)->hide();
+  make_adding();
   view_->on_menu = [this](QPoint place) { show_robot_menu(place); };
+  view_->on_thing_menu = [this](QPoint place, std::size_t object) {
+    show_thing_menu(place, static_cast<int>(object) + 1);
+  };
   view_->on_look = [this](const hal::WorldLook& look) { events_->add(look); };
   errors_->on_trouble = [this](const QString& text) { trouble_->setText(text); };
+}
+
+void EnvironmentWindow::make_adding() {
+  adding_ = new AddRobotPanel(crew_, this);
+  adding_dock_ = add_dock(tr("Add robot"), "add_robot", Qt::RightDockWidgetArea, adding_);
+  things_ = new AddThingPanel(environment_, this);
+  things_dock_ = add_dock(tr("Add thing"), "add_thing", Qt::RightDockWidgetArea, things_);
+  const auto ask_with = [this](auto& panel, auto& other) {
+    panel.on_placing = [this, &panel, &other](bool places) {
+      if (places) {
+        measure_->setChecked(false);
+        other.stop_placing();
+        view_->on_place = [&panel](const Pose& pose) { panel.add(pose); };
+      }
+      view_->set_tool(places ? Tool::Place : Tool::Hand);
+    };
+    panel.on_answer = [this](const QString& text) { tell(text); };
+  };
+  ask_with(*adding_, *things_);
+  ask_with(*things_, *adding_);
+  adding_dock_->hide();
+  things_dock_->hide();
+}
+
+void EnvironmentWindow::stop_placing() {
+  adding_->stop_placing();
+  things_->stop_placing();
 }
 
 MapView& EnvironmentWindow::show_map(const QString& title, const robios::MapBoard& board) {
@@ -167,9 +187,13 @@ void EnvironmentWindow::show_time() {
                           (film_ ? tr(", filming") : QString())));
 }
 
+void EnvironmentWindow::tell(const QString& text) {
+  trouble_->setText(text);
+  events_->add(text);
+}
+
 void EnvironmentWindow::tell_end(const QString& how) {
-  events_->add(how);
-  trouble_->setText(how);
+  tell(how);
   setWindowTitle(tr("%1 – ended").arg(windowTitle()));
 }
 

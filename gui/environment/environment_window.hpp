@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "environment/add_robot_panel.hpp"
+#include "environment/add_thing_panel.hpp"
 #include "environment/error_panel.hpp"
 #include "environment/event_log.hpp"
 #include "environment/film.hpp"
@@ -54,6 +55,10 @@ class EnvironmentWindow final : public QMainWindow {
   void showEvent(QShowEvent* event) override;
 
  private:
+  QDockWidget* add_dock(const QString& title, const char* name, Qt::DockWidgetArea area,
+                        QWidget* widget);
+  /// Both panels ask for places: one at a time.
+  void stop_placing();
   QAction* add_action(QMenu& menu, const QString& text, const QKeySequence& key,
                       const std::function<void()>& act);
   QAction* add_switch(QMenu& menu, const QString& text, const QKeySequence& key, bool is_on,
@@ -63,10 +68,16 @@ class EnvironmentWindow final : public QMainWindow {
   void make_robot_menu();
   void make_removal(QMenu& menu);
   void show_robot_menu(QPoint place);
+  void show_thing_menu(QPoint place, int number);
+  void ask_for_change(int number);
+  /// In the status bar and among the events.
+  void tell(const QString& text);
+  void tell(const Result<void>& done, const QString& what);
   void remove_robot(std::size_t index);
   void make_view_menu();
   void make_scene_menu(QMenu& menu);
   void make_docks();
+  void make_adding();
   void make_status();
   void refresh();
   void add_to_film();
@@ -87,6 +98,7 @@ class EnvironmentWindow final : public QMainWindow {
   std::vector<MapView*> maps_;
   ErrorPanel* errors_ = nullptr;
   AddRobotPanel* adding_ = nullptr;
+  AddThingPanel* things_ = nullptr;
   std::optional<Film> film_;
   QAction* film_switch_ = nullptr;
   QAction* drive_ = nullptr;
@@ -94,6 +106,7 @@ class EnvironmentWindow final : public QMainWindow {
   QAction* centre_ = nullptr;
   QAction* measure_ = nullptr;
   QDockWidget* adding_dock_ = nullptr;
+  QDockWidget* things_dock_ = nullptr;
   QAction* pause_ = nullptr;
   QAction* step_ = nullptr;
   QAction* follow_ = nullptr;

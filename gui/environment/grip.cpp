@@ -8,7 +8,7 @@ std::optional<Grip> grip_at(const hal::WorldLook& look, Vec2 place, double slack
   double nearest = 0.0;
   for (const world::BodyView& body : look.scene.bodies) {
     const double away = norm(place - body.pose.position());
-    if (away > body.radius + slack || (found && away >= nearest)) continue;
+    if (world::rim_distance(body, place) > slack || (found && away >= nearest)) continue;
     nearest = away;
     const auto object = std::ranges::find(look.objects, body.id);
     const auto number = static_cast<std::size_t>(object - look.objects.begin());

@@ -17,12 +17,12 @@ robot::RobotModel perfect(robot::RobotModel model) {
 /// What looks like `body`, and stands.
 world::ObjectSpec like(const world::BodyView& body) {
   world::ObjectSpec object;
-  object.kind = body.shape == world::BodyShape::Ball  ? world::ObjectKind::Ball
-                : body.shape == world::BodyShape::Box ? world::ObjectKind::Box
-                                                      : world::ObjectKind::Can;
+  object.kind = body.shape == world::BodyShape::Ball ? world::ObjectKind::Ball
+                : body.corners                       ? world::ObjectKind::Polygon
+                                                     : world::ObjectKind::Can;
   object.radius = body.radius;
   object.height = body.height;
-  object.size = body.size;
+  if (body.corners) object.corners = *body.corners;
   object.colour = body.colour;
   return object;
 }
@@ -65,8 +65,9 @@ void Mirror::add_newcomers(const hal::WorldLook& look) {
   while (true) {
     // Where nobody stands: a person may have put bodies into each other.
     constexpr double kFarAway = 1e4;
+    constexpr double kApart = 30.0;  // the largest things reach 14.2 m from their places
     const auto next = static_cast<world::BodyId>(world.body_count());
-    const Pose place{-kFarAway - 10.0 * static_cast<double>(next), -kFarAway, 0.0};
+    const Pose place{-kFarAway - kApart * static_cast<double>(next), -kFarAway, 0.0};
     if (std::ranges::find(look.objects, next) != look.objects.end()) {
       const auto seen = std::ranges::find(look.scene.bodies, next, &world::BodyView::id);
       world::ObjectSpec object;  // of one that came and went meanwhile no more than its id
@@ -146,7 +147,13 @@ bool Mirror::is_free(world::BodyId body, Vec2 place) const {
   const world::WorldModel& model = world_->world().model();
   const bool on_floor =
       place.x >= 0.0 && place.y >= 0.0 && place.x <= model.width && place.y <= model.height;
-  return on_floor && world_->world().is_free(place, world_->world().radius(body), body);
+  if (!on_floor) return false;
+  const world::World& world = world_->world();
+  if (!world.object_of(body)) return world.is_free(place, world.radius(body), body);
+  world::ObjectSpec object = world.object(body);
+  object.pose.x = place.x;
+  object.pose.y = place.y;
+  return world.is_free(object, body);
 }
 
 }  // namespace eyebridge::gui

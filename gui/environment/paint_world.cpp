@@ -53,9 +53,10 @@ void paint_thing(QPainter& painter, const Viewport& view, const world::BodyView&
   enter(painter, view, body.pose);
   painter.setPen(thin(kWallLine));
   painter.setBrush(colour_of(body.colour));
-  if (body.shape == world::BodyShape::Box) {
-    painter.drawRect(QRectF(-body.size.x * scale / 2, -body.size.y * scale / 2, body.size.x * scale,
-                            body.size.y * scale));
+  if (body.corners) {
+    QPolygonF outline;
+    for (const Vec2 corner : *body.corners) outline << QPointF(scale * corner.x, -scale * corner.y);
+    painter.drawPolygon(outline);
   } else {
     painter.drawEllipse(QPointF(0, 0), body.radius * scale, body.radius * scale);
   }

@@ -20,12 +20,12 @@ void paint_ground(QPainter& painter, const Viewport& view, const world::WorldMod
                   const QImage& texture);
 void paint_marker(QPainter& painter, const Viewport& view, const world::Marker& marker);
 void paint_wall(QPainter& painter, const Viewport& view, const world::Wall& wall);
-/// A ball, can or box.
+/// A ball, can, box or polygon.
 void paint_thing(QPainter& painter, const Viewport& view, const world::BodyView& body);
 /// A robot with its number and a marker in front.
 void paint_robot(QPainter& painter, const Viewport& view, const world::BodyView& body,
                  const QString& number, bool is_chosen, bool is_stalled);
-/// Balls, cans, boxes and robots, these with their numbers and a marker in front. `chosen` has a
+/// Things and robots, these with their numbers and a marker in front. `chosen` has a
 /// ring; a robot that is stalled has one in red.
 void paint_bodies(QPainter& painter, const Viewport& view, const hal::WorldLook& look,
                   std::optional<std::size_t> chosen);

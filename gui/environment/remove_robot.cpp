@@ -59,9 +59,7 @@ void EnvironmentWindow::remove_robot(std::size_t index) {
     QMetaObject::invokeMethod(
         qApp,
         [window, answer] {
-          if (!window) return;
-          window->trouble_->setText(answer);
-          window->events_->add(answer);
+          if (window) window->tell(answer);
         },
         Qt::QueuedConnection);
   });

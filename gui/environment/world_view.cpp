@@ -293,7 +293,11 @@ void WorldView::focusOutEvent(QFocusEvent* event) {
 void WorldView::contextMenuEvent(QContextMenuEvent* event) {
   const Vec2 place = view_.to_world(event->pos());
   const auto grip = grip_at(look_, place, kSlack / view_.pixels_per_metre());
-  if (!grip || !grip->robot) return;
+  if (!grip) return;
+  if (!grip->robot) {
+    if (on_thing_menu) on_thing_menu(event->globalPos(), grip->object);
+    return;
+  }
   choose(grip->robot);
   if (on_menu) on_menu(event->globalPos());
 }

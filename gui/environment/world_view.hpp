@@ -83,6 +83,8 @@ class WorldView final : public QWidget {
   /// Told that a person asks with the right button, at this place of the display, what can be done
   /// with the chosen robot, which she pressed.
   std::function<void(QPoint)> on_menu;
+  /// The same of a thing, by its number, from 0.
+  std::function<void(QPoint, std::size_t)> on_thing_menu;
   /// Told of a place that was shown.
   std::function<void(const Pose&)> on_place;
   /// Told where the pointer is, in the world; and why something could not be done.

@@ -2,12 +2,19 @@
 
 #include <QMouseEvent>
 #include <QPainter>
+#include <QScreen>
 #include <cmath>
 
 #include "panel/pixel_fit.hpp"
 #include "parts/frame_image.hpp"
 
 namespace eyebridge::gui {
+namespace {
+
+constexpr int kAround = 120;  // pixels: menus, keys, margins and a window's frame
+
+}  // namespace
+
 LcdWidget::LcdWidget(robios::Screen& screen, robios::Keys& keys, QWidget* parent)
     : QWidget(parent),
       screen_(screen),
@@ -30,19 +37,27 @@ bool LcdWidget::refresh() {
   return true;
 }
 
-int LcdWidget::scale() const { return fit_pixels(*this, picture_.size(), false).times; }
+int LcdWidget::scale() const { return fit_pixels(*this, picture_.size(), true).times; }
 
 QSize LcdWidget::sizeHint() const { return picture_.size(); }
+
+QSize LcdWidget::minimumSizeHint() const {
+  // Never less than pixel for pixel, but where the display is too small for that and the keys.
+  const QSize room = screen()->availableSize() - QSize(kAround, kAround);
+  QSize least = picture_.size();
+  while (least.width() > room.width() || least.height() > room.height()) least /= 2;
+  return least;
+}
 
 void LcdWidget::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.fillRect(rect(), palette().color(QPalette::Dark));
-  painter.drawImage(fit_pixels(*this, picture_.size(), false).place, picture_);
+  painter.drawImage(fit_pixels(*this, picture_.size(), true).place, picture_);
 }
 
 void LcdWidget::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
-  const PixelFit fit = fit_pixels(*this, picture_.size(), false);
+  const PixelFit fit = fit_pixels(*this, picture_.size(), true);
   const QPointF place = (event->position() - fit.place.topLeft()) / fit.unit;
   const QPoint pixel(static_cast<int>(std::floor(place.x())),
                      static_cast<int>(std::floor(place.y())));

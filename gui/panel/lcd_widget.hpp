@@ -9,7 +9,8 @@
 
 namespace eyebridge::gui {
 
-/// A robot's screen, pixel for pixel, at the largest whole scale that fits. A click is a touch.
+/// A robot's screen, pixel for pixel, at the largest whole scale that fits; by a whole fraction on
+/// displays that are too small for that. A click is a touch.
 class LcdWidget final : public QWidget {
   Q_OBJECT
 
@@ -24,7 +25,7 @@ class LcdWidget final : public QWidget {
   [[nodiscard]] const QImage& picture() const { return picture_; }
 
   [[nodiscard]] QSize sizeHint() const override;
-  [[nodiscard]] QSize minimumSizeHint() const override { return picture_.size(); }
+  [[nodiscard]] QSize minimumSizeHint() const override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -46,6 +46,7 @@ PanelWindow::PanelWindow(const robios::PanelStart& start)
   const QSettings settings;
   restoreGeometry(settings.value("panel/geometry").toByteArray());
   restoreState(settings.value("panel/state").toByteArray());
+  leave_room_for_the_screen();
   setFocus();
   presses_.set_window(true);
   connect(&timer_, &QTimer::timeout, this, [this] { refresh(); });
@@ -56,6 +57,15 @@ PanelWindow::PanelWindow(const robios::PanelStart& start)
 PanelWindow::~PanelWindow() {
   if (isVisible()) keep_layout();
   presses_.set_window(false);
+}
+
+void PanelWindow::leave_room_for_the_screen() {
+  // On a small display the robot's screen and keys go first; F5 to F7 bring the others.
+  const QSize room = screen()->availableSize();
+  const QSize least = minimumSizeHint();
+  if (least.width() <= room.width() && least.height() <= room.height()) return;
+  for (QDockWidget* const dock : findChildren<QDockWidget*>()) dock->hide();
+  resize(centralWidget()->sizeHint().boundedTo(room));
 }
 
 void PanelWindow::keep_layout() {
@@ -146,9 +156,13 @@ void PanelWindow::refresh() {
 void PanelWindow::refresh_docks() {
   if (camera_ != nullptr && camera_->isVisible()) camera_->refresh();
   if (speaker_ != nullptr) speaker_->refresh();
-  if (inspector_ != nullptr) inspector_->look();
   const bool is_turn = frames_++ % kFramesPerReading == 0;
-  if (is_turn && inspector_ != nullptr && inspector_->isVisible()) inspector_->refresh();
+  if (inspector_ == nullptr) return;
+  if (is_turn && inspector_->isVisible()) {
+    inspector_->refresh();
+  } else {
+    inspector_->look();
+  }
 }
 
 void PanelWindow::press(int index) { presses_.press(1 << index); }

@@ -51,6 +51,7 @@ class PanelWindow final : public QMainWindow {
 
  private:
   void keep_layout();
+  void leave_room_for_the_screen();
   void make_screen();
   void make_docks(const robios::PanelStart& start);
   void make_menus();

@@ -86,8 +86,8 @@ class Windows {
   /// Opens a file to be edited: a world, maze or simulation (.wld, .maz, .sim), or a program.
   /// Without a name, a new world.
   virtual void edit(const std::string& path) = 0;
-  /// The process is about to be ended by a signal: completes what is being written, films. Returns
-  /// when that is done, or a second has passed.
+  /// The process is about to be ended by a signal: completes films, and keeps edits that are not
+  /// saved. Returns when that is done, or a second has passed.
   virtual void complete_files() = 0;
   /// The program has ended, `how` in words: the windows say so and stay. Returns when a person has
   /// closed them all, at once in the windows' own thread; from then on nothing lent is used.

@@ -116,6 +116,18 @@ TEST_F(EditorFiles, ANewWorldIsSavedAsAnyKindThatHoldsIt) {
   EXPECT_EQ(notice("save"), "");
 }
 
+TEST_F(EditorFiles, ABoxOfAnySizeLeavesAMazeAsItIs) {
+  folder_.write("m.maz", " _ _\n|S  |\n|_|_|\n360\n");
+  folder_.write("m.sim",
+                "world m.maz\nbox 360 180 0 100 50 30\npolygon 360 560 0 50 0 -50 40 -50 -40\n");
+  open(file("m.sim"));
+  drag(at(0.36, 0.36), at(0.5, 0.4), Qt::ControlModifier);  // a wall off the grid: no maze
+  ASSERT_TRUE(window_->save()) << notice("save");
+  EXPECT_THAT(text_of("m.sim"), HasSubstr("world m.wld\n"));
+  EXPECT_THAT(text_of("m.sim"), HasSubstr("box 360 180 0 100 50 30\n"));
+  EXPECT_THAT(text_of("m.sim"), HasSubstr("polygon 360 560 0 50 0 -50 40 -50 -40\n"));
+}
+
 TEST_F(EditorFiles, AMazeStaysAMazeWhileItFits) {
   folder_.write("m.maz", " _ _\n|S  |\n|_|_|\n360\n");
   folder_.write("m.sim", "world m.maz\nMouse S\n");

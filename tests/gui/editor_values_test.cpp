@@ -117,5 +117,25 @@ TEST_F(EditorValues, OnlyBoxesHaveSizes) {
   EXPECT_NO_THROW(files::write_sim(sim_of(plan())));
 }
 
+TEST_F(EditorValues, APolygonHasCornersThatAreWritten) {
+  press_key(Qt::Key_O);
+  window_->canvas().set_thing("polygon");
+  click(at(3, 3));
+  PropertyPanel& panel = window_->properties();
+  ASSERT_TRUE(panel.field("Corners (mm)")->isVisible());
+  EXPECT_FALSE(panel.field("Length")->isVisible());
+  const std::vector<Vec2> square = {{0.1, 0.1}, {-0.1, 0.1}, {-0.1, -0.1}, {0.1, -0.1}};
+  panel.set_value("Corners (mm)", "100, 100; -100, 100; -100, -100; 100, -100");
+  EXPECT_EQ(plan().things.at(0).spec.corners, square);
+  panel.set_value("Corners (mm)", "100, 100; -100, 100");
+  EXPECT_EQ(plan().things.at(0).spec.corners, square) << "two corners make no polygon";
+  panel.set_value("Height", 300.0);
+  EXPECT_NO_THROW(files::write_sim(sim_of(plan())));
+  // Turned by a corner: from that at 45 degrees to straight up.
+  press_key(Qt::Key_V);
+  drag(at(3.1, 3.1), at(3.0, 3.2));
+  EXPECT_NEAR(plan().things.at(0).spec.pose.theta, kPi / 4, 0.05);
+}
+
 }  // namespace
 }  // namespace eyebridge::gui

@@ -50,6 +50,41 @@ TEST(Mirror, KnowsWhatIsFree) {
   EXPECT_THAT(mirror.bumpers(0), Each(false));
 }
 
+world::ObjectSpec long_polygon(double reach) {
+  world::ObjectSpec out;
+  out.kind = world::ObjectKind::Polygon;
+  out.name = "polygon";
+  out.corners = {{reach, 0.0}, {-0.05, 0.02}, {-0.05, -0.02}};
+  return out;
+}
+
+TEST(Mirror, HasRoomForLargeNewcomersOfOneLook) {
+  testing::Room room;
+  Mirror mirror;
+  mirror.follow(look_at(room));
+  hal::WorldControl& control = room.environment().control();
+  for (const double theta : {0.0, kPi}) {  // they reach over the room's walls, far outside of it
+    world::ObjectSpec object = long_polygon(9.9);
+    object.pose = {theta == 0.0 ? 50.0 : -50.0, 0.5, theta};
+    ASSERT_TRUE(control.add_object(object));
+  }
+  EXPECT_NO_THROW(mirror.follow(look_at(room)));
+}
+
+TEST(Mirror, TheOutlineOfAThingCountsAndNotTheDiscAroundIt) {
+  testing::Room room;
+  Mirror mirror;
+  world::ObjectSpec object = long_polygon(0.3);
+  object.pose = {0.9, 0.8, 0.0};
+  ASSERT_TRUE(room.environment().control().add_object(object));
+  const hal::WorldLook look = look_at(room);
+  mirror.follow(look);
+  EXPECT_TRUE(grip_at(look, {1.0, 0.8}, 0.005));
+  EXPECT_FALSE(grip_at(look, {0.9, 0.7}, 0.005)) << "beside it, within the disc that covers it";
+  EXPECT_TRUE(mirror.is_free(look.objects.at(1), {0.9, 0.9})) << "nearer to the wall than its tip";
+  EXPECT_FALSE(mirror.is_free(look.objects.at(1), {1.8, 0.8})) << "its tip in the wall";
+}
+
 TEST(Mirror, FollowsWhatComesAndGoes) {
   testing::Room room;
   Mirror mirror;

@@ -19,8 +19,8 @@ std::unique_ptr<Reply, void (*)(void*)> owned(Reply* reply) {
 
 }  // namespace
 
-Person::Person()
-    : connection_(xcb_connect(nullptr, nullptr), xcb_disconnect),
+Person::Person(const char* display)
+    : connection_(xcb_connect(display, nullptr), xcb_disconnect),
       root_(xcb_setup_roots_iterator(xcb_get_setup(connection_.get())).data->root) {}
 
 xcb_atom_t Person::atom(const char* name) {
@@ -150,6 +150,13 @@ void Person::close(xcb_window_t window) {
   xcb_send_event(connection_.get(), 0, window, XCB_EVENT_MASK_NO_EVENT,
                  reinterpret_cast<const char*>(&message));
   xcb_flush(connection_.get());
+}
+
+QRect Person::place(xcb_window_t window) {
+  const auto reply = owned(xcb_get_geometry_reply(
+      connection_.get(), xcb_get_geometry(connection_.get(), window), nullptr));
+  if (!reply) throw std::runtime_error("the window is gone");
+  return {reply->x, reply->y, reply->width, reply->height};
 }
 
 QImage Person::picture(xcb_window_t window) {

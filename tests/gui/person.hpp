@@ -2,6 +2,7 @@
 
 #include <QImage>
 #include <QPoint>
+#include <QRect>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -16,7 +17,8 @@ namespace eyebridge::gui::testing {
 /// processes, too. What he waits for comes within half a minute, or the test fails.
 class Person {
  public:
-  Person();
+  /// At the display that DISPLAY names, or at another.
+  explicit Person(const char* display = nullptr);
 
   /// Waits for a window whose title has this in it.
   xcb_window_t window(const std::string& title);
@@ -35,6 +37,8 @@ class Person {
   void click(xcb_window_t window, QPoint place);
   /// As by the cross in the frame, which a window manager would draw.
   void close(xcb_window_t window);
+  /// Where it is on the screen.
+  [[nodiscard]] QRect place(xcb_window_t window);
   [[nodiscard]] QImage picture(xcb_window_t window);
 
  private:

@@ -1,5 +1,6 @@
 // A robot program and its windows, from outside: what a person does at the display.
 #include <QTest>
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 
@@ -117,18 +118,120 @@ TEST_F(Session, SeveralRobotsHaveAPanelEach) {
   EXPECT_EQ(program.wait(), 7) << program.said();
 }
 
+/// A server of its own, which says its number; when its last client leaves, it begins anew.
+class OwnDisplay {
+ public:
+  explicit OwnDisplay(const std::string& options = "-screen 0 800x600x24")
+      : server_({{"sh", "-c", "exec Xvfb -displayfd 1 " + options + " 2>/dev/null"}, {}, {}}) {
+    const std::string& number = server_.wait_for("\n");
+    name_ = ":" + number.substr(0, number.find('\n'));
+  }
+  [[nodiscard]] const std::string& name() const { return name_; }
+  void go_away() { server_.finish(SIGKILL); }
+
+ private:
+  RunningProgram server_;
+  std::string name_;
+};
+
+TEST_F(Session, ADisplayThatGoesAwayEndsTheRunPolitely) {
+  for (const std::string robots : {"1", "2"}) {
+    OwnDisplay display;
+    auto shown = start({"--gui", "--robots", robots, "--out", folder_.path() + "/out" + robots});
+    shown.environment["DISPLAY"] = display.name();
+    RunningProgram program(shown);
+    program.wait_for("ready\n");
+    display.go_away();
+    EXPECT_EQ(program.wait(), 128 + SIGTERM) << program.said();
+    EXPECT_THAT(program.said(), HasSubstr("eyebridge: the display went away: the run ends\n"));
+    const std::string robot = robots == "1" ? "" : "/robot-2";
+    EXPECT_NE(eyebridge::testing::file_text(folder_.path() + "/out" + robots + robot + "/lcd.txt"),
+              "")
+        << "results are written";
+  }
+}
+
+TEST_F(Session, WindowsFitOnASmallScreen) {
+  for (const QSize& size : {QSize(640, 480), QSize(480, 320)}) {
+    const std::string words = std::to_string(size.width()) + 'x' + std::to_string(size.height());
+    const OwnDisplay display("-screen 0 " + words + "x24");
+    testing::Person person(display.name().c_str());
+    auto shown = start({"--gui", "--factor", "20"});
+    shown.environment["DISPLAY"] = display.name();
+    RunningProgram program(shown);
+    const xcb_window_t panel = person.window("drives – robot");
+    program.wait_for("ready\n");
+    person.type(panel, '1');
+    const xcb_window_t environment = person.window("environment");
+    for (const xcb_window_t window : {panel, environment}) {
+      const QRect place = person.place(window);
+      EXPECT_TRUE(QRect(QPoint(), size).contains(place))
+          << words << ": " << place.x() << ' ' << place.y() << ' ' << place.width() << ' '
+          << place.height();
+    }
+    EXPECT_EQ(program.finish(SIGTERM), 128 + SIGTERM) << program.said();
+  }
+}
+
+TEST_F(Session, ADisplayBehindANetworkIsADisplay) {
+  const OwnDisplay display("-listen tcp -nolisten unix -ac -screen 0 800x600x24");
+  auto shown = start({"--gui", "--factor", "20", "--keys", "KEY1@1s"});
+  shown.environment["DISPLAY"] = "127.0.0.1" + display.name();
+  RunningProgram program(shown);
+  EXPECT_THAT(program.wait_for("at 100\n"), HasSubstr("at 100\n"));
+  testing::Person person(shown.environment["DISPLAY"].c_str());
+  person.close(person.window("environment"));
+  person.wait_until_gone("environment");
+  person.close(person.window("robot"));
+  EXPECT_EQ(program.wait(), 7) << program.said();
+}
+
 TEST_F(Session, OpensWindowsAtADisplayThatBeginsAnewWithoutClients) {
-  // As a server does that nobody else is at: it says its number, and when its last client leaves,
-  // it begins anew.
-  const std::string display = "exec Xvfb -displayfd 1 -screen 0 800x600x24 2>/dev/null";
-  RunningProgram server({{"sh", "-c", display}, {}, {}});
-  const std::string& number = server.wait_for("\n");
+  const OwnDisplay display;  // nobody else is at it
   auto alone = start({"--gui", "--factor", "20", "--keys", "KEY1@1s"});
-  alone.environment["DISPLAY"] = ":" + number.substr(0, number.find('\n'));
+  alone.environment["DISPLAY"] = display.name();
   RunningProgram program(alone);
   EXPECT_THAT(program.wait_for("at 100\n"), HasSubstr("at 100\n"));
   EXPECT_EQ(program.finish(SIGTERM), 128 + SIGTERM) << program.said();
 }
+
+#ifdef EYEBRIDGE_HAVE_CODE_PANEL
+TEST_F(Session, NothingThatWasTypedIsLostWithTheDisplay) {
+  OwnDisplay display("-screen 0 1280x1024x24");
+  testing::Person person(display.name().c_str());
+  folder_.write("room.wld", "floor 1000 1000\n0 0 1000 0\n");
+  RunningProgram edit({{EYEBRIDGE_BIN "/eyebridge", "edit", "drives.c", "room.wld"},
+                       {{"DISPLAY", display.name()},
+                        {"XDG_CONFIG_HOME", folder_.path()},
+                        {"XDG_DATA_HOME", folder_.path()}},
+                       folder_.path()});
+  const xcb_window_t program = person.window("drives.c");
+  for (const char letter : std::string("lastwords")) person.type(program, letter);
+  const xcb_window_t world = person.window("room.wld");
+  person.type_control(world, 'a');  // all of it
+  person.press(world, 0xff53);      // one step to the right
+  ASSERT_TRUE(QTest::qWaitFor([&] {
+    const auto titles = person.titles();
+    return std::ranges::count_if(titles, [](const std::string& title) {
+             return title.find("*") != std::string::npos;
+           }) == 2;
+  })) << ::testing::PrintToString(person.titles());
+  display.go_away();
+  EXPECT_EQ(edit.wait(), 128 + SIGTERM) << edit.said();
+  EXPECT_THAT(edit.said(), HasSubstr("the display went away"));
+  bool has_text = false;
+  bool has_world = false;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_.path())) {
+    if (entry.path().extension() == ".json") {
+      has_text = has_text ||
+                 eyebridge::testing::file_text(entry.path()).find("lastwords") != std::string::npos;
+    }
+    has_world = has_world || entry.path().extension() == ".autosave";
+  }
+  EXPECT_TRUE(has_text);
+  EXPECT_TRUE(has_world);
+}
+#endif
 
 TEST_F(Session, NoWindowsWhereThereIsNoDisplay) {
   auto lost = start({"--gui"});
