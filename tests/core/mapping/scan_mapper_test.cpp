@@ -85,6 +85,21 @@ TEST(ScanMapper, FollowsSlantedBeamsThroughTheCellsTheyCross) {
   }
 }
 
+TEST(ScanMapper, FindsTheCellThatAFarBeamEndsIn) {
+  // 10 m are 10 000 cells.
+  OccupancyGrid grid({{0, 0}, 0.001, 100, 100});
+  for (int i = 0; i < 50; ++i) {
+    grid.clear();
+    BeamModel model = model_with(0.0, 12.0);
+    ScanMapper mapper(model);
+    const Vec2 direction = Heading::from_angle(0.3 + 0.013 * i).forward();
+    const Vec2 end{0.0412, 0.0573};
+    const double range = 10.0;
+    ASSERT_TRUE(mapper.insert(grid, end - range * direction, {&direction, 1}, {&range, 1}));
+    EXPECT_GT(grid.log_odds(grid.cell_at(end)), 1.0F) << i;
+  }
+}
+
 TEST(ScanMapper, CountsEachCellOnceAScan) {
   OccupancyGrid grid = grid_of(80, 80);
   const BeamModel model = model_with(0.0);

@@ -29,8 +29,8 @@ class ScanMapper {
 
   /// Takes the readings `ranges` of beams along the unit vectors `directions`, all in the world and
   /// from one `origin`; as many of both. Beams that say nothing are passed over. Fails with
-  /// OutOfRange, and changes nothing, for an origin or a direction that is not finite, and where
-  /// the grid would need more cells than it may have.
+  /// OutOfRange, and changes nothing, for an origin that is not finite, a direction that is no unit
+  /// vector, and where the grid would need more cells than it may have.
   Result<void> insert(OccupancyGrid& grid, Vec2 origin, std::span<const Vec2> directions,
                       std::span<const double> ranges);
   /// The same map, faster, of directions that are evenly spaced: each is the one before turned by

@@ -1,0 +1,308 @@
+// What is done with many beams of a scan at once. Included by the sources of one set of
+// instructions, which have defined before:
+//   EYEBRIDGE_RAY_TARGET   the attribute of functions of these instructions, or nothing
+// Text is shared, not a template, because g++ inlines no function of a richer instruction set into
+// one of a poorer, and the linker must not take one for the other. The loops that count most have
+// no branches and call nothing, so that the compiler takes several beams at once; it is told that
+// their arrays are different ones.
+
+namespace {
+
+/// The whole number below or at `x`, |x| < 2^31.
+EYEBRIDGE_RAY_TARGET inline std::int32_t floor_of(float x) {
+#if EYEBRIDGE_TILE_LANES == 8
+  return static_cast<std::int32_t>(__builtin_floorf(x));  // an instruction
+#else
+  const auto cut = static_cast<std::int32_t>(x);
+  return cut - (static_cast<float>(cut) > x ? 1 : 0);
+#endif
+}
+
+/// Sets the extent of the beams by their tips.
+EYEBRIDGE_RAY_TARGET inline void place_extent(ScanRays& rays) {
+  // Of several beams at once, by hand: the compiler does not exchange what is smaller or larger.
+  constexpr std::size_t kLanes = EYEBRIDGE_TILE_LANES;
+  using Lanes = float __attribute__((vector_size(4 * kLanes)));
+  Lanes left{};
+  Lanes right{};
+  Lanes low{};
+  Lanes high{};
+  const float* const x = rays.tip_x.data();
+  const float* const y = rays.tip_y.data();
+  std::size_t i = 0;
+  for (; i + kLanes <= rays.count; i += kLanes) {
+    Lanes tip_x;
+    Lanes tip_y;
+    std::memcpy(&tip_x, x + i, sizeof tip_x);
+    std::memcpy(&tip_y, y + i, sizeof tip_y);
+    left = tip_x < left ? tip_x : left;
+    right = tip_x > right ? tip_x : right;
+    low = tip_y < low ? tip_y : low;
+    high = tip_y > high ? tip_y : high;
+  }
+  float least_x = 0.0F;
+  float most_x = 0.0F;
+  float least_y = 0.0F;
+  float most_y = 0.0F;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    least_x = std::min(least_x, left[lane]);
+    most_x = std::max(most_x, right[lane]);
+    least_y = std::min(least_y, low[lane]);
+    most_y = std::max(most_y, high[lane]);
+  }
+  for (; i < rays.count; ++i) {
+    least_x = std::min(least_x, x[i]);
+    most_x = std::max(most_x, x[i]);
+    least_y = std::min(least_y, y[i]);
+    most_y = std::max(most_y, y[i]);
+  }
+  std::int32_t any = 0;
+  for (const std::int32_t kind : rays.kind) any |= kind;
+  rays.extent = {any == ScanRays::kSilent, {least_x, least_y}, {most_x, most_y}};
+}
+
+/// Sorts directions by axis; false where one is no unit vector.
+EYEBRIDGE_RAY_TARGET inline bool take_directions(std::span<const Vec2> directions, ScanRays& rays) {
+  // Squares of lengths: unit vectors, but for rounding.
+  constexpr float kLeast = 0.9F;
+  constexpr float kMost = 1.1F;
+  float* const x = rays.x.data();
+  float* const y = rays.y.data();
+  std::int32_t bad = 0;
+  EYEBRIDGE_DIFFERENT_ARRAYS
+  for (std::size_t i = 0; i < directions.size(); ++i) {
+    const auto dx = static_cast<float>(directions[i].x);
+    const auto dy = static_cast<float>(directions[i].y);
+    x[i] = dx;
+    y[i] = dy;
+    const float square = dx * dx + dy * dy;
+    bad |= (square > kLeast) & (square < kMost) ? 0 : 1;
+  }
+  return bad == 0;
+}
+
+EYEBRIDGE_RAY_TARGET bool place_rays(const BeamTable& table, const RayModel& model,
+                                     std::span<const Vec2> directions,
+                                     std::span<const double> ranges, ScanRays& rays) {
+  // On a diagonal beam a column is sqrt(2) of a cell long.
+  constexpr float kDiagonal = 1.5F;
+  // Half a cell less: one to the side of the beam may be filled less far.
+  constexpr float kSlack = 0.5F;
+  constexpr double kFarthest = 1 << 21;  // cells; what met something is nearer
+  rays.resize(ranges.size());
+  if (!take_directions(directions, rays)) return false;
+  const std::size_t count = rays.count;
+  const double* const range = ranges.data();
+  float* const sigma = rays.sigma.data();
+  float* const place = rays.place.data();
+  std::int32_t* const kind = rays.kind.data();
+  const double max_range = model.max_range;
+  const double out_of_range = model.out_of_range;
+  const double bias = model.bias;
+  const double per_metre = model.per_metre;
+  const double base = table.sigma(0.0);
+  const double relative = table.sigma_relative();
+  EYEBRIDGE_DIFFERENT_ARRAYS
+  for (std::size_t i = 0; i < count; ++i) {
+    const double r = range[i];
+    const double ahead = (r - bias) * per_metre;
+    const double not_behind = ahead > 0.0 ? ahead : 0.0;
+    const double near_enough = not_behind < kFarthest ? not_behind : kFarthest;
+    const double at_most = r < max_range ? r : max_range;
+    const double at_least = at_most > 0.0 ? at_most : 0.0;
+    place[i] = static_cast<float>(near_enough);
+    sigma[i] = static_cast<float>(base + relative * at_least);
+  }
+  if (!table.is_simple()) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double within = std::max(std::min(range[i], max_range), 0.0);
+      sigma[i] = static_cast<float>(table.sigma(within));
+    }
+  }
+  EYEBRIDGE_DIFFERENT_ARRAYS
+  for (std::size_t i = 0; i < count; ++i) {
+    const double r = range[i];
+    const std::int32_t speaks = r >= 0.0 ? 1 : 0;
+    const std::int32_t within = r < max_range ? 1 : 0;
+    const std::int32_t is_range = r != out_of_range ? 1 : 0;
+    kind[i] = speaks + (speaks & within & is_range);
+  }
+
+  const float* const x = rays.x.data();
+  const float* const y = rays.y.data();
+  std::int32_t* const level = rays.level.data();
+  float* const reach = rays.reach.data();
+  float* const clear = rays.clear.data();
+  float* const corner_x = rays.corner_x.data();
+  float* const corner_y = rays.corner_y.data();
+  float* const tip_x = rays.tip_x.data();
+  float* const tip_y = rays.tip_y.data();
+  const auto close = static_cast<float>(model.close);
+  const auto farthest = static_cast<float>(max_range * per_metre);
+  const float unmet_clear = model.fills_unmet ? std::min(farthest, close) : 0.0F;
+  const auto levels = static_cast<float>(table.levels());
+  const auto highest = static_cast<float>(table.highest_level());
+  EYEBRIDGE_DIFFERENT_ARRAYS
+  for (std::size_t i = 0; i < count; ++i) {
+    const float wanted = sigma[i] * levels + 0.5F;  // rounds: nothing here is negative
+    const float nearest = wanted < highest ? wanted : highest;
+    const auto of_blur = static_cast<std::int32_t>(nearest);
+    const float around = table.reach_of(static_cast<float>(of_blur));
+    const float sure = place[i] - kDiagonal * around;
+    const float near_enough = sure < close ? sure : close;
+    const float not_back = near_enough > 0.0F ? near_enough : 0.0F;
+    const float last = place[i] + kDiagonal * around + kDiagonal;
+    const float unmet = kind[i] == ScanRays::kUnmet ? unmet_clear : 0.0F;
+    const float empty = kind[i] == ScanRays::kUnmet ? farthest : 0.0F;
+    const float filled = kind[i] == ScanRays::kMet ? not_back : unmet;
+    const float tip = kind[i] == ScanRays::kMet ? last : empty;
+    level[i] = of_blur;
+    reach[i] = around;
+    clear[i] = filled;
+    corner_x[i] = filled * x[i];
+    corner_y[i] = filled * y[i];
+    tip_x[i] = tip * x[i];
+    tip_y[i] = tip * y[i];
+  }
+  place_extent(rays);
+  float* const own_from = rays.own_from.data();
+  // Those at the ends have one to one side only.
+  own_from[0] = own_from[count - 1] = 0.0F;
+  EYEBRIDGE_DIFFERENT_ARRAYS
+  for (std::size_t i = 1; i + 1 < count; ++i) {
+    const float beside = clear[i - 1] < clear[i + 1] ? clear[i - 1] : clear[i + 1];
+    own_from[i] = (beside < clear[i] ? beside : clear[i]) - kSlack;
+  }
+  return true;
+}
+
+/// In which way the columns of a beam go: differences of indices.
+struct RayWay {
+  std::int64_t step;    ///< From column to column.
+  std::int64_t across;  ///< From cell to cell of a column.
+};
+
+/// Where some beams go, in the terms of BeamWalk, from the lower left corner of the sensor's cell.
+struct Walks {
+  static constexpr std::size_t kMost = 64;
+  float slope[kMost];
+  float across[kMost];          ///< In the column of cell `lead`.
+  float entry[kMost];           ///< How far cell `lead` is within the blur's reach.
+  float first[kMost];           ///< From where something was met to cell 0, along the columns.
+  std::int32_t exact[kMost];    ///< The cell where, of the column of `middle`.
+  std::int32_t begin[kMost];    ///< The first cell that the beam says itself that it crosses.
+  std::int32_t lead[kMost];     ///< From here on the blur says it.
+  std::int32_t crossed[kMost];  ///< The first cell that may not be crossed.
+  std::int32_t middle[kMost];   ///< The cell in whose column something was met.
+  std::int32_t way[kMost];      ///< Index of RayWays.
+};
+
+EYEBRIDGE_RAY_TARGET inline void walk_rays(const RayFrame& frame, const ScanRays& rays,
+                                           std::size_t start, std::size_t count, Walks& w) {
+  const float* const x = rays.x.data() + start;
+  const float* const y = rays.y.data() + start;
+  const float* const place = rays.place.data() + start;
+  const float* const reach = rays.reach.data() + start;
+  const float* const own_from = rays.own_from.data() + start;
+  const auto ox = static_cast<float>(frame.origin.x - static_cast<double>(frame.column));
+  const auto oy = static_cast<float>(frame.origin.y - static_cast<double>(frame.row));
+  EYEBRIDGE_DIFFERENT_ARRAYS
+  for (std::size_t i = 0; i < count; ++i) {
+    const float ax = x[i] < 0.0F ? -x[i] : x[i];
+    const float ay = y[i] < 0.0F ? -y[i] : y[i];
+    const bool steep = ay > ax;
+    const float major = steep ? y[i] : x[i];
+    const float minor = steep ? x[i] : y[i];
+    const float share = steep ? ay : ax;
+    const bool back = major < 0.0F;
+    const float ahead = 0.5F - (steep ? oy : ox);
+    const float offset = back ? -ahead : ahead;
+    const float slope = minor / share;
+    const float across = (steep ? ox : oy) + offset * slope;
+    const float first = offset - place[i] * share;
+    const std::int32_t crossed = -floor_of(first + reach[i]);
+    const std::int32_t lead = crossed > 1 ? crossed : 1;
+    const std::int32_t begin = -floor_of(offset - own_from[i] * share);
+    const auto steps = static_cast<float>(lead);
+    w.slope[i] = slope;
+    w.across[i] = across + slope * steps;
+    w.entry[i] = first + reach[i] + steps;
+    w.first[i] = first;
+    w.exact[i] = floor_of(across - first * slope);
+    w.begin[i] = begin > 1 ? begin : 1;  // the sensor's own cell, 0, may not be on the walk
+    w.lead[i] = lead;
+    w.crossed[i] = crossed;
+    w.middle[i] = -floor_of(first + 0.5F);
+    w.way[i] = (steep ? 2 : 0) + (back ? 1 : 0);
+  }
+}
+
+/// What a beam that goes well within the box says of cells. Gives what it says of the sensor's own.
+EYEBRIDGE_RAY_TARGET inline float draw_ray(const BeamTable::Blur& blur, float far, const Walks& w,
+                                           std::size_t i, const RayWay& way, std::int64_t own,
+                                           ScanNotes::Writer out) {
+  constexpr int kBits = 32;
+  constexpr float kOne = 4294967296.0F;
+  const auto slope = static_cast<std::int64_t>(w.slope[i] * kOne);
+  const std::int32_t lead = w.lead[i];
+  std::int64_t along = own + w.begin[i] * way.step;
+  std::int64_t across = static_cast<std::int64_t>(w.across[i] * kOne);
+  if (w.begin[i] < lead) {
+    across -= (lead - w.begin[i]) * slope;
+    for (std::int32_t k = w.begin[i]; k < lead; ++k, along += way.step, across += slope) {
+      out.say(static_cast<std::size_t>(along + (across >> kBits) * way.across), far);
+    }
+  } else {
+    along = own + lead * way.step;
+  }
+  // In the column of the reading the cell that it lies in counts, which need not be the one that
+  // the beam is in at the column's middle.
+  const std::int32_t middle = w.middle[i];
+  const std::int64_t exact = w.exact[i];
+  auto entry = static_cast<std::int64_t>(w.entry[i] * blur.scale_once);
+  const std::int32_t end = w.crossed[i] + blur.cells;
+  for (std::int32_t k = lead; k < end; ++k) {
+    const std::int64_t cell = k == middle ? exact : across >> kBits;
+    out.say(static_cast<std::size_t>(along + cell * way.across), blur.evidence[entry >> kBits]);
+    along += way.step;
+    across += slope;
+    entry += blur.step;
+  }
+  return w.crossed[i] > 0 ? far : blur.at(w.first[i]);
+}
+
+EYEBRIDGE_RAY_TARGET float draw_rays(const BeamTable& table, const RayFrame& frame, ScanRays& rays,
+                                     ScanNotes::Writer out) {
+  constexpr double kMargin = 1.0;  // cells: as far from its middle line may a cell of a beam be
+  const std::int64_t stride = frame.box.stride;
+  const std::int64_t own_cell = frame.row * stride + frame.column;
+  const std::array<RayWay, 4> ways{{{1, stride}, {-1, stride}, {stride, 1}, {-stride, 1}}};
+  const double columns = frame.box.columns - kMargin;
+  const double rows = frame.box.rows - kMargin;
+  const auto is_inside = [=](double x, double y) {
+    return x >= kMargin && y >= kMargin && x <= columns && y <= rows;
+  };
+  const Vec2 origin = frame.origin;
+  if (frame.clipped && !is_inside(origin.x, origin.y)) return kNoEvidence;
+  float own = kNoEvidence;
+  Walks w;
+  for (std::size_t start = 0; start < rays.count; start += Walks::kMost) {
+    const std::size_t count = std::min(rays.count - start, Walks::kMost);
+    walk_rays(frame, rays, start, count, w);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t ray = start + i;
+      if (rays.kind[ray] != ScanRays::kMet) continue;
+      if (frame.clipped && !is_inside(origin.x + rays.tip_x[ray], origin.y + rays.tip_y[ray])) {
+        continue;
+      }
+      rays.kind[ray] = ScanRays::kSilent;
+      const BeamTable::Blur& blur = table.blur_of_level(rays.level[ray]);
+      const RayWay& way = ways[static_cast<std::size_t>(w.way[i])];
+      const float said = draw_ray(blur, table.crossed, w, i, way, own_cell, out);
+      own = own > said ? own : said;
+    }
+  }
+  return own;
+}
+
+}  // namespace

@@ -1,0 +1,107 @@
+#include "scan_rays.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "eyebridge/base/random.hpp"
+#include "eyebridge/base/units.hpp"
+
+namespace eyebridge::mapping {
+namespace {
+
+constexpr double kCellSide = 0.05;
+constexpr int kSide = 150;  // cells
+
+BeamModel some_model(int round) {
+  BeamModel model;
+  model.max_range = 3.0;
+  model.sigma = 0.01 + 0.01 * (round % 5);
+  model.sigma_relative = round % 2 == 0 ? 0.0 : 0.02;
+  model.sigma_quadratic = round % 3 == 0 ? 0.01 : 0.0;  // not simple
+  model.bias = round % 4 == 0 ? 0.02 : 0.0;
+  return model;
+}
+
+struct RayScan {
+  std::vector<Vec2> directions;
+  std::vector<double> ranges;
+};
+
+RayScan random_scan(Random& random, std::size_t count) {
+  RayScan scan;
+  const double first = 7 * random.uniform();
+  double range = 1.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle = first + 2 * kPi * static_cast<double>(i) / static_cast<double>(count);
+    scan.directions.push_back(Heading::from_angle(angle).forward());
+    if (random.chance(0.1)) range = 3.3 * random.uniform();
+    const double noisy = std::max(range + 0.01 * random.gaussian(), 0.0);
+    scan.ranges.push_back(random.chance(0.03) ? kNotANumber : noisy);
+  }
+  return scan;
+}
+
+/// A grid after one scan by one set of instructions.
+OccupancyGrid grid_after(const RayCode& code, const BeamModel& model, const RayScan& scan,
+                         bool clipped) {
+  OccupancyGrid grid({{0, 0}, kCellSide, kSide, kSide});
+  const BeamTable table(model, kCellSide);
+  ScanRays rays;
+  const RayModel all{
+      model.max_range, model.out_of_range, model.bias, 1.0 / kCellSide, 30.0, true};
+  EXPECT_TRUE(code.place(table, all, scan.directions, scan.ranges, rays));
+  RayFrame frame;
+  frame.box = {kSide, kSide, ScanNotes::stride_of(kSide)};
+  frame.origin = clipped ? Vec2{20.3, 30.8} : Vec2{75.3, 74.8};
+  frame.column = clipped ? 20 : 75;
+  frame.row = clipped ? 30 : 74;
+  frame.clipped = clipped;
+  ScanNotes notes;
+  notes.begin(frame.box);
+  PolygonFill fill;
+  fill.begin(frame.box);
+  fill.flip(frame.origin, rays.corner_x, rays.corner_y, false);
+  const float own = code.draw(table, frame, rays, notes.writer());
+  notes.writer().say(frame.box.index_of(frame.column, frame.row), own);
+  notes.apply(grid, {0, 0}, fill, table.crossed, code);
+  return grid;
+}
+
+TEST(RayCode, HasTheSameResultsInAllInstructions) {
+  if (&ray_code() == &kPlainRayCode) {
+    // Nothing to compare: this CPU has no others.
+    return;
+  }
+  Random random(9);
+  std::size_t changed = 0;
+  for (int round = 0; round < 40; ++round) {
+    const BeamModel model = some_model(round);
+    const RayScan scan = random_scan(random, 1 + static_cast<std::size_t>(400 * random.uniform()));
+    const bool clipped = round % 2 == 0;
+    const OccupancyGrid plain = grid_after(kPlainRayCode, model, scan, clipped);
+    const OccupancyGrid avx2 = grid_after(kAvx2RayCode, model, scan, clipped);
+    EXPECT_EQ(plain.raster(), avx2.raster()) << round;
+    for (const float cell : plain.raster().cells) changed += cell != 0.0F ? 1 : 0;
+  }
+  EXPECT_GT(changed, 40'000u);
+}
+
+TEST(RayCode, RefusesDirectionsThatAreNoUnitVectors) {
+  const BeamModel model = some_model(1);
+  const BeamTable table(model, kCellSide);
+  const RayModel all{model.max_range, model.out_of_range, 0.0, 1.0 / kCellSide, 30.0, true};
+  ScanRays rays;
+  for (const Vec2 bad :
+       {Vec2{0, 0}, Vec2{0.5, 0}, Vec2{1, 1}, Vec2{kNotANumber, 0}, Vec2{0, kInfinite}}) {
+    std::vector<Vec2> directions(9, Vec2{0.6, 0.8});
+    const std::vector<double> ranges(9, 1.0);
+    EXPECT_TRUE(ray_code().place(table, all, directions, ranges, rays));
+    directions[4] = bad;
+    EXPECT_FALSE(ray_code().place(table, all, directions, ranges, rays)) << bad.x << ' ' << bad.y;
+  }
+}
+
+}  // namespace
+}  // namespace eyebridge::mapping
