@@ -11,7 +11,9 @@
 
 namespace eyebridge::mapping {
 
-#include "scan_rays.ipp"
+#include "scan_place.ipp"
+
+#include "scan_draw.ipp"
 #include "scan_tiles.ipp"
 
 const RayCode kPlainRayCode{place_rays, draw_rays, apply_tiles};

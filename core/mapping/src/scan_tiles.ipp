@@ -73,8 +73,7 @@ EYEBRIDGE_RAY_TARGET inline void add_tile(float* said, std::uint32_t inside, flo
   for (int i = 0; i < ScanNotes::kTile; i += kTileLanes) {
     const TileBits chosen = TileBits{} + static_cast<std::int32_t>(inside >> i);
     const TileBits is_filled = (chosen & bits) == bits;
-    const TileLanes most =
-        larger(load(said + i), is_filled ? all_tiles.filled : all_tiles.none);
+    const TileLanes most = larger(load(said + i), is_filled ? all_tiles.filled : all_tiles.none);
     store(said + i, all_tiles.none);
     add_lanes(cells + i, (TileLanes)((TileBits)most & (TileBits)(most > all_tiles.none)),
               all_tiles);

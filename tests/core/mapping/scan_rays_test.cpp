@@ -49,8 +49,7 @@ OccupancyGrid grid_after(const RayCode& code, const BeamModel& model, const RayS
   OccupancyGrid grid({{0, 0}, kCellSide, kSide, kSide});
   const BeamTable table(model, kCellSide);
   ScanRays rays;
-  const RayModel all{
-      model.max_range, model.out_of_range, model.bias, 1.0 / kCellSide, 30.0, true};
+  const RayModel all{model.max_range, model.out_of_range, model.bias, 1.0 / kCellSide, 30.0, true};
   EXPECT_TRUE(code.place(table, all, scan.directions, scan.ranges, rays));
   RayFrame frame;
   frame.box = {kSide, kSide, ScanNotes::stride_of(kSide)};
