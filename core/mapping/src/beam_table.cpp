@@ -24,10 +24,11 @@ BeamTable::BeamTable(const BeamModel& model, double resolution)
       simple_(model.levels.empty() && model.sigma_quadratic == 0.0),
       sigma_(model.sigma / resolution),
       sigma_relative_(model.sigma_relative / resolution) {
-  double largest = sigma(model.max_range);
-  if (!simple_) {
+  double largest = 0.0;
+  if (simple_) {
+    largest = sigma(model.max_range);
+  } else {
     bins_ = static_cast<double>(kRangeBins) / model.max_range;
-    largest = 0.0;
     for (std::size_t i = 0; i <= kRangeBins; ++i) {
       sigmas_.push_back(model.sigma_at((static_cast<double>(i) + 0.5) / bins_) / resolution);
       largest = std::max(largest, sigmas_.back());

@@ -77,7 +77,7 @@ EYEBRIDGE_RAY_TARGET inline bool take_directions(std::span<const Vec2> direction
     x[i] = dx;
     y[i] = dy;
     const float square = dx * dx + dy * dy;
-    bad |= (square > kLeast) & (square < kMost) ? 0 : 1;
+    bad |= (square > kLeast ? 0 : 1) | (square < kMost ? 0 : 1);
   }
   return bad == 0;
 }
