@@ -58,7 +58,11 @@ void HostController::step() {
     note(counts, now);
     if (counts) {
       speeds = drive_.step(*counts, now).value_or(WheelSpeeds{});
-    } else if (sent_ && counts.error().code != Errc::Disconnected) {
+    } else if (counts.error().code == Errc::Disconnected) {
+      return;
+    } else if (is_to_stand(now)) {
+      speeds = {};
+    } else if (sent_) {
       speeds = *sent_;  // what spoiled the counts may have spoiled the speeds
     } else {
       return;
@@ -75,6 +79,19 @@ void HostController::note(const Result<WheelCounts>& counts, Time now) {
   } else if (counts.error().code == Errc::Disconnected || now - heard_ > kPatience) {
     trouble_ = counts.error();
   }
+}
+
+// Nobody knows where a robot goes that drives on without its encoders; a stop needs none.
+bool HostController::is_to_stand(Time now) {
+  if (now - heard_ > kPatience) stand();
+  return standing_;
+}
+
+/// Ends what the drive does, until the next command.
+void HostController::stand() {
+  goal_lost_ = goal_lost_ || drive_.status().progress == DriveProgress::Driving;
+  standing_ = true;
+  drive_.halt();
 }
 
 // Asked at each call, too: whoever reads the encoders may be waiting for a board that is silent.
@@ -94,16 +111,22 @@ void HostController::send(const WheelSpeeds& speeds, Time now) {
 
 Result<void> HostController::set_speed(const Twist& twist) {
   const std::lock_guard lock(mutex_);
-  return check().map([&] {
+  const auto checked = check();
+  const bool stop = twist.linear == 0.0 && twist.angular == 0.0;
+  // A stop is obeyed as soon as anything is, though it cannot be promised.
+  if (checked || stop) {
     goal_lost_ = false;
+    standing_ = stop;
     drive_.set_speed(twist);
-  });
+  }
+  return checked;
 }
 
 Result<void> HostController::start(const DriveGoal& goal) {
   const std::lock_guard lock(mutex_);
   return check().map([&] {
     goal_lost_ = false;
+    standing_ = false;
     drive_.start(goal);
   });
 }

@@ -32,6 +32,8 @@ class HostController final : public DriveController {
   Result<WheelCounts> read_counts();
   [[nodiscard]] Result<void> check() const;                // under mutex_
   void note(const Result<WheelCounts>& counts, Time now);  // under mutex_
+  bool is_to_stand(Time now);                              // likewise
+  void stand();                                            // likewise
   void send(const WheelSpeeds& speeds, Time now);          // under sending_
 
   BoardLink& link_;
@@ -42,7 +44,8 @@ class HostController final : public DriveController {
   HostDrive drive_;
   Time heard_;                    ///< When the encoders were read last.
   std::optional<Error> trouble_;  ///< Why they cannot be read any more.
-  bool goal_lost_ = false;        ///< A restart of the board ended it.
+  bool goal_lost_ = false;        ///< A restart of the board ended it, or silence.
+  bool standing_ = false;         ///< By the last command, or since the encoders are silent.
   std::optional<WheelSpeeds> sent_;
   Time sent_at_{0};
 };

@@ -199,8 +199,7 @@ void HostDrive::start(const DriveGoal& goal) {
 }
 
 void HostDrive::release() {
-  impl_->controller.stop();
-  impl_->stand();
+  halt();
   impl_->engaged = false;
 }
 
@@ -233,9 +232,13 @@ Result<WheelSpeeds> HostDrive::step(const WheelCounts& counts, Time now) {
   return WheelSpeeds{self.left.on_board(), self.right.on_board()};
 }
 
-void HostDrive::restart() {
+void HostDrive::halt() {
   impl_->controller.stop();
   impl_->stand();
+}
+
+void HostDrive::restart() {
+  halt();
   impl_->measured = impl_->latest = {};
   impl_->recent = {};
   impl_->last.reset();

@@ -65,6 +65,8 @@ class HostDrive {
   /// ramps have caught up. Fails once with Timeout when the last call was more than kLongestGap
   /// ago: what was driven meanwhile is unknown, a goal has failed, and the robot is to stand.
   Result<WheelSpeeds> step(const WheelCounts& counts, Time now);
+  /// Ends what it does: the next step() asks for no speed. Odometry goes on.
+  void halt();
   /// The board has restarted: the drive stands, and the next counts are first ones.
   void restart();
 

@@ -114,6 +114,54 @@ TEST_F(BoardHost, EncodersThatAreNotToldAnyMoreAreAnErrorNotAnOldReading) {
   EXPECT_TRUE(backend->drive()->odometry());
 }
 
+TEST_F(BoardHost, ADriveThatIsBlindForHalfASecondStands) {
+  ASSERT_TRUE(backend->drive()->start({2.0, 0.0, 0.3}));
+  turn(500ms);
+  ASSERT_GT(motor[1], 0);
+  mute = 1000;
+  turn(200ms);
+  EXPECT_GT(motor[1], 0) << "a line that loses some bytes is no reason yet";
+  turn(500ms);
+  EXPECT_EQ(motor[1], 0);
+  EXPECT_EQ(motor[2], 0);
+  mute = 0;
+  turn(500ms);
+  EXPECT_EQ(motor[1], 0) << "what the program was not told of goes on";
+  EXPECT_EQ(backend->drive()->status().value().progress, DriveProgress::Failed);
+  ASSERT_TRUE(backend->drive()->set_speed({0.1, 0.0}));
+  turn(500ms);
+  EXPECT_GT(motor[1], 0);
+}
+
+TEST_F(BoardHost, AStopIsTakenThoughTheEncodersAreSilent) {
+  ASSERT_TRUE(backend->drive()->set_speed({0.3, 0.0}));
+  turn(500ms);
+  ASSERT_GT(motor[1], 0);
+  mute = 1000;
+  turn(50ms);
+  EXPECT_TRUE(backend->drive()->set_speed({0.0, 0.0}));
+  turn(250ms);  // two questions that were not answered
+  EXPECT_EQ(motor[1], 0) << "long before the drive gives up";
+  EXPECT_EQ(motor[2], 0);
+  turn(500ms);
+  EXPECT_EQ(backend->drive()->set_speed({0.2, 0.0}).error().code, Errc::Timeout);
+  EXPECT_EQ(backend->drive()->set_speed({0.0, 0.0}).error().code, Errc::Timeout) << "it is said";
+  mute = 0;
+  turn(500ms);
+  EXPECT_EQ(motor[1], 0) << "a command that was refused is obeyed";
+}
+
+TEST_F(BoardHost, AStopThatWasRefusedIsObeyedOnceTheBoardIsHeardAgain) {
+  ASSERT_TRUE(backend->drive()->set_speed({0.3, 0.0}));
+  turn(500ms);
+  // Nobody reads the encoders for so long: another question is not answered.
+  clock.wait_until(clock.now() + 600ms);
+  EXPECT_EQ(backend->drive()->set_speed({0.0, 0.0}).error().code, Errc::Timeout);
+  turn(500ms);
+  EXPECT_EQ(motor[1], 0);
+  EXPECT_EQ(motor[2], 0);
+}
+
 TEST_F(BoardHost, ABoardThatWasUnpluggedStandsWhenItIsBackAndItsGoalHasFailed) {
   ASSERT_TRUE(backend->drive()->start({2.0, 0.0, 0.3}));
   turn(500ms);
