@@ -1,6 +1,16 @@
-// Draws many beams of a scan. Included as scan_place.ipp is, after it.
+// Draws many beams of a scan. Included as scan_place.ipp is.
 
 namespace {
+
+/// The whole number below or at `x`, |x| < 2^31.
+EYEBRIDGE_RAY_TARGET inline std::int32_t floor_of(float x) {
+#if EYEBRIDGE_TILE_LANES == 8
+  return static_cast<std::int32_t>(__builtin_floorf(x));  // an instruction
+#else
+  const auto cut = static_cast<std::int32_t>(x);
+  return cut - (static_cast<float>(cut) > x ? 1 : 0);
+#endif
+}
 
 /// In which way the columns of a beam go: differences of indices.
 struct RayWay {

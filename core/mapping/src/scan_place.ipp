@@ -9,16 +9,6 @@
 
 namespace {
 
-/// The whole number below or at `x`, |x| < 2^31.
-EYEBRIDGE_RAY_TARGET inline std::int32_t floor_of(float x) {
-#if EYEBRIDGE_TILE_LANES == 8
-  return static_cast<std::int32_t>(__builtin_floorf(x));  // an instruction
-#else
-  const auto cut = static_cast<std::int32_t>(x);
-  return cut - (static_cast<float>(cut) > x ? 1 : 0);
-#endif
-}
-
 /// Sets the extent of the beams by their tips.
 EYEBRIDGE_RAY_TARGET inline void place_extent(ScanRays& rays) {
   // Of several beams at once, by hand: the compiler does not exchange what is smaller or larger.

@@ -11,9 +11,8 @@
 
 namespace eyebridge::mapping {
 
-#include "scan_place.ipp"
-
 #include "scan_draw.ipp"
+#include "scan_place.ipp"
 #include "scan_tiles.ipp"
 
 const RayCode kPlainRayCode{place_rays, draw_rays, apply_tiles};

@@ -14,9 +14,8 @@
 
 namespace eyebridge::mapping {
 
-#include "scan_place.ipp"
-
 #include "scan_draw.ipp"
+#include "scan_place.ipp"
 #include "scan_tiles.ipp"
 
 const RayCode kAvx2RayCode{place_rays, draw_rays, apply_tiles};
