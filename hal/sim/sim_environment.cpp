@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "eyebridge/camera/robot_eye.hpp"
 
@@ -54,10 +55,12 @@ void SimEnvironment::look(WorldLook& look) {
 }
 
 template <class Act>
-Result<void> SimEnvironment::with_robot(std::size_t index, Act act) {
-  return world_.locked([&](robot::Simulation& sim) -> Result<void> {
+auto SimEnvironment::with_robot(std::size_t index, Act act) {
+  using Answer = decltype(act(std::declval<robot::Simulation&>(), robot::RobotIndex{}));
+  return world_.locked([&](robot::Simulation& sim) -> Answer {
     const auto robot = robot_there(sim, index);
-    return robot ? act(sim, *robot) : tl::unexpected(robot.error());
+    if (!robot) return tl::unexpected(robot.error());
+    return act(sim, *robot);
   });
 }
 
@@ -80,6 +83,13 @@ Result<void> SimEnvironment::set_errors(std::size_t index, const robot::RobotMod
       return fail(Errc::OutOfRange, error.what());
     }
   });
+}
+
+Result<robot::RobotModel> SimEnvironment::present_model(std::size_t index) {
+  return with_robot(
+      index, [](robot::Simulation& sim, robot::RobotIndex robot) -> Result<robot::RobotModel> {
+        return sim.model(robot);
+      });
 }
 
 }  // namespace eyebridge::hal

@@ -24,13 +24,14 @@ class SimEnvironment final : public Environment {
   [[nodiscard]] WorldControl& control() override { return control_; }
   Result<void> drive(std::size_t index, const Twist& twist) override;
   Result<void> set_errors(std::size_t index, const robot::RobotModel& like) override;
+  Result<robot::RobotModel> present_model(std::size_t index) override;
   [[nodiscard]] bool starts_paused() const override { return world_.starts_paused(); }
   [[nodiscard]] std::string directory() const override { return world_.directory(); }
 
  private:
   /// What `act` says of the simulation and the robot; OutOfRange where that is not there.
   template <class Act>
-  Result<void> with_robot(std::size_t index, Act act);
+  auto with_robot(std::size_t index, Act act);
 
   SimWorld& world_;
   const std::shared_ptr<TimeControl> time_;

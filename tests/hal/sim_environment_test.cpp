@@ -100,7 +100,10 @@ TEST_F(SimEnvironmentTest, TakesErrorsFromAModelWithTheSameDevices) {
   robot::RobotModel erring = *look().robots[0].model;
   for (auto& sensor : erring.range_sensors) sensor.error.bias = -0.05;
   const double before = must(backend_->range_sensor(1)->read());
+  EXPECT_NE(must(environment_->present_model(0)), erring);
   ASSERT_TRUE(environment_->set_errors(0, erring));
+  EXPECT_EQ(must(environment_->present_model(0)), erring);
+  EXPECT_EQ(environment_->present_model(7).error().code, Errc::OutOfRange);
   EXPECT_NEAR(must(backend_->range_sensor(1)->read()), before - 0.05, 1e-9);
   erring.range_sensors.pop_back();
   const auto refused = environment_->set_errors(0, erring);

@@ -111,6 +111,25 @@ class Robots(ControlTest):
         self.fails("control.py:2: run: ValueError: found 0 for 'resolution', expected more than 0",
                    "robot(1).sensor('compass').probability(0, 0, resolution=0)")  # fmt: skip
 
+    def test_errors_that_change_are_known_to_probabilities_and_maps(self):
+        self.says(["0.6827 0.3829", "True", "True"], """
+            one = robot(1)
+            sensor = one.sensor("psd 1")
+            p = lambda: sensor.probability(0.5, 0.5, resolution=0.04)
+            def how_sure():
+                belief_space.clear()
+                belief_space.add(one, sensor, 0.5, (0.5, 0.5, 0))
+                return belief_space.log_odds.max()  # of the cell that it met something in
+            before, sure = p(), how_sure()
+            one.set_errors("psd sigma=40")
+            interact.print(f"{before:.4f} {p():.4f}")
+            interact.print(how_sure() < 0.9 * sure)
+            one.set_errors("psd sigma=40", scale=0.5)
+            interact.print(abs(how_sure() - sure) < 1e-6)
+        """, "--errors", "psd sigma=20", "--world", SOURCE / "worlds" / "robots" / "Explorer.robi")
+        self.fails("control.py:2: run: ValueError: errors:1:11: 'wide' found: expected psd's sigma, a number in mm",
+                   "robot(1).set_errors('psd sigma=wide')")  # fmt: skip
+
     def test_its_own_function_runs_beside_run(self):
         self.says(["run 0.5", "one 1.0", "run 1.5", "one 2.0", "run 2.5", "one 3.0"], """
             robot(1).start()

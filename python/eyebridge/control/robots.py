@@ -61,7 +61,7 @@ class Sensor:
         return value if self.kind in ROWS else Reading(value, self, self.robot._turns.time)
 
     def probability(self, reading, truth, resolution=None, elapsed=None):
-        """P(reading | truth) with the errors that it began with: of all readings within half a `resolution`, which is
+        """P(reading | truth) with the errors that it has now: of all readings within half a `resolution`, which is
         0.001 for ranges (m) and the gyroscope (rad/s), 0.01 for the compass (rad) and the accelerometer (m/s²; of one
         axis), 1 for encoders (ticks; the truth is the angle in radians that the wheel has turned, one way). Numbers or
         numpy arrays of shapes that go together. `elapsed`: so many seconds the gyroscope's bias has strayed; all since the
@@ -154,6 +154,12 @@ class Robot:
             self._world.set_twist(self.index, *twist)
         else:
             self._wheels, self._twist = {}, twist
+
+    def set_errors(self, rules, scale=1.0):
+        """Changes the errors that its sensors and motors have now by rules as `--errors` takes them ("harsh", "psd:1
+        sigma=20"), then scales all of them by 0 … 1; beliefs and probabilities follow. Raises ValueError for bad rules."""
+        self._turns.spend(READ_COST)
+        self._world.set_errors(self.index, str(rules), float(scale))
 
     def wheel(self, wheel):
         """The angle that a wheel has turned by its encoder, radians."""

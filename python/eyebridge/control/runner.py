@@ -77,9 +77,10 @@ class Run:
         mappers = {}
 
         def mapper(index):
-            if index not in mappers:
-                mappers[index] = world.mapper(index)
-            return mappers[index]
+            changes = world.error_changes(index)
+            if index not in mappers or mappers[index][0] != changes:
+                mappers[index] = changes, world.mapper(index)
+            return mappers[index][1]
 
         self.belief_space = BeliefSpace(world.belief(RESOLUTION), self.turns, self.robot, mapper)
         self.map_space = MapSpace(world.truth_grid(RESOLUTION), self.turns, self.robot, world)

@@ -60,6 +60,9 @@ class Environment {
   /// devices: RobotLook::model, scaled, say. OutOfRange for a robot that is not there and a model
   /// with others.
   virtual Result<void> set_errors(std::size_t index, const robot::RobotModel& like) = 0;
+  /// The model of robot `index` with the errors that it has now. OutOfRange for a robot that is not
+  /// there.
+  virtual Result<robot::RobotModel> present_model(std::size_t index) = 0;
   /// Whether the scenario wants a person to let time begin.
   [[nodiscard]] virtual bool starts_paused() const = 0;
   /// Where textures and the like are looked for.

@@ -124,6 +124,13 @@ PYBIND11_MODULE(_control, module) {
       .def("truth_grid", &truth_grid, py::arg("resolution"))
       .def("mapper",
            [](const World& world, std::size_t index) { return RobotMapper(world.model(index)); })
+      .def("error_changes", &World::refresh)
+      .def("set_errors",
+           [](World& world, std::size_t index, const std::string& rules, double scale) {
+             const auto done = world.environment().control().set_errors(static_cast<int>(index) + 1,
+                                                                        rules, scale);
+             if (!done) throw std::invalid_argument(done.error().what);
+           })
       .def("motors", &motors)
       .def("encoders", &encoders)
       .def("set_wheel", &set_wheel)

@@ -76,10 +76,11 @@ const Model& with_id(const std::vector<Model>& models, const char* kind, int id)
   throw std::out_of_range(std::string(kind) + " " + std::to_string(id));
 }
 
-/// P(reading | truth), by the errors that the robot began with.
-py::object probability(const ControlWorld& world, std::size_t index, const std::string& kind,
-                       int id, const Numbers& reading, const Numbers& truth, double resolution,
+/// P(reading | truth), by the errors that the robot has now.
+py::object probability(ControlWorld& world, std::size_t index, const std::string& kind, int id,
+                       const Numbers& reading, const Numbers& truth, double resolution,
                        double elapsed) {
+  world.refresh(index);
   const robot::RobotModel& model = world.model(index);
   if (kind == "psd") {
     const robot::RangeSensorModel& psd = with_id(model.range_sensors, "psd", id);

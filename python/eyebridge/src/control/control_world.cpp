@@ -1,6 +1,7 @@
 #include "control_world.hpp"
 
 #include <string>
+#include <utility>
 
 #include "eyebridge/hal/registry.hpp"
 #include "windows/open_windows.hpp"
@@ -27,7 +28,8 @@ ControlWorld::ControlWorld(const std::filesystem::path& file)
   }
   hal::Environment& environment = world_->environment();
   environment.look(first_look_);
-  for (const hal::RobotLook& robot : first_look_.robots) models_.push_back(robot.model);
+  for (const hal::RobotLook& robot : first_look_.robots) models_.push_back(*robot.model);
+  changes_.resize(models_.size(), 0);
   // Cannot fail: the setting has the same range.
   if (!config_.boolean("fast")) (void)environment.time().set_factor(config_.number("factor"));
 }
@@ -36,6 +38,16 @@ ControlWorld::~ControlWorld() = default;
 
 Pose ControlWorld::truth(std::size_t index) {
   return world_->environment().control().robot_pose(static_cast<int>(index) + 1).value();
+}
+
+int ControlWorld::refresh(std::size_t index) {
+  // Of a robot that was removed the last ones are known.
+  auto present = world_->environment().present_model(index);
+  if (present && *present != models_.at(index)) {
+    models_[index] = std::move(*present);
+    ++changes_[index];
+  }
+  return changes_.at(index);
 }
 
 bool ControlWorld::open_windows(const std::filesystem::path& folder) {

@@ -44,9 +44,13 @@ class ControlWorld {
   [[nodiscard]] std::size_t robot_count() const { return robots_.size(); }
   /// `index` from 0. Its devices: any thread.
   [[nodiscard]] hal::Backend& robot(std::size_t index) { return *robots_.at(index); }
+  /// As it came, but for the errors that refresh() found.
   [[nodiscard]] const robot::RobotModel& model(std::size_t index) const {
-    return *models_.at(index);
+    return models_.at(index);
   }
+  /// Looks which errors robot `index` has now: a person may have changed them. How often they were
+  /// found changed.
+  int refresh(std::size_t index);
   /// Where robot `index` really is. Any thread.
   [[nodiscard]] Pose truth(std::size_t index);
   /// What windows reach into. Any thread.
@@ -95,7 +99,8 @@ class ControlWorld {
   std::shared_ptr<hal::SharedWorld> world_;
   std::vector<std::unique_ptr<hal::Backend>> robots_;
   hal::WorldLook first_look_;
-  std::vector<std::shared_ptr<const robot::RobotModel>> models_;
+  std::vector<robot::RobotModel> models_;
+  std::vector<int> changes_;  ///< Of their errors.
   robios::MapBoard belief_board_;
   robios::MapBoard map_board_;
   robios::Windows* windows_ = nullptr;
