@@ -72,17 +72,11 @@ EYEBRIDGE_RAY_TARGET inline bool take_directions(std::span<const Vec2> direction
   return bad == 0;
 }
 
-EYEBRIDGE_RAY_TARGET bool place_rays(const BeamTable& table, const RayModel& model,
-                                     std::span<const Vec2> directions,
-                                     std::span<const double> ranges, ScanRays& rays) {
-  // On a diagonal beam a column is sqrt(2) of a cell long.
-  constexpr float kDiagonal = 1.5F;
-  // Half a cell less: one to the side of the beam may be filled less far.
-  constexpr float kSlack = 0.5F;
+/// What readings are good for, where they are and how exactly.
+EYEBRIDGE_RAY_TARGET inline void take_ranges(const BeamTable& table, const RayModel& model,
+                                             std::span<const double> ranges, ScanRays& rays) {
   constexpr double kFarthest = 1 << 21;  // cells; what met something is nearer
-  rays.resize(ranges.size());
-  if (!take_directions(directions, rays)) return false;
-  const std::size_t count = rays.count;
+  const std::size_t count = ranges.size();
   const double* const range = ranges.data();
   float* const sigma = rays.sigma.data();
   float* const place = rays.place.data();
@@ -99,15 +93,15 @@ EYEBRIDGE_RAY_TARGET bool place_rays(const BeamTable& table, const RayModel& mod
     const double ahead = (r - bias) * per_metre;
     const double not_behind = ahead > 0.0 ? ahead : 0.0;
     const double near_enough = not_behind < kFarthest ? not_behind : kFarthest;
-    const double at_most = r < max_range ? r : max_range;
+    const double at_most = r < max_range ? r : max_range;  // also what is no number
     const double at_least = at_most > 0.0 ? at_most : 0.0;
     place[i] = static_cast<float>(near_enough);
     sigma[i] = static_cast<float>(base + relative * at_least);
   }
   if (!table.is_simple()) {
     for (std::size_t i = 0; i < count; ++i) {
-      const double within = std::max(std::min(range[i], max_range), 0.0);
-      sigma[i] = static_cast<float>(table.sigma(within));
+      const double at_most = range[i] < max_range ? range[i] : max_range;
+      sigma[i] = static_cast<float>(table.sigma(at_most > 0.0 ? at_most : 0.0));
     }
   }
   EYEBRIDGE_DIFFERENT_ARRAYS
@@ -118,7 +112,17 @@ EYEBRIDGE_RAY_TARGET bool place_rays(const BeamTable& table, const RayModel& mod
     const std::int32_t is_range = r != out_of_range ? 1 : 0;
     kind[i] = speaks + (speaks & within & is_range);
   }
+}
 
+/// How far beams reach, and how far the cells along them are filled.
+EYEBRIDGE_RAY_TARGET inline void place_beams(const BeamTable& table, const RayModel& model,
+                                             ScanRays& rays) {
+  // On a diagonal beam a column is sqrt(2) of a cell long.
+  constexpr float kDiagonal = 1.5F;
+  const std::size_t count = rays.count;
+  const float* const sigma = rays.sigma.data();
+  const float* const place = rays.place.data();
+  const std::int32_t* const kind = rays.kind.data();
   const float* const x = rays.x.data();
   const float* const y = rays.y.data();
   std::int32_t* const level = rays.level.data();
@@ -129,7 +133,7 @@ EYEBRIDGE_RAY_TARGET bool place_rays(const BeamTable& table, const RayModel& mod
   float* const tip_x = rays.tip_x.data();
   float* const tip_y = rays.tip_y.data();
   const auto close = static_cast<float>(model.close);
-  const auto farthest = static_cast<float>(max_range * per_metre);
+  const auto farthest = static_cast<float>(model.max_range * model.per_metre);
   const float unmet_clear = model.fills_unmet ? std::min(farthest, close) : 0.0F;
   const auto levels = static_cast<float>(table.levels());
   const auto highest = static_cast<float>(table.highest_level());
@@ -155,7 +159,14 @@ EYEBRIDGE_RAY_TARGET bool place_rays(const BeamTable& table, const RayModel& mod
     tip_x[i] = tip * x[i];
     tip_y[i] = tip * y[i];
   }
-  place_extent(rays);
+}
+
+/// From where on beams say themselves what they cross: where those beside them are filled less far.
+EYEBRIDGE_RAY_TARGET inline void place_own(ScanRays& rays) {
+  // Half a cell less: one to the side of the beam may be filled less far.
+  constexpr float kSlack = 0.5F;
+  const std::size_t count = rays.count;
+  const float* const clear = rays.clear.data();
   float* const own_from = rays.own_from.data();
   // Those at the ends have one to one side only.
   own_from[0] = own_from[count - 1] = 0.0F;
@@ -164,6 +175,17 @@ EYEBRIDGE_RAY_TARGET bool place_rays(const BeamTable& table, const RayModel& mod
     const float beside = clear[i - 1] < clear[i + 1] ? clear[i - 1] : clear[i + 1];
     own_from[i] = (beside < clear[i] ? beside : clear[i]) - kSlack;
   }
+}
+
+EYEBRIDGE_RAY_TARGET bool place_rays(const BeamTable& table, const RayModel& model,
+                                     std::span<const Vec2> directions,
+                                     std::span<const double> ranges, ScanRays& rays) {
+  rays.resize(ranges.size());
+  if (!take_directions(directions, rays)) return false;
+  take_ranges(table, model, ranges, rays);
+  place_beams(table, model, rays);
+  place_extent(rays);
+  place_own(rays);
   return true;
 }
 

@@ -34,14 +34,16 @@ struct ScanRays {
   std::size_t count = 0;
   std::vector<float> x;  ///< Directions.
   std::vector<float> y;
-  std::vector<float> sigma;  ///< Of those that met something.
   std::vector<std::int32_t> kind;
+  // Of those that met something; for others any numbers.
+  std::vector<float> sigma;
   std::vector<std::int32_t> level;  ///< Of the table's blurs.
-  std::vector<float> place;         ///< Where something was met; 0 for all others.
+  std::vector<float> place;         ///< Where that was.
   std::vector<float> reach;         ///< Of what is said around that.
-  std::vector<float> clear;         ///< How far the cells are filled.
-  std::vector<float> own_from;      ///< From where on a beam says itself what it crosses.
-  std::vector<float> corner_x;      ///< Of what is filled.
+  // Of all.
+  std::vector<float> clear;     ///< How far the cells are filled.
+  std::vector<float> own_from;  ///< From where on a beam says itself what it crosses.
+  std::vector<float> corner_x;  ///< Of what is filled.
   std::vector<float> corner_y;
   std::vector<float> tip_x;  ///< Beyond the last cell that it speaks of.
   std::vector<float> tip_y;
