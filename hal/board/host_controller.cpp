@@ -58,12 +58,8 @@ void HostController::step() {
     note(counts, now);
     if (counts) {
       speeds = drive_.step(*counts, now).value_or(WheelSpeeds{});
-    } else if (counts.error().code == Errc::Disconnected) {
-      return;
-    } else if (is_to_stand(now)) {
-      speeds = {};
-    } else if (sent_) {
-      speeds = *sent_;  // what spoiled the counts may have spoiled the speeds
+    } else if (const auto unheard = speeds_unheard(counts.error(), now)) {
+      speeds = *unheard;
     } else {
       return;
     }
@@ -82,9 +78,11 @@ void HostController::note(const Result<WheelCounts>& counts, Time now) {
 }
 
 // Nobody knows where a robot goes that drives on without its encoders; a stop needs none.
-bool HostController::is_to_stand(Time now) {
+std::optional<WheelSpeeds> HostController::speeds_unheard(const Error& why, Time now) {
+  if (why.code == Errc::Disconnected) return std::nullopt;
   if (now - heard_ > kPatience) stand();
-  return standing_;
+  if (standing_) return WheelSpeeds{};
+  return sent_;  // what spoiled the counts may have spoiled the speeds
 }
 
 /// Ends what the drive does, until the next command.
@@ -111,7 +109,7 @@ void HostController::send(const WheelSpeeds& speeds, Time now) {
 
 Result<void> HostController::set_speed(const Twist& twist) {
   const std::lock_guard lock(mutex_);
-  const auto checked = check();
+  auto checked = check();
   const bool stop = twist.linear == 0.0 && twist.angular == 0.0;
   // A stop is obeyed as soon as anything is, though it cannot be promised.
   if (checked || stop) {

@@ -32,9 +32,10 @@ class HostController final : public DriveController {
   Result<WheelCounts> read_counts();
   [[nodiscard]] Result<void> check() const;                // under mutex_
   void note(const Result<WheelCounts>& counts, Time now);  // under mutex_
-  bool is_to_stand(Time now);                              // likewise
   void stand();                                            // likewise
-  void send(const WheelSpeeds& speeds, Time now);          // under sending_
+  /// What to send while the encoders are not heard; nothing where nothing can be.
+  std::optional<WheelSpeeds> speeds_unheard(const Error& why, Time now);  // under mutex_
+  void send(const WheelSpeeds& speeds, Time now);                         // under sending_
 
   BoardLink& link_;
   Clock& clock_;
