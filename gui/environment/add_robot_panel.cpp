@@ -33,9 +33,6 @@ AddRobotPanel::AddRobotPanel(robios::Crew* crew, QWidget* parent)
   auto* const choose = new QPushButton(tr("..."), this);
   choose->setAccessibleName(tr("Choose a program"));
   connect(choose, &QPushButton::clicked, this, &AddRobotPanel::choose_program);
-  connect(place_, &QPushButton::toggled, this, [this](bool on) {
-    if (on_placing) on_placing(on);
-  });
   auto* const row = new QHBoxLayout;
   row->addWidget(program_, 1);
   row->addWidget(choose);

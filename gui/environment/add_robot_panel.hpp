@@ -24,11 +24,10 @@ class AddRobotPanel final : public QWidget {
   void follow(const hal::WorldLook& look);
   /// Lets the robot in at `pose`; the answer comes later, as the run may be paused.
   void add(const Pose& pose);
-  /// No place is to be shown any more.
-  void stop_placing() { place_->setChecked(false); }
+  /// Down while a place is to be shown.
+  [[nodiscard]] PlaceButton& place_button() { return *place_; }
 
-  /// Told whether a place is to be shown; and what became of a robot.
-  std::function<void(bool)> on_placing;
+  /// Told what became of a robot.
   std::function<void(const QString&)> on_answer;
 
  private:

@@ -39,9 +39,6 @@ AddThingPanel::AddThingPanel(hal::Environment& environment, QWidget* parent)
   more_->setToolTip(
       tr("Lines of a .sim file with ; between them: mass, friction, restitution, fixed, "
          "path, follow, flee, wander, yields"));
-  connect(place_, &QPushButton::toggled, this, [this](bool on) {
-    if (on_placing) on_placing(on);
-  });
   auto* const form = new QFormLayout(this);
   form->addRow(tr("Thing"), thing_);
   form->addRow(tr("Behaves"), more_);

@@ -20,11 +20,10 @@ class AddThingPanel final : public QWidget {
 
   /// Puts it at `pose`.
   void add(const Pose& pose);
-  /// No place is to be shown any more.
-  void stop_placing() { place_->setChecked(false); }
+  /// Down while a place is to be shown.
+  [[nodiscard]] PlaceButton& place_button() { return *place_; }
 
-  /// Told whether a place is to be shown; and what became of a thing.
-  std::function<void(bool)> on_placing;
+  /// Told what became of a thing.
   std::function<void(const QString&)> on_answer;
 
  private:

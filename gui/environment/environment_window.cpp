@@ -80,14 +80,15 @@ void EnvironmentWindow::make_adding() {
   things_ = new AddThingPanel(environment_, this);
   things_dock_ = add_dock(tr("Add thing"), "add_thing", Qt::RightDockWidgetArea, things_);
   const auto ask_with = [this](auto& panel, auto& other) {
-    panel.on_placing = [this, &panel, &other](bool places) {
+    const auto place = [this, &panel, &other](bool places) {
       if (places) {
         measure_->setChecked(false);
-        other.stop_placing();
+        other.place_button().setChecked(false);
         view_->on_place = [&panel](const Pose& pose) { panel.add(pose); };
       }
       view_->set_tool(places ? Tool::Place : Tool::Hand);
     };
+    connect(&panel.place_button(), &QPushButton::toggled, this, place);
     panel.on_answer = [this](const QString& text) { tell(text); };
   };
   ask_with(*adding_, *things_);
@@ -97,8 +98,8 @@ void EnvironmentWindow::make_adding() {
 }
 
 void EnvironmentWindow::stop_placing() {
-  adding_->stop_placing();
-  things_->stop_placing();
+  adding_->place_button().setChecked(false);
+  things_->place_button().setChecked(false);
 }
 
 MapView& EnvironmentWindow::show_map(const QString& title, const robios::MapBoard& board) {

@@ -36,28 +36,23 @@ BeamTable::BeamTable(const BeamModel& model, double resolution)
   }
   largest = std::max(largest, kLeastSigma);
   levels_ = static_cast<double>(kSigmas - 1) / largest;
-  per_level_ = 1.0 / levels_;
   blurs_.resize(kSigmas);
-  evidence_.resize(kSigmas * static_cast<std::size_t>(kStride));
   for (std::size_t level = 0; level < kSigmas; ++level) {
-    const double width = std::max(static_cast<double>(level) * per_level_, kLeastSigma);
+    const double width = std::max(static_cast<double>(level) / levels_, kLeastSigma);
     Blur& blur = blurs_[level];
     blur.reach = reach_of(static_cast<double>(level));
     // What is wider than any grid is refused by who asks for max_reach.
     blur.cells = static_cast<int>(2.0 * std::min(blur.reach, kWidest)) + 1;
     blur.scale = Blur::kEntries / (2.0 * blur.reach + 1.0);
     blur.step = static_cast<std::int64_t>(blur.scale * kOne);
-    blur.scale_once = static_cast<float>(blur.scale * kOne);
-    float* const evidence = &evidence_[level * static_cast<std::size_t>(kStride)];
-    blur.evidence = evidence;
     for (int i = 0; i <= Blur::kEntries; ++i) {
       const double offset = (i + 0.5) / blur.scale - blur.reach;
       const double said =
           blurred_probability(model, (offset - kCellHalf) * resolution,
                               (offset + kCellHalf) * resolution, width * resolution);
-      evidence[i] = offset < blur.reach
-                        ? static_cast<float>(log_odds_of(mixed_probability(model, said, 0.5)))
-                        : kNoEvidence;
+      blur.evidence[static_cast<std::size_t>(i)] =
+          offset < blur.reach ? static_cast<float>(log_odds_of(mixed_probability(model, said, 0.5)))
+                              : kNoEvidence;
     }
     max_reach = std::max(max_reach, blur.reach);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -25,28 +26,25 @@ inline constexpr float kNoEvidence = -1e30F;
 class BeamTable {
  public:
   BeamTable(const BeamModel& model, double resolution);
-  BeamTable(const BeamTable&) = delete;  // its blurs point into it
-  BeamTable& operator=(const BeamTable&) = delete;
 
   /// The evidence around a reading, by the offset of a cell's centre from it.
   struct Blur {
     static constexpr int kEntries = 80;
     double reach = 0.0;  ///< To either side; nearer cells were crossed, farther ones say nothing.
     double scale = 0.0;  ///< Entries a cell.
-    std::int64_t step = 0;    ///< The same with 32 bits of fraction.
-    float scale_once = 0.0F;  ///< The same, as it is multiplied with.
+    std::int64_t step = 0;  ///< The same with 32 bits of fraction.
     int cells = 0;  ///< As many in a row begin before the one side and end beyond the other.
-    /// From -reach to one cell beyond reach, where it is kNoEvidence: kStride of them.
-    const float* evidence = nullptr;
+    /// From -reach to one cell beyond reach, where it is kNoEvidence.
+    std::array<float, kEntries + 1> evidence{};
 
     /// `offset` is of one of `cells` cells, of which the first is the first within reach.
     [[nodiscard]] float at(double offset) const {
       // Rounding takes it less than an entry too low, where 0 is what a negative one is cut to, or
       // too high.
-      return evidence[static_cast<int>((offset + reach) * scale)];
+      const int i = static_cast<int>((offset + reach) * scale);
+      return evidence[static_cast<std::size_t>(i)];
     }
   };
-  static constexpr std::int32_t kStride = Blur::kEntries + 1;
 
   /// Of a reading with this standard deviation.
   [[nodiscard]] const Blur& blur(double sigma) const {
@@ -63,7 +61,7 @@ class BeamTable {
   /// The `reach` of a level's blur.
   template <class Real>
   [[nodiscard]] Real reach_of(Real level) const {
-    const Real width = level * static_cast<Real>(per_level_);
+    const Real width = level / static_cast<Real>(levels_);
     constexpr auto kLeast = static_cast<Real>(kLeastSigma);
     return static_cast<Real>(kBlurWidth) * (width > kLeast ? width : kLeast) +
            static_cast<Real>(kCellHalf);
@@ -94,10 +92,8 @@ class BeamTable {
   double sigma_relative_ = 0.0;
   double bins_ = 0.0;
   double levels_ = 0.0;
-  double per_level_ = 0.0;
   std::vector<double> sigmas_;
   std::vector<Blur> blurs_;
-  std::vector<float> evidence_;
 };
 
 }  // namespace eyebridge::mapping

@@ -95,11 +95,12 @@ EYEBRIDGE_RAY_TARGET inline float draw_ray(const BeamTable::Blur& blur, float fa
   // the beam is in at the column's middle.
   const std::int32_t middle = w.middle[i];
   const std::int64_t exact = w.exact[i];
-  auto entry = static_cast<std::int64_t>(w.entry[i] * blur.scale_once);
+  auto entry = static_cast<std::int64_t>(w.entry[i] * static_cast<float>(blur.step));
   const std::int32_t end = w.crossed[i] + blur.cells;
   for (std::int32_t k = lead; k < end; ++k) {
     const std::int64_t cell = k == middle ? exact : across >> kBits;
-    out.say(static_cast<std::size_t>(along + cell * way.across), blur.evidence[entry >> kBits]);
+    out.say(static_cast<std::size_t>(along + cell * way.across),
+            blur.evidence[static_cast<std::size_t>(entry >> kBits)]);
     along += way.step;
     across += slope;
     entry += blur.step;

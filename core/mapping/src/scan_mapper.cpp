@@ -43,7 +43,7 @@ struct ScanMapper::Impl {
   bool set_frame(const OccupancyGrid& grid, Vec2 lower, Vec2 upper, Vec2 from, Cell& corner);
   float draw(const BeamWalk& walk, std::size_t ray);
   float draw_unmet(const BeamWalk& walk, std::size_t ray);
-  float draw_all();
+  float draw_all(bool fills);
   Result<void> insert(OccupancyGrid& grid, Vec2 from, double gap);
 };
 
@@ -97,7 +97,7 @@ float ScanMapper::Impl::draw_unmet(const BeamWalk& walk, std::size_t ray) {
 
 /// The same of one that met something.
 float ScanMapper::Impl::draw(const BeamWalk& walk, std::size_t ray) {
-  const BeamTable::Blur& blur = table->blur_of_level(rays.level[ray]);
+  const BeamTable::Blur& blur = table->blur(table->sigma(ranges[ray]));
   const double place = place_of(ranges[ray]) * walk.share();
   const int crossed = walk.first_at(place - blur.reach);
   int from = 1;  // the sensor's own cell, 0, may not be on the walk
@@ -129,9 +129,13 @@ float ScanMapper::Impl::draw(const BeamWalk& walk, std::size_t ray) {
 }
 
 /// All beams; gives what they say of the sensor's own cell.
-float ScanMapper::Impl::draw_all() {
-  // Most, many at once; then what is special about the rest.
-  float own = model.fold > 0.0 ? kNoEvidence : ray_code().draw(*table, frame, rays, notes.writer());
+float ScanMapper::Impl::draw_all(bool fills) {
+  // Most of a sweep's many at once, as far as floats are fine enough; then the rest.
+  constexpr double kFarthest = 1 << 12;  // cells
+  float own = kNoEvidence;
+  if (fills && model.max_range * per_metre < kFarthest) {
+    own = ray_code().draw(*table, frame, rays, notes.writer());
+  }
   const BeamStart start(frame.origin);
   for (std::size_t i = 0; i < rays.count; ++i) {
     if (rays.kind[i] == ScanRays::kSilent) continue;
@@ -175,7 +179,7 @@ Result<void> ScanMapper::Impl::insert(OccupancyGrid& grid, Vec2 from, double gap
   // All round the first one comes after the last.
   const bool open = (static_cast<double>(rays.count) + 0.1) * gap < 2 * kPi;
   if (fills) fill.flip(frame.origin, rays.corner_x, rays.corner_y, open);
-  const float own = draw_all();
+  const float own = draw_all(fills);
   notes.writer().say(frame.box.index_of(frame.column, frame.row), own);
   notes.apply(grid, corner, fill, table->crossed, ray_code());
   return {};

@@ -1,12 +1,4 @@
-// Adds tiles of evidence to cells, some of them in one register. Included by the sources of one
-// instruction set, which have defined before:
-//   EYEBRIDGE_RAY_TARGET   the attribute of functions of that instruction set, or nothing
-//   EYEBRIDGE_TILE_LANES   how many floats fit one register
-// Text is shared, not a template, because g++ inlines no function of a richer instruction set into
-// one of a poorer, and the linker must not take one for the other.
-
-#ifndef EYEBRIDGE_SCAN_TILES_IPP
-#define EYEBRIDGE_SCAN_TILES_IPP
+// Adds tiles of evidence to cells, some of them in one register. Included as scan_place.ipp is.
 
 namespace {
 
@@ -142,5 +134,3 @@ EYEBRIDGE_RAY_TARGET void apply_tiles(const TiledRows& rows, PolygonFill& fill, 
 }
 
 }  // namespace
-
-#endif

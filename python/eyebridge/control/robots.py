@@ -158,7 +158,7 @@ class Robot:
     def set_errors(self, rules, scale=1.0):
         """Changes the errors that its sensors and motors have now by rules as `--errors` takes them ("harsh", "psd:1
         sigma=20"), then scales all of them by 0 … 1; beliefs and probabilities follow. Raises ValueError for bad rules."""
-        self._turns.spend(READ_COST)
+        self._turns.spend(COMMAND_COST)
         self._world.set_errors(self.index, str(rules), float(scale))
 
     def wheel(self, wheel):
