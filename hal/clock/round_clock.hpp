@@ -4,7 +4,7 @@
 #include <atomic>
 
 #include "eyebridge/base/clock.hpp"
-#include "eyebridge/hal/shared_world.hpp"
+#include "eyebridge/hal/turns.hpp"
 
 namespace eyebridge::hal {
 

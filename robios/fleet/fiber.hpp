@@ -14,13 +14,20 @@ struct __cxa_eh_globals;
 
 namespace eyebridge::robios {
 
-/// A flow of control with a stack of its own, in the thread that resumes it: what a robot program
-/// runs as in virtual time.
+/// A flow of control that others are left for, and that goes on where it left off.
+struct Lane {
+  boost::context::detail::fcontext_t context = nullptr;  ///< Where it goes on.
+  Lane* to = nullptr;                                    ///< Whom it was left for.
+  SanitizedSwitch switching;
+};
+
+/// A lane with a stack of its own, in the thread that resumes it: what a robot program runs as in
+/// virtual time.
 ///
 /// The stack is mapped as it is used, with a guard below. What libraries keep for each thread
 /// and robot programs notice (errno, exceptions being handled, whose robot it is) is kept for each
 /// fiber. One thread for the life of the object.
-class Fiber {
+class Fiber : private Lane {
  public:
   /// Programs put big images on the stack: as much as a process's main thread has.
   static constexpr std::size_t kStackSize = 8U << 20U;
@@ -28,28 +35,28 @@ class Fiber {
   /// over one, into the next robot's stack.
   static constexpr std::size_t kGuardSize = 1U << 20U;
 
-  /// `body` runs at the first resume() and must return or suspend() for ever. Throws
-  /// std::bad_alloc when there is no address space for the stack.
+  /// `body` runs when the fiber is gone on with first, and must not return but leave for good.
+  /// Throws std::bad_alloc when there is no address space for the stack.
   explicit Fiber(std::function<void()> body, std::size_t stack_size = kStackSize);
-  /// A body that has not returned never goes on; what is on its stack is not destroyed.
+  /// A body that has not left never goes on; what is on its stack is not destroyed.
   ~Fiber();
   Fiber(const Fiber&) = delete;
   Fiber& operator=(const Fiber&) = delete;
 
-  /// Runs the body until it suspends or returns. Not from inside a fiber: no robot is here() while
-  /// the caller goes on.
+  /// Goes on with it, until it or one that it hands over to suspends or leaves. Not from inside a
+  /// fiber: no robot is here() while the caller goes on.
   void resume();
-  /// Where on its stack it goes on.
-  [[nodiscard]] const void* left_off() const { return context_; }
-  /// Lets the processor read what a fiber has there, which will be resumed soon; null is nothing.
-  static void fetch(const void* left_off) {
+  /// Lets the processor read what it needs to go on, which is soon.
+  void fetch() const {
     constexpr std::ptrdiff_t kLine = 64;
     constexpr int kLines = 12;  // the registers, and the frames of one call of ours
     for (int i = 0; i < kLines; ++i)
-      __builtin_prefetch(static_cast<const char*>(left_off) + i * kLine, 1);
+      __builtin_prefetch(static_cast<const char*>(context) + i * kLine, 1);
   }
-  /// Returns from the resume() that runs this fiber; by its body only.
+  /// Goes on in the resume() that began it all. By the body of the running fiber, as the next two.
   void suspend();
+  /// Goes on with `next`, which has suspended or handed over, or never ran.
+  void hand_over(Fiber& next);
   /// As suspend(), for the last time.
   [[noreturn]] void leave_for_good();
 
@@ -72,13 +79,13 @@ class Fiber {
   };
 
   static void enter(boost::context::detail::transfer_t from);
+  void begin_anew() const;
+  void leave(Lane& next);
 
-  // First what every switch needs.
-  boost::context::detail::fcontext_t context_;            ///< Where it goes on.
-  boost::context::detail::fcontext_t resumer_ = nullptr;  ///< Where resume() goes on.
-  int* const error_;  ///< errno, which is the thread's, as are its exceptions.
+  // First what every switch needs, after the Lane.
+  Lane* home_ = nullptr;  ///< Of the thread, in resume().
+  int* const error_;      ///< errno, which is the thread's, as are its exceptions.
   __cxxabiv1::__cxa_eh_globals* const exceptions_;
-  SanitizedSwitch switching_;
   Stack stack_;
   std::function<void()> body_;
 };

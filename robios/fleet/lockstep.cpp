@@ -32,13 +32,11 @@ Lockstep::Strand& Lockstep::add_strand(std::function<void()> body) {
 void Lockstep::run(Time step_length, const std::function<void()>& step) {
   round_end_ = step_length;
   while (alive_ > 0 || expected_ > 0) {
-    Time next = kNever;
-    for (std::size_t robot = 0; robot < turns_.size(); ++robot) {
-      fetch_next(robot);
-      while (turns_[robot].next < round_end_) take_turn(robot);
-      next = std::min(next, turns_[robot].next);
+    soonest_ = kNever;
+    for (at_ = 0; at_ < turns_.size(); ++at_) {
+      while (turns_[at_].next < round_end_) take_turn();
+      soonest_ = std::min(soonest_, turns_[at_].next);
     }
-    soonest_ = next;
     // Strands that wait for each other only: who could wake them has ended.
     while (soonest_ >= round_end_) {
       if (expected_ == 0 && (alive_ == 0 || soonest_ == kNever)) return;
@@ -48,44 +46,50 @@ void Lockstep::run(Time step_length, const std::function<void()>& step) {
   }
 }
 
-/// Has what the next robots need on its way while `robot` runs: with a hundred of them the
-/// processor waits for memory most of the time.
-void Lockstep::fetch_next(std::size_t robot) const {
-  if (robot + 2 >= turns_.size()) return;
-  Fiber::fetch(turns_[robot + 1].left_off);
-  __builtin_prefetch(turns_[robot + 2].only, 1);
-  __builtin_prefetch(&places_[robot + 2], 1);
+/// Has what the next robots need on its way while one runs: with a hundred of them the processor
+/// waits for memory most of the time.
+void Lockstep::fetch_next() const {
+  if (at_ + 2 >= turns_.size()) return;
+  if (const Strand* const next = turns_[at_ + 1].only) next->fiber.fetch();
+  __builtin_prefetch(turns_[at_ + 2].only, 1);
+  __builtin_prefetch(&places_[at_ + 2], 1);
 }
 
-void Lockstep::take_turn(std::size_t robot) {
-  Strand* const only = turns_[robot].only;
-  if (only == nullptr) return run_earliest(robot);
-  places_[robot].limit = round_end_;
-  run(*only);
-  Turn& turn = turns_[robot];
-  turn.next = only->wake;
-  turn.left_off = only->fiber.left_off();
-  if (turn.only == nullptr || only->has_ended) tidy(robot);  // it made another one, or has ended
-}
-
-void Lockstep::run_earliest(std::size_t robot) {
-  Place& place = places_[robot];
-  const auto earlier = [](const auto& a, const auto& b) { return a->wake < b->wake; };
-  Strand* const first = std::ranges::min_element(place.strands, earlier)->get();
-  place.limit = round_end_;
-  for (const auto& other : place.strands) {
-    if (other.get() != first) place.limit = std::min(place.limit, other->wake);
+/// The turn of the robot at_; where those after it have theirs at once (park), theirs, too: then
+/// at_ is the last of them.
+void Lockstep::take_turn() {
+  Strand* const only = turns_[at_].only;
+  if (only != nullptr) {
+    begin_turn(*only, round_end_);
+  } else {
+    Strand& first = earliest();
+    Time limit = round_end_;
+    for (const auto& other : places_[at_].strands) {
+      if (other.get() != &first) limit = std::min(limit, other->wake);
+    }
+    begin_turn(first, limit);
   }
-  run(*first);
-  tidy(robot);
+  running_->fiber.resume();
+  const Strand* const last = std::exchange(running_, nullptr);
+  if (turns_[at_].only == last && !last->has_ended) {
+    turns_[at_].next = last->wake;
+  } else {
+    tidy(at_);  // it made another one, or has ended
+  }
 }
 
-void Lockstep::run(Strand& strand) {
+Lockstep::Strand& Lockstep::earliest() {
+  const auto earlier = [](const auto& a, const auto& b) { return a->wake < b->wake; };
+  return **std::ranges::min_element(places_[at_].strands, earlier);
+}
+
+/// `strand` of the robot at_ runs from now on.
+void Lockstep::begin_turn(Strand& strand, Time limit) {
+  fetch_next();
+  places_[at_].limit = limit;
   // One thread writes.
   switches_.store(switches_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
   running_ = &strand;
-  strand.fiber.resume();
-  running_ = nullptr;
 }
 
 /// Forgets what was dropped, and finds the robot's next time.
@@ -105,8 +109,32 @@ void Lockstep::tidy(std::size_t robot) {
 void Lockstep::wait(std::size_t /*robot*/, Time time) { park(time); }
 
 void Lockstep::park(Time deadline) {
-  running_->wake = deadline;
-  running_->fiber.suspend();
+  Strand& me = *running_;
+  me.wake = deadline;
+  Strand* const next = next_in_round();
+  if (next == nullptr) return me.fiber.suspend();
+  begin_turn(*next, round_end_);
+  me.fiber.hand_over(next->fiber);
+}
+
+/// Ends the turn of the robot at_ when that of the next one can begin at once, and gives its
+/// strand: one switch of stacks instead of two. Null, and nothing done, when run() has to look
+/// after this robot or the next one, or the round is over.
+Lockstep::Strand* Lockstep::next_in_round() {
+  Turn& mine = turns_[at_];
+  if (mine.only != running_ || running_->wake < round_end_) return nullptr;
+  Time soonest = std::min(soonest_, running_->wake);
+  for (std::size_t next = at_ + 1; next < turns_.size(); ++next) {
+    if (turns_[next].next < round_end_) {
+      if (turns_[next].only == nullptr) return nullptr;
+      mine.next = running_->wake;
+      soonest_ = soonest;
+      at_ = next;
+      return turns_[next].only;
+    }
+    soonest = std::min(soonest, turns_[next].next);
+  }
+  return nullptr;
 }
 
 void Lockstep::wake(Strand& strand, Time now) {

@@ -7,9 +7,8 @@
 #include <memory>
 #include <vector>
 
-#include "eyebridge/hal/shared_world.hpp"
+#include "eyebridge/hal/turns.hpp"
 #include "fiber.hpp"
-#include "robot.hpp"
 
 namespace eyebridge::robios {
 
@@ -76,9 +75,8 @@ class Lockstep final : public hal::Turns {
  private:
   /// When a robot goes on, in a table that the processor reads ahead.
   struct Turn {
-    Time next{0};                    ///< Its earliest strand's time.
-    Strand* only = nullptr;          ///< When it has one strand, that.
-    const void* left_off = nullptr;  ///< Likewise, where that one's stack goes on.
+    Time next{0};            ///< Its earliest strand's time.
+    Strand* only = nullptr;  ///< When it has one strand, that.
   };
   struct Place {
     Time limit{0};                                 ///< How far the one that runs may go by itself.
@@ -86,19 +84,21 @@ class Lockstep final : public hal::Turns {
     bool has_dropped = false;
   };
 
-  void take_turn(std::size_t robot);
-  void fetch_next(std::size_t robot) const;
-  void run_earliest(std::size_t robot);
-  void run(Strand& strand);
+  void take_turn();
+  void fetch_next() const;
+  [[nodiscard]] Strand& earliest();
+  void begin_turn(Strand& strand, Time limit);
+  Strand* next_in_round();
   void tidy(std::size_t robot);
 
   Time round_end_{0};         ///< The first moment after this round.
+  std::size_t at_ = 0;        ///< In a round: whose turn it is.
   std::deque<Place> places_;  ///< A queue: its elements stay where they are.
   std::vector<Turn> turns_;
   Strand* running_ = nullptr;
   std::size_t alive_ = 0;
   std::size_t expected_ = 0;
-  Time soonest_ = kNever;  ///< Between rounds: when somebody goes on.
+  Time soonest_ = kNever;  ///< When somebody goes on; in a round, of those before at_.
   std::atomic<std::uint64_t> switches_ = 0;
 };
 

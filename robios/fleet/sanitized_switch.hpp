@@ -20,54 +20,56 @@ inline void forget_stack([[maybe_unused]] const void* bottom, [[maybe_unused]] s
 #endif
 }
 
-/// Tells the sanitizers of a switch between stacks; nothing without them.
+/// What the sanitizers are told when one flow is left for another; nothing without them. Each flow
+/// has one: a fiber, and the thread that they run in.
 class SanitizedSwitch {
  public:
+  /// Of the calling thread's own flow.
   SanitizedSwitch() = default;
   SanitizedSwitch(const SanitizedSwitch&) = delete;
   SanitizedSwitch& operator=(const SanitizedSwitch&) = delete;
 
 #if defined(__SANITIZE_ADDRESS__)
-  /// Before the switch to a fiber with this stack.
-  void enter(const void* bottom, std::size_t size) {
-    __sanitizer_start_switch_fiber(&resumer_fake_, bottom, size);
+  /// It is a fiber's, with this stack.
+  void know(const void* bottom, std::size_t size) {
+    bottom_ = bottom;
+    size_ = size;
   }
-  /// Back from it.
-  void returned() { __sanitizer_finish_switch_fiber(resumer_fake_, nullptr, nullptr); }
-  /// On the fiber, which was resumed.
-  void arrived() { __sanitizer_finish_switch_fiber(fake_, &resumer_, &resumer_size_); }
-  /// On the fiber, before the switch back.
-  void leave() { __sanitizer_start_switch_fiber(&fake_, resumer_, resumer_size_); }
-  void leave_for_good() { __sanitizer_start_switch_fiber(nullptr, resumer_, resumer_size_); }
+  /// Before this flow is left for another.
+  void leave(const SanitizedSwitch& to) {
+    __sanitizer_start_switch_fiber(&fake_, to.bottom_, to.size_);
+  }
+  void leave_for_good(const SanitizedSwitch& to) {
+    __sanitizer_start_switch_fiber(nullptr, to.bottom_, to.size_);
+  }
+  /// When this flow goes on, or begins. Notes which stack the other one has.
+  void arrive(SanitizedSwitch& from) {
+    __sanitizer_finish_switch_fiber(fake_, &from.bottom_, &from.size_);
+  }
 
  private:
   void* fake_ = nullptr;
-  void* resumer_fake_ = nullptr;
-  const void* resumer_ = nullptr;
-  std::size_t resumer_size_ = 0;
+  const void* bottom_ = nullptr;
+  std::size_t size_ = 0;
 #elif defined(__SANITIZE_THREAD__)
   ~SanitizedSwitch() {
-    if (fiber_ != nullptr) __tsan_destroy_fiber(fiber_);
+    if (own_ != nullptr) __tsan_destroy_fiber(own_);
   }
-  void enter(const void* /*bottom*/, std::size_t /*size*/) {
-    if (fiber_ == nullptr) fiber_ = __tsan_create_fiber(0);
-    resumer_ = __tsan_get_current_fiber();
-    __tsan_switch_to_fiber(fiber_, 0);
+  void know(const void* /*bottom*/, std::size_t /*size*/) { own_ = __tsan_create_fiber(0); }
+  void leave(const SanitizedSwitch& to) {
+    __tsan_switch_to_fiber(to.own_ != nullptr ? to.own_ : to.thread_, 0);
   }
-  void returned() {}
-  void arrived() {}
-  void leave() { __tsan_switch_to_fiber(resumer_, 0); }
-  void leave_for_good() { leave(); }
+  void leave_for_good(const SanitizedSwitch& to) { leave(to); }
+  void arrive(SanitizedSwitch& /*from*/) {}
 
  private:
-  void* fiber_ = nullptr;
-  void* resumer_ = nullptr;
+  void* own_ = nullptr;
+  void* thread_ = __tsan_get_current_fiber();
 #else
-  void enter(const void* /*bottom*/, std::size_t /*size*/) {}
-  void returned() {}
-  void arrived() {}
-  void leave() {}
-  void leave_for_good() {}
+  void know(const void* /*bottom*/, std::size_t /*size*/) {}
+  void leave(const SanitizedSwitch& /*to*/) {}
+  void leave_for_good(const SanitizedSwitch& /*to*/) {}
+  void arrive(SanitizedSwitch& /*from*/) {}
 #endif
 };
 

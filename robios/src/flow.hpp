@@ -2,9 +2,12 @@
 
 namespace eyebridge::robios {
 
+class Session;
+
 /// What belongs to a flow of a program: to a thread, or to one of several that take turns in it
 /// (fleet/fiber.hpp), which has its own.
 struct Flow {
+  Session* session = nullptr;  ///< Of its robot; null when that is the process's only one.
   /// Calls of the API that it is in: a crash there may have left something locked.
   int calls = 0;
   bool in_timer = false;        ///< It runs the function of a timer.

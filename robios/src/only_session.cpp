@@ -37,12 +37,10 @@ hal::Config read_config() {
 
 }  // namespace
 
-constinit thread_local Session* Session::here_ = nullptr;
-
-bool Session::has_begun() { return here_ != nullptr || the_session != nullptr; }
+bool Session::has_begun() { return here() != nullptr || the_session != nullptr; }
 
 Session* Session::with_own_time() {
-  Session* session = here_ != nullptr ? here_ : the_session.load();
+  Session* session = here() != nullptr ? here() : the_session.load();
   if (session == nullptr || session->impl_->stage != Impl::Stage::Running) return nullptr;
   const bool wall = !session->impl_->is_virtual && session->config().number("factor") == 1.0;
   return wall ? nullptr : session;

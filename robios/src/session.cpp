@@ -26,10 +26,10 @@ Session::~Session() = default;
 
 Session* Session::begin(SessionStart start) {
   auto* made = new Session(std::make_unique<Impl>(std::move(start)));
-  Session* const before = std::exchange(here_, made);
+  Session* const before = std::exchange(flow.session, made);
   publish_globals(*made);
   made->impl_->open_windows();
-  here_ = before;
+  set_here(before);
   return made;
 }
 

@@ -13,6 +13,7 @@
 #include "eyebridge/base/result.hpp"
 #include "eyebridge/hal/backend.hpp"
 #include "eyebridge/hal/config.hpp"
+#include "flow.hpp"
 
 namespace eyebridge::robios {
 
@@ -43,7 +44,7 @@ class Session {
   /// The session of the calling thread's robot; else that of this process. The latter's first call
   /// starts it: configuration, backend, panel. A ConfigError is printed and ends the process with
   /// exit code 2, before the call returns.
-  static Session& instance() { return here_ != nullptr ? *here_ : only(); }
+  static Session& instance() { return here() != nullptr ? *here() : only(); }
 
   /// The program of this process ends by itself, with `status`, and no exit handler has run yet:
   /// ends the session, and returns when the person at the windows has closed them.
@@ -58,8 +59,8 @@ class Session {
   /// Begins the session of one of several robots. It is never destroyed. Throws ConfigError.
   static Session* begin(SessionStart start);
   /// The robot whose program the calling thread runs; null when that is the process's only one.
-  [[nodiscard]] static Session* here() { return here_; }
-  static void set_here(Session* session) { here_ = session; }
+  [[nodiscard]] static Session* here() { return flow.session; }
+  static void set_here(Session* session) { flow.session = session; }
 
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -147,7 +148,6 @@ class Session {
   void go_on_without_calls();
   static void watch_forks();
 
-  static constinit thread_local Session* here_ [[gnu::tls_model("initial-exec")]];  // as `flow`
   std::unique_ptr<Impl> impl_;
 };
 

@@ -23,6 +23,22 @@ struct StepPlan {
   world::Arc arc;  ///< Of `path`.
 };
 
+/// The angle of a heading that is asked for again and again, and mostly has not changed.
+class KnownAngle {
+ public:
+  double of(Heading heading) {
+    if (!(heading == heading_)) {
+      heading_ = heading;
+      angle_ = heading.angle();
+    }
+    return angle_;
+  }
+
+ private:
+  Heading heading_;
+  double angle_ = 0.0;
+};
+
 /// Everything about a robot that step() touches: one block of memory a robot.
 struct RobotState {
   RobotState(const RobotModel& model, const SimulationSettings& settings, world::BodyId body_id,
@@ -70,6 +86,7 @@ struct RobotState {
   std::array<Wheel, 2> wheels;
   std::array<MotorCommand, 2> commands;
   Odometry odometry;
+  KnownAngle odometry_angle;                 ///< Of `odometry`.
   std::array<std::int64_t, 2> seen_ticks{};  ///< By odometry, where it sees whole ticks only.
   Twist driven;
   Twist driven_before;  ///< In the step before the last.

@@ -190,7 +190,11 @@ void Simulation::stop(RobotIndex robot) {
   state.controller.stop();
 }
 
-Pose Simulation::odometry(RobotIndex robot) const { return impl_->at(robot).odometry.pose(); }
+Pose Simulation::odometry(RobotIndex robot) const {
+  const Odometry& odometry = impl_->at(robot).odometry;
+  const Vec2 position = odometry.position();
+  return {position.x, position.y, impl_->states[robot].odometry_angle.of(odometry.heading())};
+}
 void Simulation::set_odometry(RobotIndex robot, const Pose& pose) {
   impl_->command(robot).odometry.set(pose);
 }

@@ -1,0 +1,148 @@
+#include "lockstep.hpp"
+
+#include <chrono>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace eyebridge::robios {
+namespace {
+
+using std::chrono::milliseconds;
+constexpr Time kStep = milliseconds(10);
+
+/// Robots that write into one text when they have their turns; a step of the world is a "|".
+struct Players {
+  Lockstep lockstep;
+  std::string text;
+
+  /// A robot that writes `name`, waits so long, and so on: `turns` times.
+  void add(char name, Time pause, int turns, Time start = Time(0)) {
+    const std::size_t robot = robots++;
+    lockstep.add(
+        [this, robot, name, pause, turns, start] {
+          Time now = start;
+          for (int i = 0; i < turns; ++i) {
+            text += name;
+            now += pause;
+            if (now >= lockstep.limit_of(robot)) lockstep.wait(robot, now);
+          }
+          lockstep.drop_robot();
+        },
+        start);
+  }
+  std::string run() {
+    lockstep.run(kStep, [this] { text += '|'; });
+    return text;
+  }
+
+  std::size_t robots = 0;
+};
+
+TEST(Lockstep, GivesTurnsInTheOrderOfNumbers) {
+  Players players;
+  players.add('a', kStep, 3);
+  players.add('b', kStep, 3);
+  players.add('c', kStep, 3);
+  EXPECT_EQ(players.run(), "abc|abc|abc|");
+}
+
+TEST(Lockstep, LetsSleepersSleep) {
+  Players players;
+  players.add('a', 2 * kStep, 2);
+  players.add('b', kStep, 4);
+  players.add('c', 3 * kStep, 2);
+  players.add('d', kStep, 4);
+  EXPECT_EQ(players.run(), "abcd|bd|abd|bcd|||");
+}
+
+TEST(Lockstep, GivesSeveralTurnsInOneRound) {
+  Players players;
+  players.add('a', milliseconds(4), 4);
+  players.add('b', kStep, 2);
+  EXPECT_EQ(players.run(), "aaab|ab|");
+}
+
+TEST(Lockstep, BeginsARobotAtItsTime) {
+  Players players;
+  players.add('a', kStep, 3);
+  players.add('b', kStep, 2, 2 * kStep);
+  players.add('c', kStep, 2);
+  EXPECT_EQ(players.run(), "ac|ac|ab|b|");
+}
+
+TEST(Lockstep, CountsSwitches) {
+  Players players;
+  players.add('a', kStep, 2);
+  players.add('b', kStep, 2);
+  players.run();
+  EXPECT_EQ(players.lockstep.switches(), 6U);  // the last ones are those in which they end
+}
+
+TEST(Lockstep, GoesOnWithoutWhoWasDroppedBetweenRounds) {
+  Players players;
+  for (const char name : {'a', 'b', 'c'}) players.add(name, kStep, 4);
+  int steps = 0;
+  players.lockstep.run(kStep, [&] {
+    players.text += '|';
+    if (++steps == 2) players.lockstep.drop(1);
+  });
+  EXPECT_EQ(players.text, "abc|abc|ac|ac|");
+}
+
+TEST(Lockstep, WaitsForWhoIsExpected) {
+  Players players;
+  players.add('a', kStep, 1);
+  players.lockstep.expect(1);
+  int steps = 0;
+  players.lockstep.run(kStep, [&] {
+    players.text += '|';
+    if (++steps != 3) return;
+    players.lockstep.expect(0);
+    players.add('b', kStep, 2, 3 * kStep);
+  });
+  EXPECT_EQ(players.text, "a|||b|b|");
+}
+
+TEST(Lockstep, MixesARobotsFlowsWithItsNeighbours) {
+  Players players;
+  Lockstep& lockstep = players.lockstep;
+  players.add('a', kStep, 3);
+  players.robots++;
+  lockstep.add(
+      [&] {
+        Lockstep::Strand& second = lockstep.add_strand([&] {
+          for (int i = 0; i < 2; ++i) {
+            players.text += '2';
+            lockstep.park(milliseconds(5 + 10 * (i + 1)));
+          }
+          lockstep.drop_strand();
+        });
+        lockstep.wake(second, milliseconds(5));
+        for (int i = 0; i < 3; ++i) {
+          players.text += '1';
+          lockstep.park((i + 1) * kStep);
+        }
+        lockstep.drop_robot();
+      },
+      Time(0));
+  players.add('c', kStep, 3);
+  EXPECT_EQ(players.run(), "a12c|a12c|a1c|");
+}
+
+TEST(Lockstep, EndsWhenAllWaitForEachOther) {
+  Players players;
+  players.add('a', kStep, 2);
+  players.robots++;
+  players.lockstep.add(
+      [&] {
+        players.text += 'b';
+        players.lockstep.park();
+        players.text += "never";
+      },
+      Time(0));
+  EXPECT_EQ(players.run(), "ab|a|");
+}
+
+}  // namespace
+}  // namespace eyebridge::robios
