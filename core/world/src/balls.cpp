@@ -66,9 +66,7 @@ void World::step_objects(double dt) {
   for (Reactor& reactor : impl_->reactors) impl_->react(reactor, dt);
   for (const BodyId id : impl_->sliders) impl_->roll(id, dt);
   impl_->contacts.end_step([&](BodyId id, BodyId other) { return impl_->gap(id, other); },
-                           [&](BodyId id, BodyId other) {
-                             if (other == kNoBody) impl_->bodies.hold_[id] = {};
-                           });
+                           [&](BodyId id, BodyId other) { impl_->end_contact(id, other); });
   impl_->bodies.end_round();
 }
 

@@ -14,13 +14,16 @@
 
 namespace eyebridge::world {
 
-/// A motion that a wall did not allow at all. Whoever tries it again from there fails again. It is
-/// forgotten when the contact with the wall ends, so that the next one is told of.
+/// A motion that a wall, or a body that gives no way, did not allow at all. Whoever tries it again
+/// from there fails again, as long as that body stays where it is. It is forgotten when the contact
+/// ends, so that the next one is told of.
 struct Hold {
   Vec2 from{std::numeric_limits<double>::quiet_NaN(), 0.0};
   Vec2 motion;
   Vec2 contact;               ///< As in MoveResult.
-  std::uint32_t segment = 0;  ///< Of the wall.
+  std::uint32_t segment = 0;  ///< Of the wall;
+  BodyId body = kNoBody;      ///< or the body,
+  Vec2 place;                 ///< and where that is.
 };
 
 /// How a body answers to pushes and hits: what an object's Matter comes to. Robots give no way.

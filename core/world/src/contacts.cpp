@@ -21,10 +21,6 @@ void ContactBook::note(const Bump& bump) {
   coming_.push_back(bump);
 }
 
-void ContactBook::forget(BodyId body) {
-  std::erase_if(pairs_, [&](const Pair& pair) { return pair.a == body || pair.b == body; });
-}
-
 void World::Impl::note(BodyId id, const Obstacle& end) {
   const Vec2 normal = towards(end, id);
   Vec2 place = bodies.position(id) + bodies.radius_[id] * normal;
@@ -53,7 +49,8 @@ double World::Impl::gap(BodyId id, BodyId other) const {
 
 double World::Impl::wall_gap(BodyId id) const {
   const Vec2 centre = bodies.position(id);
-  if (bodies.hold_[id].from == centre) return 0.0;  // it stands where a wall held it
+  const Hold& hold = bodies.hold_[id];
+  if (hold.from == centre && hold.body == kNoBody) return 0.0;  // it stands where a wall held it
   const double radius = bodies.radius_[id];
   const double limit = radius + 2 * ContactBook::kReleaseGap;  // farther ones need no number
   if (!bodies.is_convex(id)) return walls.distance(centre, limit) - radius;

@@ -34,8 +34,15 @@ class ContactBook {
     });
   }
 
-  /// Forgets the contacts of `body`, which a person put somewhere else.
-  void forget(BodyId body);
+  /// Forgets the contacts of `body`, which a person put somewhere else; as end_step().
+  template <class Ended>
+  void forget(BodyId body, Ended ended) {
+    std::erase_if(pairs_, [&](const Pair& pair) {
+      if (pair.a != body && pair.b != body) return false;
+      ended(pair.a, pair.b);
+      return true;
+    });
+  }
 
   /// Those that began in the last step that was ended.
   [[nodiscard]] const std::vector<Bump>& begun() const { return begun_; }

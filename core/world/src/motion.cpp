@@ -28,14 +28,16 @@ World::Impl::Obstacle World::Impl::first_wall(BodyId id, Vec2 motion) {
   if (length < clearance) return {};
   const Vec2 from = bodies.position(id);
   Hold& hold = bodies.hold_[id];
-  if (hold.from == from && hold.motion == motion) return {0.0, true, hold.segment, kNoBody};
+  if (hold.from == from && hold.motion == motion && hold.body == kNoBody) {
+    return {0.0, true, hold.segment, kNoBody};
+  }
   const double reach = bodies.radius_[id] + kContactGap;
   // Looking beyond the step pays off: in the open the walls are asked only now and then.
   const double horizon = reach + length + kLookAhead * bodies.radius_[id];
   const WallIndex::Approach approach = walls.approach(from, motion, length, reach, horizon);
   clearance = approach.distance - reach - kPushLead;
   if (approach.fraction == 0.0) {
-    hold = {from, motion, {}, approach.segment};
+    hold = {from, motion, {}, approach.segment, kNoBody, {}};
     hold.contact = towards({0.0, true, approach.segment, kNoBody}, id);
   }
   return {approach.fraction, true, approach.segment, kNoBody};
@@ -148,8 +150,25 @@ MoveResult World::Impl::drive(BodyId id, Vec2 motion, double dt) {
       return {};
     }
     travel(id, end.fraction * rest);
-    return stopped(id, done + end.fraction * (1.0 - done), end);
+    const MoveResult result = stopped(id, done + end.fraction * (1.0 - done), end);
+    const bool held = pushes == 0 && result.fraction == 0.0 && !end.wall;
+    if (held && !bodies.convex_among(id, end.body)) {
+      const Vec2 place = bodies.position(end.body);
+      bodies.hold_[id] = {bodies.position(id), motion, result.contact, 0, end.body, place};
+    }
+    return result;
   }
+}
+
+bool World::Impl::still_holds(const Hold& hold) const {
+  if (hold.body == kNoBody) return true;
+  return bodies.position(hold.body) == hold.place && !gives_way(hold.body);
+}
+
+void World::Impl::end_contact(BodyId id, BodyId other) {
+  Hold& hold = bodies.hold_[id];
+  if (hold.body == other) hold = {};
+  if (other != kNoBody && bodies.hold_[other].body == id) bodies.hold_[other] = {};
 }
 
 MoveResult World::Impl::stopped(BodyId id, double fraction, const Obstacle& end) {
@@ -167,8 +186,9 @@ MoveResult World::move(BodyId id, const Arc& arc, double dt) {
     const double length = norm(motion);
     if (length < bodies.clearance_[id] && bodies.is_alone(id, length)) {
       impl_->travel(id, motion, length);
-    } else if (hold.motion == motion && hold.from == bodies.position(id)) {
-      return {0.0, true, kNoBody, hold.contact};
+    } else if (hold.motion == motion && hold.from == bodies.position(id) &&
+               impl_->still_holds(hold)) {
+      return {0.0, hold.body == kNoBody, hold.body, hold.contact};
     } else {
       result = impl_->drive(id, motion, dt);
     }

@@ -80,7 +80,7 @@ void World::remove(BodyId id) {
   bodies.response_[id] = {};
   impl_->note_slider(id);
   bodies.set_velocity(id, {});
-  impl_->contacts.forget(id);
+  impl_->forget_contacts(id);
   impl_->stand(id);
 }
 

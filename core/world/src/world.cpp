@@ -96,7 +96,7 @@ void World::set_pose(BodyId id, const Pose& pose) {
   for (Mover& mover : impl_->movers) {
     if (mover.body == id) mover.present = 0.0;
   }
-  impl_->contacts.forget(id);
+  impl_->forget_contacts(id);
 }
 
 const WorldModel& World::model() const { return *impl_->model; }

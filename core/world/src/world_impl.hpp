@@ -71,6 +71,8 @@ struct World::Impl {
   [[nodiscard]] std::pair<Obstacle, Obstacle> first_bodies(BodyId id, Vec2 motion, Blocks blocks);
   /// First wall or body of any kind on the way.
   Obstacle first_obstacle(BodyId id, Vec2 motion);
+  /// True when a motion that `hold` is of fails as it did.
+  [[nodiscard]] bool still_holds(const Hold& hold) const;
   /// Moves `id`, and takes the way off its clearance.
   void travel(BodyId id, Vec2 motion) { travel(id, motion, norm(motion)); }
   /// Same, where the length of `motion` is known.
@@ -102,6 +104,11 @@ struct World::Impl {
   // contacts.cpp
   /// Remembers that `id` ran into `end`.
   void note(BodyId id, const Obstacle& end);
+  /// What held them to each other (kNoBody: to a wall) holds no more.
+  void end_contact(BodyId id, BodyId other);
+  void forget_contacts(BodyId id) {
+    contacts.forget(id, [this](BodyId a, BodyId b) { end_contact(a, b); });
+  }
   /// Between the rims of two bodies, or of a body and the walls (kNoBody), metres.
   [[nodiscard]] double gap(BodyId id, BodyId other) const;
   [[nodiscard]] double wall_gap(BodyId id) const;
