@@ -10,7 +10,6 @@ namespace eyebridge::bench {
 namespace {
 
 constexpr double kSide = 40.0;  // metres
-constexpr std::size_t kRobotsInOne = 1000;
 
 std::vector<std::vector<double>> read_table(const std::filesystem::path& file,
                                             std::size_t columns) {
@@ -52,10 +51,10 @@ std::size_t columns_of(std::size_t places) {
 
 }  // namespace
 
-Arena read_arena(const std::filesystem::path& folder, std::size_t robots) {
+Arena read_arena(const std::filesystem::path& folder, std::size_t robots, std::size_t in_one) {
   const auto walls = read_table(folder / "walls.csv", 5);
   const auto starts = read_table(folder / "robots.csv", 3);
-  const std::size_t places = robots <= kRobotsInOne ? 1 : robots / kRobotsInOne;
+  const std::size_t places = robots <= in_one ? 1 : robots / in_one;
   if (robots / places > starts.size() || robots % places != 0) {
     throw std::runtime_error("no starts for " + std::to_string(robots) + " robots");
   }

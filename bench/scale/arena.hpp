@@ -18,9 +18,9 @@ struct Arena {
 /// Where files stand: walls.csv (cx, cy, length, thickness, angle) and robots.csv (x, y, theta);
 /// metres, radians, origin in the centre of 40 x 40 m.
 ///
-/// Up to 1,000 robots share one such place. More get as many of them as are needed for 1,000 each,
-/// side by side with shared outer walls, as square as the number allows; `robots` is a multiple
-/// of 1,000 then. Throws std::runtime_error, which names file and line.
-Arena read_arena(const std::filesystem::path& folder, std::size_t robots);
+/// Up to `in_one` robots share one such place. More get as many of them as are needed for so many
+/// each, side by side with shared outer walls, as square as the number allows; `robots` is a
+/// multiple of `in_one` then. Throws std::runtime_error, which names file and line.
+Arena read_arena(const std::filesystem::path& folder, std::size_t robots, std::size_t in_one);
 
 }  // namespace eyebridge::bench

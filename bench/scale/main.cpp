@@ -73,6 +73,11 @@ void peers(const Options& options) {
         std::printf(
             "%-6s a robot-step among 1,000 costs %.2f times that among 10 (wanted 1.50)%s\n", "",
             cost / cost_of_ten, flat.judge(cost <= 1.5 * cost_of_ten));
+        // The same work for each, a hundred times as often.
+        const Figures apart =
+            measure({workload, cell.robots, step, 10}, options.effort, options.data);
+        std::printf("%-6s and %.2f times where each ten of them have a place of their own\n", "",
+                    apart.computer / apart.rate / cost_of_ten);
       }
     }
   }

@@ -31,7 +31,7 @@ def main(build):
             file.write(FIELD)
         alone = run(build, world, 2, ["1"])[1]
         print(f"{'programs':>9} {'in':>8} {'x real time':>12} {'wanted':>7} {'MB':>6} {'kB/robot':>9}")
-        for robots, seconds, wanted in ((10, 3000, (10000, 300)), (100, 600, (500, 25)), (1000, 60, ("", ""))):
+        for robots, seconds, wanted in ((10, 6000, (10000, 300)), (100, 600, (500, 25)), (1000, 60, ("", ""))):
             for words, kind, goal in (([], "fibers", wanted[0]), (["threads"], "threads", wanted[1])):
                 results = [run(build, world, robots, [str(seconds), *words]) for _ in range(RUNS)]
                 speed = max(result[0] for result in results)

@@ -156,7 +156,7 @@ double median(std::vector<double> values) {
 }  // namespace
 
 Figures measure(const Cell& cell, const Effort& effort, const std::filesystem::path& data) {
-  const Arena arena = read_arena(data, cell.robots);
+  const Arena arena = read_arena(data, cell.robots, cell.in_one);
   Figures figures;
   Run proof(cell, arena);
   proof.count(true);

@@ -12,6 +12,7 @@ struct Cell {
   Workload workload = Workload::Psd;
   std::size_t robots = 1;
   double step = 0.1;  ///< Of the simulation, seconds; sensing and control are at 10 Hz in any case.
+  std::size_t in_one = 1000;  ///< So many share a place of 40 x 40 m; more get more of them.
 };
 
 /// How long it is measured.

@@ -66,9 +66,10 @@ EYEBRIDGE_RAY_TARGET inline Lanes root_of(Lanes square) {
 /// nearer_hit() of `wall` for at least the rays `first` to `last`: the same operations on the same
 /// numbers. False when one may be parallel to the wall: such rays are left as they are. `rays` has
 /// the arrays dx, dy and best, filled up to a whole register.
+/// `few`: nobody can foresee which of these are met, so that dividing is cheaper than asking.
 template <class Rays>
 EYEBRIDGE_RAY_TARGET inline bool meet(const Segment& wall, Vec2 origin, Rays& rays,
-                                      std::size_t first, std::size_t last) {
+                                      std::size_t first, std::size_t last, bool few) {
   const Vec2 w = wall.a - origin;
   const Lanes zero{};
   const Lanes along = zero + cross(w, wall.u);
@@ -91,10 +92,10 @@ EYEBRIDGE_RAY_TARGET inline bool meet(const Segment& wall, Vec2 origin, Rays& ra
     parallel |= near_parallel;
     LaneBits hit = (along_wall >= -slack) & (along_wall <= wall.length * den + slack) &
                    (along_ray >= -slack) & ~near_parallel;
-    // Most are missed, or hidden by something nearer: no division for them. The factor is above
-    // the roundings.
+    // Most of many are missed, or hidden by something nearer: no division for them. The factor is
+    // above the roundings.
     hit &= along_ray <= best * den * (1.0 + 1e-15);
-    if (!any(hit)) continue;
+    if (!few && !any(hit)) continue;
     const Lanes range = along_ray / den;
     const Lanes nearer = range > zero ? range : zero;
     best = (hit & (range < best)) ? nearer : best;

@@ -7,7 +7,8 @@ EYEBRIDGE_RAY_TARGET
 void Sweep::EYEBRIDGE_MEET_WALLS(const Segment* segments, const WallList& walls) {
   const auto meet_rays = [this](const Segment& wall, std::size_t first, std::size_t last)
                              EYEBRIDGE_RAY_TARGET {
-                               if (meet(wall, origin_, *this, first, last)) return;
+                               const bool few = count_ <= kFew;
+                               if (meet(wall, origin_, *this, first, last, few)) return;
                                for (std::size_t i = first; i <= last; ++i) {
                                  const Vec2 direction{dx[i], dy[i]};
                                  if (std::fabs(cross(direction, wall.u)) < kParallel) {
@@ -107,7 +108,7 @@ void Sweep::EYEBRIDGE_MEET_DISCS(std::span<const Disc> discs, BodyId ignore) {
         // What a nearer thing hides needs no root.
         const LaneBits hit =
             (along > 0.0) & (half_chord_squared >= 0.0) & (along - radius <= nearest + 1e-6);
-        if (!any(hit)) continue;
+        if (count_ > kFew && !any(hit)) continue;
         const Lanes range = along - root_of(half_chord_squared);
         nearest = (hit & (range < nearest)) ? range : nearest;
         std::memcpy(best + i, &nearest, sizeof nearest);
