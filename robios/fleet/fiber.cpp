@@ -24,7 +24,7 @@ extern "C" __cxa_eh_globals* __cxa_get_globals() noexcept;
 // a stack of its own, then mispredicts each return that follows. With one return more they are all
 // predicted between fibers that wait in the same function: a third of the time of a round.
 asm(R"(
-  .text
+  .pushsection .text
   .p2align 4
   .type eyebridge_jump, @function
 eyebridge_jump:
@@ -34,10 +34,12 @@ eyebridge_jump:
   .cfi_adjust_cfa_offset 8
   jmp jump_fcontext@PLT
   .cfi_adjust_cfa_offset -8
+  nop
 1:
   ret
   .cfi_endproc
   .size eyebridge_jump, . - eyebridge_jump
+  .popsection
 )");
 extern "C" boost::context::detail::transfer_t eyebridge_jump(boost::context::detail::fcontext_t to,
                                                              void* data);

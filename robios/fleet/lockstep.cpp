@@ -160,7 +160,7 @@ void Lockstep::drop_strand() {
   places_[running_->robot].has_dropped = true;
   running_->has_ended = true;
   running_->wake = kNever;
-  running_->fiber.leave_for_good();  // whoever resumed it forgets it, with its stack
+  running_->fiber.leave_for_good();  // take_turn() forgets it, with its stack
 }
 
 }  // namespace eyebridge::robios

@@ -43,7 +43,8 @@ class Lockstep final : public hal::Turns {
   void drop(std::size_t robot);
   /// So many robots are still to be added by `step`: run() goes on for them.
   void expect(std::size_t robots) { expected_ = robots; }
-  /// Another flow of the calling strand's robot, from now on; ends when `body` returns.
+  /// Another flow of the calling strand's robot, from now on; `body` must not return but
+  /// drop_strand().
   Strand& add_strand(std::function<void()> body);
 
   /// Runs everything until no robot is left, and none expected. `step` makes a step of the world of

@@ -15,8 +15,8 @@
 namespace eyebridge::world {
 
 /// A motion that a wall, or a body that gives no way, did not allow at all. Whoever tries it again
-/// from there fails again, as long as that body stays where it is. It is forgotten when the contact
-/// ends, so that the next one is told of.
+/// from there fails again, as long as that body stays where it is and gives no way. It is forgotten
+/// when the contact ends, so that the next one is told of.
 struct Hold {
   Vec2 from{std::numeric_limits<double>::quiet_NaN(), 0.0};
   Vec2 motion;
@@ -24,6 +24,7 @@ struct Hold {
   std::uint32_t segment = 0;  ///< Of the wall;
   BodyId body = kNoBody;      ///< or the body,
   Vec2 place;                 ///< and where that is.
+  std::uint32_t round = 0;    ///< Of the bodies, in which it was tried again last.
 };
 
 /// How a body answers to pushes and hits: what an object's Matter comes to. Robots give no way.
@@ -103,6 +104,9 @@ class Bodies {
     freedom_[id].epoch = epoch_;
     freedom_[id].until = odometer_ + 0.5 * gap;
   }
+
+  /// Ended by end_round(); counted modulo 2^32.
+  [[nodiscard]] std::uint32_t round() const { return round_; }
 
   [[nodiscard]] std::size_t size() const { return x_.size(); }
   [[nodiscard]] double largest_radius() const { return largest_radius_; }  ///< Metres.

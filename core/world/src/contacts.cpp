@@ -37,8 +37,19 @@ void World::Impl::note(BodyId id, const Obstacle& end) {
   contacts.note({id, end.wall ? kNoBody : end.body, place});
 }
 
+void World::Impl::end_contact(BodyId id, BodyId other) {
+  Hold& hold = bodies.hold_[id];
+  if (hold.body == other) hold = {};
+  if (other != kNoBody && bodies.hold_[other].body == id) bodies.hold_[other] = {};
+}
+
 double World::Impl::gap(BodyId id, BodyId other) const {
   if (other == kNoBody) return wall_gap(id);
+  // They were not noted where one of them was known to hold the other one.
+  const auto held = [&](const Hold& hold, BodyId by) {
+    return hold.body == by && hold.round == bodies.round();
+  };
+  if (held(bodies.hold_[id], other) || held(bodies.hold_[other], id)) return 0.0;
   const bool convex = bodies.is_convex(id);
   if (convex && bodies.is_convex(other)) {
     return separation(bodies.convex(id), bodies.convex(other)).distance;

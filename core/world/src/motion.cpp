@@ -37,7 +37,7 @@ World::Impl::Obstacle World::Impl::first_wall(BodyId id, Vec2 motion) {
   const WallIndex::Approach approach = walls.approach(from, motion, length, reach, horizon);
   clearance = approach.distance - reach - kPushLead;
   if (approach.fraction == 0.0) {
-    hold = {from, motion, {}, approach.segment, kNoBody, {}};
+    hold = {from, motion, {}, approach.segment, kNoBody, {}, 0};
     hold.contact = towards({0.0, true, approach.segment, kNoBody}, id);
   }
   return {approach.fraction, true, approach.segment, kNoBody};
@@ -154,7 +154,7 @@ MoveResult World::Impl::drive(BodyId id, Vec2 motion, double dt) {
     const bool held = pushes == 0 && result.fraction == 0.0 && !end.wall;
     if (held && !bodies.convex_among(id, end.body)) {
       const Vec2 place = bodies.position(end.body);
-      bodies.hold_[id] = {bodies.position(id), motion, result.contact, 0, end.body, place};
+      bodies.hold_[id] = {bodies.position(id), motion, result.contact, 0, end.body, place, 0};
     }
     return result;
   }
@@ -163,12 +163,6 @@ MoveResult World::Impl::drive(BodyId id, Vec2 motion, double dt) {
 bool World::Impl::still_holds(const Hold& hold) const {
   if (hold.body == kNoBody) return true;
   return bodies.position(hold.body) == hold.place && !gives_way(hold.body);
-}
-
-void World::Impl::end_contact(BodyId id, BodyId other) {
-  Hold& hold = bodies.hold_[id];
-  if (hold.body == other) hold = {};
-  if (other != kNoBody && bodies.hold_[other].body == id) bodies.hold_[other] = {};
 }
 
 MoveResult World::Impl::stopped(BodyId id, double fraction, const Obstacle& end) {
@@ -182,12 +176,13 @@ MoveResult World::move(BodyId id, const Arc& arc, double dt) {
   MoveResult result;
   if (arc.displacement != Vec2{}) {
     const Vec2 motion = before.rotate(arc.displacement);
-    const Hold& hold = bodies.hold_[id];
+    Hold& hold = bodies.hold_[id];
     const double length = norm(motion);
     if (length < bodies.clearance_[id] && bodies.is_alone(id, length)) {
       impl_->travel(id, motion, length);
     } else if (hold.motion == motion && hold.from == bodies.position(id) &&
                impl_->still_holds(hold)) {
+      hold.round = bodies.round();
       return {0.0, hold.body == kNoBody, hold.body, hold.contact};
     } else {
       result = impl_->drive(id, motion, dt);

@@ -125,6 +125,10 @@ TEST(Drive, OdometryCanBeSet) {
   rig.finish();
   EXPECT_NEAR(rig.sim.odometry(rig.robot).x, 5.0, 1e-9);
   EXPECT_NEAR(rig.sim.odometry(rig.robot).y, 6.25, 1e-9);
+  for (const double theta : {-1.0, -1.0, 0.0, 2.5}) {
+    rig.sim.set_odometry(rig.robot, {5.0, 6.0, theta});
+    EXPECT_NEAR(rig.sim.odometry(rig.robot).theta, theta, 1e-12);
+  }
 }
 
 TEST(Drive, LaggingMotorsStillEndAtTheGoalByOdometry) {

@@ -1,5 +1,7 @@
 // A body that holds another one is remembered as long as it stays where it is.
 
+#include <utility>
+
 #include <gtest/gtest.h>
 
 #include "eyebridge/base/random.hpp"
@@ -90,6 +92,56 @@ TEST_F(Holding, OfWhoLeftAndCameBackIsANewOne) {
     ++times;
   }
   EXPECT_GT(times, 5);
+}
+
+TEST_F(Holding, IsAContactOfTheStepAlsoWhenTheOtherOneLeavesInIt) {
+  world_.move(first_, {{0.01, 0.0}, {}}, kHoldStep);
+  world_.move(second_, {{0.002, 0.0}, {}}, kHoldStep);
+  world_.step_objects(kHoldStep);
+  EXPECT_EQ(step(0.01), 0U) << "they touched in the step before";
+  EXPECT_NEAR(last_.fraction, 0.2, 1e-6);
+}
+
+TEST(HoldingByAThing, EndsWhenThatGivesWay) {
+  WorldModel model = room(4, 2);
+  ObjectSpec can;
+  can.kind = ObjectKind::Can;
+  can.name = "can";
+  can.pose = {2, 1, 0};
+  can.radius = 0.05;
+  model.objects.push_back(can);
+  World world(shared(std::move(model)));
+  const BodyId robot = world.add_robot({1.5, 1, 0}, 0.1, 0.1, {});
+  const auto drive = [&] {
+    const MoveResult result = world.move(robot, {{0.01, 0.0}, {}}, kHoldStep);
+    world.step_objects(kHoldStep);
+    return result;
+  };
+  world.set_fixed(0, true);
+  for (int i = 0; i < 100; ++i) drive();
+  EXPECT_EQ(drive().fraction, 0.0);
+  world.set_fixed(0, false);
+  EXPECT_FALSE(drive().blocked());
+  EXPECT_GT(world.position(world.object_body(0)).x, 2.005);
+}
+
+TEST(HoldingAtAWall, EndsTheContactWithTheWall) {
+  World world(shared(room(4, 2)));
+  const BodyId robot = world.add_robot({0.2, 1, 0}, 0.1, 0.1, {});
+  world.add_robot({0.5, 1, 0}, 0.1, 0.1, {});
+  const auto go = [&](double way) { return world.move(robot, {{way, 0.0}, {}}, kHoldStep); };
+  const auto told = [&] {
+    world.step_objects(kHoldStep);
+    return world.bumps().size();
+  };
+  EXPECT_TRUE(go(-0.2).hit_wall);
+  EXPECT_EQ(told(), 1U);
+  // To the other robot, and held by it, within a step.
+  go(0.5);
+  EXPECT_EQ(go(0.5).fraction, 0.0);
+  EXPECT_EQ(told(), 1U);
+  EXPECT_TRUE(go(-0.5).hit_wall);
+  EXPECT_EQ(told(), 1U) << "the wall again";
 }
 
 TEST(HoldingAtAWall, IsNotTheWalls) {
