@@ -165,9 +165,11 @@ TEST(HoldingInACrowd, ChangesNothing) {
   const auto run = [](bool remembers) {
     World world(shared(room(1.6, 1.6)));
     std::vector<BodyId> robots;
-    for (int i = 0; i < 25; ++i) {
-      robots.push_back(
-          world.add_robot({0.3 + 0.25 * (i % 5), 0.3 + 0.25 * (i / 5), 1.3 * i}, 0.08, 0.1, {}));
+    for (int row = 0; row < 5; ++row) {
+      for (int column = 0; column < 5; ++column) {
+        const Pose start{0.3 + 0.25 * column, 0.3 + 0.25 * row, 1.3 * (5 * row + column)};
+        robots.push_back(world.add_robot(start, 0.08, 0.1, {}));
+      }
     }
     Random random(4);
     std::vector<Vec2> ways(robots.size());
