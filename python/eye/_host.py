@@ -2,6 +2,7 @@
 
 import atexit as _atexit
 import ctypes as _ctypes
+import functools as _functools
 import os as _os
 import signal as _signal
 import sys as _sys
@@ -24,6 +25,12 @@ _wait = _library.EYEBRIDGEHostWait
 _wait.argtypes, _wait.restype = [_ctypes.c_longlong], _ctypes.c_int
 _now = _library.EYEBRIDGEHostNow
 _now.argtypes, _now.restype = [], _ctypes.c_longlong
+_expected = _library.EYEBRIDGEHostThreadExpected
+_expected.argtypes, _expected.restype = [], _ctypes.c_void_p
+_starts = _library.EYEBRIDGEHostThreadStarts
+_starts.argtypes, _starts.restype = [_ctypes.c_void_p], None
+_failed = _library.EYEBRIDGEHostThreadFailed
+_failed.argtypes, _failed.restype = [_ctypes.c_void_p], None
 
 _real_sleep, _real_time, _real_time_ns = _time.sleep, _time.time, _time.time_ns
 
@@ -102,6 +109,39 @@ def _take_over_time():
                 names[name] = _OURS[value]
 
 
+def _take_over_threads():
+    """Threads take turns on the robot's clock, where that is virtual: each has its first one when it begins to run."""
+    start = _threading.Thread.start
+
+    @_functools.wraps(start)
+    def start_in_turn(self):
+        expected = _expected()
+        if expected is None:
+            return start(self)
+        run, own = self.run, self.__dict__.get("run")
+
+        def give_back():
+            if own is None:
+                del self.run
+            else:
+                self.run = own
+
+        def run_in_turn():
+            give_back()
+            _starts(expected)
+            run()
+
+        self.run = run_in_turn
+        try:
+            start(self)
+        except BaseException:
+            give_back()
+            _failed(expected)
+            raise
+
+    _threading.Thread.start = start_in_turn
+
+
 def _command():
     """The file of the robot program and its arguments; nothing when there is no file (python3 -c, a console)."""
     file = getattr(_sys.modules.get("__main__"), "__file__", None) or ""
@@ -126,3 +166,4 @@ def _at_exit():
 _begin_host()
 _atexit.register(_at_exit)
 _take_over_time()
+_take_over_threads()

@@ -2,13 +2,12 @@
    Started by `eyebridge run` and by programs themselves, not by people.
 
    The program's copies and all libraries find the functions here and in launcher_threads.c and
-   launcher_time.c before those of the C library: where they would have ended the process they end a
+   ../threads before those of the C library: where they would have ended the process they end a
    robot. */
-#include "launcher.h"
-
 #include <stdlib.h>
 
-#include "launcher_next.h"
+#include "next.h"
+#include "turn_calls.h"
 
 EXPORTED struct eyebridge_robot_calls
     eyebridge_calls; /* by which the library knows the launcher, too */

@@ -7,9 +7,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-#include "launcher_next.h"
-
-#define CALLS eyebridge_calls
+#include "next.h"
 
 struct beginning {
   void* (*start)(void*);

@@ -46,6 +46,11 @@ eyebridge_robot_calls robot_calls(Strands* given) {
   }
   calls.turns = turns;
   calls.now = now;
+  calls.read_clock = [] {
+    const InCall in_call;
+    Session::here()->charge("clock_gettime");
+    return now();
+  };
   calls.create = [](void* (*start)(void*), void* argument) {
     return strands->create(start, argument);
   };

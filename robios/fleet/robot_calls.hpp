@@ -1,7 +1,7 @@
 #pragma once
 
-#include "launcher.h"
 #include "strands.hpp"
+#include "threads/turn_calls.h"
 
 namespace eyebridge::robios {
 

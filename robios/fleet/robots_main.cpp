@@ -10,7 +10,7 @@
 
 #include "eyebridge/camera/prepare_process.hpp"
 #include "fleet.hpp"
-#include "launcher.h"
+#include "threads/turn_calls.h"
 
 __attribute__((visibility("default"))) int EYEBRIDGERobotsMain(int argc, char** argv,
                                                                eyebridge_robot_calls* calls) {

@@ -17,6 +17,7 @@
 #include "eyebridge_host.h"
 #include "generation.hpp"
 #include "host.hpp"
+#include "program_threads.hpp"
 
 namespace eyebridge::robios {
 namespace {
@@ -40,11 +41,18 @@ bool belongs_to_program(const char* library) {
   return false;
 }
 
-bool wants_several() {
+struct Wanted {
+  bool several = false;
+  bool virtual_time = false;  ///< Of an only robot.
+};
+
+Wanted wanted() {
   try {
-    return hal::programs_wanted(hal::Config::from_process(program_file())) > 1;
+    const hal::Config config = hal::Config::from_process(program_file());
+    const bool is_simulated = config.text("hal") == "sim";
+    return {hal::programs_wanted(config) > 1, is_simulated && config.boolean("fast")};
   } catch (const ConfigError&) {
-    return false;  // the first RoBIOS call reports it
+    return {};  // the first RoBIOS call reports it
   }
 }
 
@@ -61,7 +69,10 @@ bool wants_several() {
 __attribute__((constructor)) void start_several(int argc, char** argv, char** /*environment*/) {
   Dl_info library{};
   if (dladdr(reinterpret_cast<void*>(&start_several), &library) == 0) return;
-  if (argc < 1 || !belongs_to_program(library.dli_fname) || !wants_several()) return;
+  if (argc < 1 || !belongs_to_program(library.dli_fname)) return;
+  const Wanted settings = wanted();
+  if (settings.virtual_time) begin_session_with_time();
+  if (!settings.several) return;
   std::vector<std::string> words{program_file().string()};
   words.insert(words.end(), argv + 1, argv + argc);
   start(std::move(words));
@@ -72,7 +83,7 @@ __attribute__((constructor)) void start_several(int argc, char** argv, char** /*
 
 void EYEBRIDGEHostStart(int argc, const char* const* argv, const char* interpreter) {
   using namespace eyebridge::robios;
-  if (argc < 1 || !wants_several()) return;
+  if (argc < 1 || !wanted().several) return;
   const std::string folder = std::filesystem::path(interpreter).parent_path().string();
   const char* const path = std::getenv("PATH");
   // As activating a virtual environment does.

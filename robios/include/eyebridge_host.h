@@ -49,6 +49,22 @@ int EYEBRIDGEHostWait(long long nanoseconds);
  */
 long long EYEBRIDGEHostNow(void);
 
+/**
+ * The interpreter is about to start a thread of the program: what the following take, or null where
+ * the robot lives in wall time. In virtual time threads take turns, and time waits for this one.
+ */
+void* EYEBRIDGEHostThreadExpected(void);
+
+/**
+ * What that thread calls first; returns when it is its turn. Null is nothing.
+ */
+void EYEBRIDGEHostThreadStarts(void* expected);
+
+/**
+ * It could not be started. Null is nothing.
+ */
+void EYEBRIDGEHostThreadFailed(void* expected);
+
 #pragma GCC visibility pop
 #ifdef __cplusplus
 }

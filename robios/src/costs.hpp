@@ -23,9 +23,10 @@ inline constexpr std::array kCallCosts = {
     CallCost{"ANALOGTransfer", std::chrono::microseconds(100)},
     CallCost{"AU", std::chrono::microseconds(100)},
     CallCost{"AUMicrophone", std::chrono::microseconds(1500)},
-    CallCost{"CAM", std::chrono::microseconds(200)},       // waiting for the frame comes on top
-    CallCost{"DIGITAL", std::chrono::microseconds(1500)},  //
-    CallCost{"ENCODER", std::chrono::microseconds(1500)},  //
+    CallCost{"CAM", std::chrono::microseconds(200)},          // waiting for the frame comes on top
+    CallCost{"clock_gettime", std::chrono::microseconds(1)},  // and its like
+    CallCost{"DIGITAL", std::chrono::microseconds(1500)},     //
+    CallCost{"ENCODER", std::chrono::microseconds(1500)},     //
     CallCost{"EYEBRIDGEAccelerometer", std::chrono::microseconds(1500)},  // as other sensors
     CallCost{"EYEBRIDGEGyroscope", std::chrono::microseconds(1500)},      //
     CallCost{"IRTV", std::chrono::microseconds(20)},                      //

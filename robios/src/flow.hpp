@@ -3,11 +3,15 @@
 namespace eyebridge::robios {
 
 class Session;
+struct TurnMember;
 
 /// What belongs to a flow of a program: to a thread, or to one of several that take turns in it
 /// (fleet/fiber.hpp), which has its own.
 struct Flow {
   Session* session = nullptr;  ///< Of its robot; null when that is the process's only one.
+  /// Of the only robot's program: its place among its threads (threads/thread_turns.hpp); else
+  /// null.
+  TurnMember* member = nullptr;
   /// Calls of the API that it is in: a crash there may have left something locked.
   int calls = 0;
   bool in_timer = false;        ///< It runs the function of a timer.

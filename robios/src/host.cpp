@@ -7,6 +7,7 @@
 
 #include "eyebridge_host.h"
 #include "guarded.hpp"
+#include "program_threads.h"
 #include "session.hpp"
 #include "timers.hpp"
 
@@ -96,6 +97,18 @@ void EYEBRIDGEHostEnd(void) {
   Session::instance().timers().finish();
   Session::program_ends(0);
   Session::instance().await_end();
+}
+
+void* EYEBRIDGEHostThreadExpected(void) {
+  return eyebridge::robios::has_own_time() ? eyebridge_thread_expected() : nullptr;
+}
+
+void EYEBRIDGEHostThreadStarts(void* expected) {
+  if (expected != nullptr) eyebridge_thread_starts(expected);
+}
+
+void EYEBRIDGEHostThreadFailed(void* expected) {
+  if (expected != nullptr) eyebridge_thread_ends(expected);
 }
 
 int EYEBRIDGEHostWait(long long nanoseconds) {

@@ -49,6 +49,7 @@ Session* Session::with_own_time() {
 Session& Session::only() {
   // Never destroyed: threads and exit handlers of the program may still call. It ends by end().
   static Session* const session = [] {
+    const InCall in_call;  // the threads that begin here are ours
     try {
       auto* made = new Session(std::make_unique<Impl>(read_config()));
       the_session = made;
@@ -56,6 +57,7 @@ Session& Session::only() {
       // Not atexit(): a run whose results are missing must not end as one that succeeded.
       on_exit(
           [](int status, void*) {
+            const InCall in_end;
             only().end();
             if (status != 0 || !only().impl_->results_lost) return;
             std::fflush(nullptr);
@@ -86,6 +88,7 @@ Session& Session::only() {
 void Session::program_ends(int status) noexcept {
   Session* const session = the_session;
   if (session == nullptr || session->impl_->windows == nullptr) return;
+  const InCall in_call;
   if (session->impl_->stage == Impl::Stage::Forked) return;
   session->end();
   std::fflush(nullptr);  // whoever reads the program's output does not wait for the person

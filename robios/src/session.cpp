@@ -16,6 +16,7 @@
 #include "flow.hpp"
 #include "host.hpp"
 #include "library_threads.hpp"
+#include "program_threads.hpp"
 #include "session_impl.hpp"
 #include "terminal/terminal_mode.hpp"
 
@@ -46,6 +47,7 @@ LogSink& Session::log() { return impl_->log; }
 
 void Session::charge(const Call& call) {
   if (impl_->is_virtual) {
+    if (impl_->turn_clock) join_program_threads();
     // Two threads may count one call: that there was one is all that anybody asks.
     if (!Timers::is_calling()) {
       impl_->calls.store(impl_->calls.load(std::memory_order_relaxed) + 1,
@@ -137,9 +139,8 @@ void* Session::variable(const char* name) const {
 Runner* Session::runner() const { return impl_->runner; }
 
 std::function<void()> Session::bound(void (*function)()) {
-  if (impl_->runner == nullptr) return function;
   return [this, function] {
-    set_here(this);
+    if (impl_->runner != nullptr) set_here(this);
     const OutOfCall program;
     function();
   };

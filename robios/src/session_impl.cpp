@@ -28,6 +28,14 @@ void tell_of_pause(const hal::Environment* environment, const Windows* windows,
   if (name.empty()) tell_of_ignored_pause(*environment, log);  // who runs several tells once
 }
 
+/// The clock that the program's threads see.
+Clock& shared_clock(Clock& clock, const SessionStart* start, std::optional<TurnClock>& turns) {
+  // Several robots have turns of their own.
+  if (!clock.is_virtual() || start != nullptr) return clock;
+  program_threads().begin(clock);
+  return turns.emplace(clock, program_threads());
+}
+
 /// Where results go; empty when none are wanted.
 std::filesystem::path results_folder(const hal::Config& config, const SessionStart* start) {
   if (start != nullptr) return start->out;
@@ -46,7 +54,7 @@ Session::Impl::Impl(SessionStart* start, hal::Config configuration)
       log(lowest_severity(config), name),
       windows(open_session_windows(config, log)),
       backend(hal::open_backend(context_of(config, log, start))),
-      clock(backend->clock()),
+      clock(shared_clock(backend->clock(), start, turn_clock)),
       is_virtual(clock.is_virtual()),
       stage(runner != nullptr && !is_virtual ? Stage::Beginning : Stage::Running),
       cost_scale(config.number("cost_scale")),

@@ -18,6 +18,7 @@
 #include "failures.hpp"
 #include "keys.hpp"
 #include "log/stderr_log.hpp"
+#include "program_threads.hpp"
 #include "radio_messages.hpp"
 #include "run_output.hpp"
 #include "screen.hpp"
@@ -54,6 +55,7 @@ struct Session::Impl {
   // What every call looks at lies together: with a hundred robots the processor waits for memory.
   Windows* windows;  ///< Of the process; null for none.
   std::unique_ptr<hal::Backend> backend;
+  std::optional<TurnClock> turn_clock;  ///< Of an only robot in virtual time.
   Clock& clock;
   const bool is_virtual;
   std::atomic<Stage> stage;

@@ -1,24 +1,47 @@
 // libc's sleeping on the robot's clock: a program that waits with usleep() while its motors run
-// must see the robot move as far as in real time.
+// must see the robot move as far as in real time. Libraries, and threads of theirs, sleep as ever.
 
+#include <cerrno>
 #include <chrono>
 
+#include <dlfcn.h>
+#include <poll.h>
+#include <sys/select.h>
 #include <sys/syscall.h>
 #include <time.h>
 #include <unistd.h>
 
+#include "flow.hpp"
+#include "program_threads.h"
+#include "robot_time.h"
 #include "session.hpp"
 
 namespace {
 
+using eyebridge::robios::flow;
+using eyebridge::robios::InCall;
 using eyebridge::robios::Session;
+
+/// The session of the calling program, when its clock is not the wall clock; else null.
+Session* own_time() {
+  if (flow.session == nullptr && eyebridge_is_in_program() == 0) return nullptr;
+  eyebridge_time_is_asked();
+  return Session::with_own_time();
+}
 
 /// True when the robot's clock did the waiting.
 bool waited(std::chrono::nanoseconds duration) {
-  Session* session = Session::with_own_time();
+  Session* session = own_time();
   if (session == nullptr) return false;
+  const InCall in_call;
   session->wait_until(session->clock().now() + duration);
   return true;
+}
+
+/// The C library's own.
+template <class Function>
+Function* next(const char* name) {
+  return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
 }
 
 bool is_valid(const timespec& time) {
@@ -44,10 +67,43 @@ unsigned sleep(unsigned seconds) {
   return nanosleep(&wanted, &left) == 0 ? 0 : static_cast<unsigned>(left.tv_sec);
 }
 
+int clock_nanosleep(clockid_t clock, int flags, const timespec* wanted, timespec* left) {
+  // A moment: for programs in virtual time, whose clock it is on. (With a factor it is not.)
+  Session* const session = (flags & TIMER_ABSTIME) != 0 ? own_time() : nullptr;
+  if (session != nullptr && session->clock().is_virtual() && is_valid(*wanted)) {
+    const InCall in_call;
+    session->wait_until(eyebridge::Time(deadline_of(clock, wanted)));
+    return 0;
+  }
+  if (flags == 0 && wanted != nullptr && is_valid(*wanted) && own_time() != nullptr) {
+    nanosleep(wanted, left);
+    return 0;
+  }
+  return syscall(SYS_clock_nanosleep, clock, flags, wanted, left) == 0 ? 0 : errno;
+}
+
 int usleep(useconds_t microseconds) {
   const timespec wanted{static_cast<time_t>(microseconds / 1'000'000),
                         static_cast<long>(microseconds % 1'000'000) * 1000};
   return nanosleep(&wanted, nullptr);
+}
+
+// Where nothing is watched these are sleeps, too.
+
+int select(int count, fd_set* to_read, fd_set* to_write, fd_set* to_except, timeval* most) {
+  const bool is_sleep = to_read == nullptr && to_write == nullptr && to_except == nullptr;
+  if (is_sleep && most != nullptr && most->tv_sec >= 0 && most->tv_usec >= 0 &&
+      waited(std::chrono::seconds(most->tv_sec) + std::chrono::microseconds(most->tv_usec))) {
+    *most = {};
+    return 0;
+  }
+  return next<int(int, fd_set*, fd_set*, fd_set*, timeval*)>("select")(count, to_read, to_write,
+                                                                       to_except, most);
+}
+
+int poll(pollfd* watched, nfds_t count, int most_ms) {
+  if (count == 0 && most_ms >= 0 && waited(std::chrono::milliseconds(most_ms))) return 0;
+  return next<int(pollfd*, nfds_t, int)>("poll")(watched, count, most_ms);
 }
 
 }  // extern "C"

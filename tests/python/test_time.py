@@ -27,6 +27,41 @@ class Time(ProgramTest):
             """,
         )
 
+    def test_threads_take_turns_on_the_robots_clock(self):
+        self.expect(
+            """
+            import queue, threading, time
+            from eye import *
+            ends = []
+            def loop(wait):
+                for _ in range(50):
+                    wait()
+                ends.append(OSGetCount() // 10 * 10)
+            waits = [lambda: OSWait(10), lambda: time.sleep(0.02), lambda: OSWait(10)]
+            threads = [threading.Thread(target=loop, args=(wait,)) for wait in waits]
+            for thread in threads:
+                thread.start()
+            for thread in threads:
+                thread.join()
+            print(ends, "run" in vars(threads[0]))
+            made = queue.Queue()
+            def produce():
+                for _ in range(3):
+                    time.sleep(0.1)
+                    made.put(OSGetCount())
+                made.put(None)
+            producer = threading.Timer(0, produce)
+            producer.start()
+            while (at := made.get()) is not None:
+                assert OSGetCount() == at
+            print("empty")
+            """,
+            """
+            [500, 500, 1000] False
+            empty
+            """,
+        )
+
     def test_time_before_the_first_call_is_the_robots_too(self):
         self.expect(
             """

@@ -1,6 +1,7 @@
-/* What the launcher (launcher*.c) and the library behind it have of each other. C and C++. */
-#ifndef EYEBRIDGE_FLEET_LAUNCHER_H
-#define EYEBRIDGE_FLEET_LAUNCHER_H
+/* What stands in the C library's place (locks.c, clocks.c, and whoever makes threads) asks of the
+   library. C and C++. */
+#ifndef EYEBRIDGE_THREADS_TURN_CALLS_H
+#define EYEBRIDGE_THREADS_TURN_CALLS_H
 
 #ifdef __cplusplus
 extern "C" {
@@ -15,7 +16,7 @@ enum {
            thread of the process, but what it locks another robot's thread may have locked */
 };
 
-/* What the launcher asks when somebody calls the C library. */
+/* What is asked when somebody calls the C library. */
 struct eyebridge_robot_calls {
   /* End the caller's robot; return when the caller is no robot's program. */
   void (*leave)(int code);
@@ -23,8 +24,14 @@ struct eyebridge_robot_calls {
   /* Whether the caller's threads take turns, in virtual time: EYEBRIDGE_… below. The following are
    * asked then only. */
   int (*turns)(void);
+  /* The caller wants to know the time, before turns() is asked; null: nothing to do. */
+  void (*begin)(void);
   /* Nanoseconds on the clock of the caller's robot. */
   long long (*now)(void);
+  /* The same for a program that looks at it, which takes time: so a loop that waits by looking
+   * ends.
+   */
+  long long (*read_clock)(void);
   /* A thread of the caller's robot that runs start(argument); its number, never 0. */
   unsigned long (*create)(void* (*start)(void*), void* argument);
   /* The number of the calling thread; 0 when it is no created one. */
@@ -50,7 +57,7 @@ struct eyebridge_robot_calls {
   void (*begin_thread)(void* robot);
 };
 
-/* Set by the library before the first program runs; all null before. */
+/* The launcher's: set by the library before the first program runs; all null before. */
 extern struct eyebridge_robot_calls eyebridge_calls;
 
 /* Runs the robots that the settings want. `argv`: PROGRAM and its arguments; without them the

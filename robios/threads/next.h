@@ -1,12 +1,12 @@
 /* The C library's own functions, behind ours of the same name. */
-#ifndef EYEBRIDGE_FLEET_LAUNCHER_NEXT_H
-#define EYEBRIDGE_FLEET_LAUNCHER_NEXT_H
+#ifndef EYEBRIDGE_THREADS_NEXT_H
+#define EYEBRIDGE_THREADS_NEXT_H
 
 #include <dlfcn.h>
 #include <stdio.h>
 #include <unistd.h>
 
-#include "launcher.h"
+#include "turn_calls.h"
 
 #define EXPORTED __attribute__((visibility("default")))
 
@@ -15,7 +15,7 @@ static inline void* eyebridge_next(const char* name, void** known) {
   if (found != NULL) return found;
   found = dlsym(RTLD_NEXT, name);
   if (found == NULL) {
-    fprintf(stderr, "eyebridge-robots: the C library has no %s()\n", name);
+    fprintf(stderr, "eyebridge: the C library has no %s()\n", name);
     _exit(1);
   }
   __atomic_store_n(known, found, __ATOMIC_RELAXED);
@@ -30,7 +30,14 @@ static inline void* eyebridge_next(const char* name, void** known) {
   *(void**)&next_##NAME = eyebridge_next(#NAME, &known_##NAME)
 /* NOLINTEND(bugprone-macro-parentheses) */
 
-#define TURNS() (eyebridge_calls.turns != NULL ? eyebridge_calls.turns() : EYEBRIDGE_NO_TURNS)
+/* Whom these functions ask: the launcher's struct, or the library's own. */
+#ifndef EYEBRIDGE_CALLS
+#define EYEBRIDGE_CALLS eyebridge_calls
+#endif
+extern struct eyebridge_robot_calls EYEBRIDGE_CALLS;
+#define CALLS EYEBRIDGE_CALLS
+
+#define TURNS() (CALLS.turns != NULL ? CALLS.turns() : EYEBRIDGE_NO_TURNS)
 #define TAKES_TURNS() (TURNS() == EYEBRIDGE_IN_PROGRAM)
 
 #endif

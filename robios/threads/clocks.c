@@ -1,24 +1,22 @@
-/* The C library's clocks for robots' programs in virtual time: their robot's. The time of day
-   begins at midnight of the first of January 2000, UTC, so that runs repeat. */
+/* The C library's clocks for robots' programs in virtual time: their robot's. */
 #include <errno.h>
 #include <sys/time.h>
 #include <time.h>
 
-#include "launcher_next.h"
-
-#define FIRST_SECOND 946684800LL /* of the year 2000, after 1970 */
-#define NANOSECONDS 1000000000LL
+#include "next.h"
+#include "robot_time.h"
 
 /* -1 when the caller's time is the computer's. */
-static long long robot_now(void) { return TAKES_TURNS() ? eyebridge_calls.now() : -1; }
+static long long robot_now(void) {
+  if (CALLS.begin != NULL) CALLS.begin();
+  return TAKES_TURNS() ? CALLS.read_clock() : -1;
+}
 
 EXPORTED int clock_gettime(clockid_t clock, struct timespec* out) {
   NEXT(int, clock_gettime, (clockid_t, struct timespec*));
   const long long now = robot_now();
   if (now < 0) return next_clock_gettime(clock, out);
-  const int is_day =
-      clock == CLOCK_REALTIME || clock == CLOCK_REALTIME_COARSE || clock == CLOCK_TAI;
-  out->tv_sec = (time_t)(now / NANOSECONDS + (is_day ? FIRST_SECOND : 0));
+  out->tv_sec = (time_t)(now / NANOSECONDS + first_second_of(clock));
   out->tv_nsec = (long)(now % NANOSECONDS);
   return 0;
 }

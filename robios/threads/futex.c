@@ -1,0 +1,62 @@
+/* futex(2) in virtual time: what C++ waits with in std::atomic::wait(), latches, barriers,
+   semaphores and futures, all by syscall(2). */
+#include <errno.h>
+#include <limits.h>
+#include <linux/futex.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <sys/syscall.h>
+
+#include "next.h"
+#include "robot_time.h"
+
+/* -1: none. */
+static long long end_of(int operation, const struct timespec* timeout) {
+  if (timeout == NULL) return -1;
+  if ((operation & FUTEX_CMD_MASK) == FUTEX_WAIT) {
+    return CALLS.now() + timeout->tv_sec * NANOSECONDS + timeout->tv_nsec;
+  }
+  const int is_day = (operation & FUTEX_CLOCK_REALTIME) != 0;
+  return deadline_of(is_day ? CLOCK_REALTIME : CLOCK_MONOTONIC, timeout);
+}
+
+/* Nobody else of the program goes on between the look and the wait. */
+static long wait_while(const uint32_t* word, uint32_t value, long long deadline) {
+  if (__atomic_load_n(word, __ATOMIC_SEQ_CST) != value) {
+    errno = EAGAIN;
+    return -1;
+  }
+  if (!CALLS.park(word, deadline)) return 0;
+  errno = ETIMEDOUT;
+  return -1;
+}
+
+EXPORTED long syscall(long number, ...) {
+  NEXT(long, syscall, (long, ...));
+  va_list arguments;
+  va_start(arguments, number);
+  const long a = va_arg(arguments, long);
+  const long b = va_arg(arguments, long);
+  const long c = va_arg(arguments, long);
+  const long d = va_arg(arguments, long);
+  const long e = va_arg(arguments, long);
+  const long f = va_arg(arguments, long);
+  va_end(arguments);
+  if (number != SYS_futex || !TAKES_TURNS()) return next_syscall(number, a, b, c, d, e, f);
+  /* NOLINTBEGIN(performance-no-int-to-ptr): so the kernel has them, too */
+  const int operation = (int)b;
+  switch (operation & FUTEX_CMD_MASK) {
+    case FUTEX_WAIT:
+    case FUTEX_WAIT_BITSET:
+      return wait_while((const uint32_t*)a, (uint32_t)c,
+                        end_of(operation, (const struct timespec*)d));
+    case FUTEX_WAKE:
+    case FUTEX_WAKE_BITSET:
+      for (long i = 0; c != INT_MAX && i < c; ++i) CALLS.wake((const void*)a, 0);
+      if (c == INT_MAX) CALLS.wake((const void*)a, 1);
+      return next_syscall(number, a, b, c, d, e, f);
+    default:
+      return next_syscall(number, a, b, c, d, e, f);
+  }
+  /* NOLINTEND(performance-no-int-to-ptr) */
+}

@@ -1,0 +1,124 @@
+#include "program_threads.hpp"
+
+#include <array>
+#include <cstdio>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <pthread.h>
+#include <unistd.h>
+
+#include "costs.hpp"
+#include "library_threads.hpp"
+#include "program_threads.h"
+#include "session.hpp"
+#include "turn_calls.h"
+
+namespace eyebridge::robios {
+namespace {
+
+using Member = ThreadTurns::Member;
+
+Member& member_of(void* member) { return *static_cast<Member*>(member); }
+
+ThreadState look_at(Member& member) {
+  if (member.view == nullptr) member.view = std::make_unique<ThreadView>(member.tid);
+  return member.view->look();
+}
+
+void tell() {
+  Session::instance().log().write(
+      Severity::Warning,
+      fmt::format("a thread of the program has computed for {:g} s without a call with which its "
+                  "time passes; the others go on without it",
+                  ThreadTurns::kPatience_s));
+}
+
+bool is_ours() {
+  std::array<char, 16> name{};
+  pthread_getname_np(pthread_self(), name.data(), name.size());
+  return std::string_view(name.data()).starts_with(kLibraryThread);
+}
+
+/// The thread that loads the library is the main one, or an interpreter's that will call.
+[[gnu::constructor]] void join_main_thread() {
+  if (gettid() == getpid()) join_program_threads();
+}
+
+bool begins_with_time = false;
+
+int turns() {
+  if (!eyebridge_is_in_program() || !program_threads().have_begun()) return EYEBRIDGE_NO_TURNS;
+  return Session::with_own_time() != nullptr ? EYEBRIDGE_IN_PROGRAM : EYEBRIDGE_NO_TURNS;
+}
+
+long long nanoseconds(Time time) { return time / std::chrono::nanoseconds(1); }
+
+}  // namespace
+
+ThreadTurns& program_threads() {
+  static auto* const threads = new ThreadTurns(look_at, tell);
+  return *threads;
+}
+
+void join_program_threads() {
+  if (flow.member != nullptr || is_ours()) return;
+  flow.member = &program_threads().adopt(gettid());
+}
+
+void begin_session_with_time() { begins_with_time = true; }
+
+}  // namespace eyebridge::robios
+
+using namespace eyebridge::robios;
+
+extern "C" {
+
+/// What locks.c and clocks.c of the library ask.
+__attribute__((visibility("hidden"))) eyebridge_robot_calls eyebridge_own_calls = [] {
+  eyebridge_robot_calls calls{};
+  calls.turns = turns;
+  calls.now = [] { return nanoseconds(program_threads().now()); };
+  calls.begin = eyebridge_time_is_asked;
+  calls.read_clock = [] {
+    const InCall in_call;
+    Session::instance().charge("clock_gettime");
+    return nanoseconds(program_threads().now());
+  };
+  calls.park = [](const void* what, long long deadline) {
+    const auto until = deadline < 0 ? ThreadTurns::kNever : eyebridge::Time(deadline);
+    return program_threads().park(*flow.member, what, until) ? 1 : 0;
+  };
+  calls.wake = [](const void* what, int all) { program_threads().wake(what, all != 0); };
+  return calls;
+}();
+
+int eyebridge_is_in_program(void) {
+  return flow.member != nullptr && flow.calls == 0 && flow.session == nullptr ? 1 : 0;
+}
+
+void eyebridge_time_is_asked(void) {
+  if (begins_with_time && eyebridge_is_in_program() != 0) (void)Session::instance();
+}
+
+void* eyebridge_thread_expected(void) { return &program_threads().expect(); }
+
+void eyebridge_thread_is(void* member, unsigned long thread) {
+  program_threads().name(member_of(member), thread);
+}
+
+void eyebridge_thread_starts(void* member) {
+  flow.member = &member_of(member);
+  member_of(member).tid = gettid();
+  program_threads().start(member_of(member));
+}
+
+void eyebridge_thread_ends(void* member) { program_threads().leave(member_of(member)); }
+
+void eyebridge_thread_awaited(unsigned long thread) {
+  program_threads().await_end(*flow.member, [thread](const ThreadTurns::Member& member) {
+    return member.thread == thread;
+  });
+}
+
+}  // extern "C"

@@ -1,0 +1,30 @@
+/* Which threads are the program's of the process's only robot. A thread that one of them makes is
+   one, too, unless a call of the library makes it. C and C++. */
+#ifndef EYEBRIDGE_THREADS_PROGRAM_THREADS_H
+#define EYEBRIDGE_THREADS_PROGRAM_THREADS_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* NOLINTBEGIN(readability-identifier-naming): the names of C */
+/* 1 when the caller is one of them, outside of calls. */
+int eyebridge_is_in_program(void);
+/* Before the caller is told the time, or sleeps: begins the session where that is to be so. */
+void eyebridge_time_is_asked(void);
+/* One that is about to be started by the caller; what the following take. */
+void* eyebridge_thread_expected(void);
+/* Its number, as its creator has it. */
+void eyebridge_thread_is(void* member, unsigned long thread);
+/* What the thread does first, and last; the latter, too, when it cannot be started. */
+void eyebridge_thread_starts(void* member);
+void eyebridge_thread_ends(void* member);
+/* Returns when the thread is about to end: in virtual time the caller's turn is over till then. */
+void eyebridge_thread_awaited(unsigned long thread);
+/* NOLINTEND(readability-identifier-naming) */
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

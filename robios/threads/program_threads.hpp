@@ -1,0 +1,42 @@
+#pragma once
+
+#include "eyebridge/base/clock.hpp"
+#include "flow.hpp"
+#include "thread_turns.hpp"
+
+namespace eyebridge::robios {
+
+/// The threads of the program of the process's only robot. Never destroyed.
+ThreadTurns& program_threads();
+
+/// The calling thread makes a call of the program: it is one of its threads from now on, if it was
+/// not known yet (an interpreter's) and is none of ours.
+void join_program_threads();
+
+/// The program's first look at the time, or first sleep, begins the session, as its first call
+/// would: its time is the robot's from the start, and runs repeat (`srand(time(NULL))`).
+void begin_session_with_time();
+
+/// A virtual clock that a program's threads share by turns. Others go on at once. Any thread.
+class TurnClock final : public Clock {
+ public:
+  /// Both are lent.
+  TurnClock(Clock& clock, ThreadTurns& turns) : clock_(clock), turns_(turns) {}
+
+  [[nodiscard]] Time now() const override { return clock_.now(); }
+  void wait_until(Time deadline) override {
+    if (flow.member == nullptr) return clock_.wait_until(deadline);
+    turns_.wait(*flow.member, deadline);
+  }
+  void spend(Time cost) override {
+    if (flow.member == nullptr || turns_.is_alone()) return clock_.spend(cost);
+    turns_.wait(*flow.member, now() + cost);
+  }
+  [[nodiscard]] bool is_virtual() const override { return true; }
+
+ private:
+  Clock& clock_;
+  ThreadTurns& turns_;
+};
+
+}  // namespace eyebridge::robios

@@ -1,0 +1,25 @@
+/* The C library's clocks on a robot's: the time of day begins at midnight of the first of January
+   2000, UTC, so that runs repeat. */
+#ifndef EYEBRIDGE_THREADS_ROBOT_TIME_H
+#define EYEBRIDGE_THREADS_ROBOT_TIME_H
+
+#include <time.h>
+
+#define FIRST_SECOND 946684800LL /* of the year 2000, after 1970 */
+#define NANOSECONDS 1000000000LL
+
+/* Seconds from the robot's time to that of `clock`. */
+static inline long long first_second_of(clockid_t clock) {
+  return clock == CLOCK_REALTIME || clock == CLOCK_REALTIME_COARSE || clock == CLOCK_TAI
+             ? FIRST_SECOND
+             : 0;
+}
+
+/* `until` on `clock` as nanoseconds of the robot's time; 0 for what is over before it began. */
+static inline long long deadline_of(clockid_t clock, const struct timespec* until) {
+  const long long seconds = (long long)until->tv_sec - first_second_of(clock);
+  const long long robot = seconds * NANOSECONDS + until->tv_nsec;
+  return robot > 0 ? robot : 0;
+}
+
+#endif

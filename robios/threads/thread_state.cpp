@@ -1,0 +1,42 @@
+#include "thread_state.hpp"
+
+#include <array>
+#include <cstdio>
+#include <cstring>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace eyebridge::robios {
+
+ThreadState read_thread_state(const char* text) {
+  constexpr ThreadState kGone{ThreadState::Kind::Gone};
+  // The name, in brackets, may have brackets in it.
+  const char* const end_of_name = std::strrchr(text, ')');
+  if (end_of_name == nullptr) return kGone;
+  char state = '?';
+  unsigned long user = 0;
+  unsigned long kernel = 0;
+  // Fields 3, 14 and 15: state, utime, stime.
+  // NOLINTNEXTLINE(cert-err34-c): the kernel's numbers fit
+  const int read =
+      std::sscanf(end_of_name + 1, " %c %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %lu %lu", &state,
+                  &user, &kernel);
+  if (read != 3 || state == 'Z' || state == 'X' || state == 'x') return kGone;
+  static const auto ticks_per_second = static_cast<double>(sysconf(_SC_CLK_TCK));
+  return {state == 'S' ? ThreadState::Kind::Sleeps : ThreadState::Kind::Computes,
+          static_cast<double>(user + kernel) / ticks_per_second};
+}
+
+ThreadState ThreadView::look() {
+  if (!file_.valid()) {
+    std::array<char, 64> path{};
+    std::snprintf(path.data(), path.size(), "/proc/self/task/%d/stat", tid_);
+    file_ = UniqueFd(::open(path.data(), O_RDONLY | O_CLOEXEC));
+  }
+  std::array<char, 1024> text{};
+  const ssize_t length = file_.valid() ? ::pread(file_.get(), text.data(), text.size() - 1, 0) : -1;
+  return read_thread_state(length > 0 ? text.data() : "");
+}
+
+}  // namespace eyebridge::robios

@@ -1,0 +1,220 @@
+#include "thread_turns.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "flow.hpp"
+
+namespace eyebridge::robios {
+namespace {
+
+using std::chrono::microseconds;
+using Stage = ThreadTurns::Member::Stage;
+
+// How often those who wait look whether somebody who computed sleeps now, in real time. He tells
+// nobody, if he waits for something that we do not know of.
+constexpr microseconds kLookSoon(50);
+constexpr microseconds kLookAgain(2000);
+constexpr microseconds kLookSeldom(20'000);  // who is not next
+
+}  // namespace
+
+ThreadTurns::ThreadTurns(Look look, Tell tell) : look_(std::move(look)), tell_(std::move(tell)) {}
+ThreadTurns::~ThreadTurns() = default;
+
+void ThreadTurns::begin(Clock& clock) { clock_.store(&clock, std::memory_order_release); }
+
+ThreadTurns::Member& ThreadTurns::expect() {
+  const InCall in_call;
+  const Lock lock(mutex_);
+  Member& made = members_.emplace_back();
+  ++count_;
+  if (have_begun()) {
+    made.deadline = now();
+    made.stage = Stage::Waiting;
+  }
+  return made;
+}
+
+void ThreadTurns::start(Member& me) {
+  const InCall in_call;
+  Lock lock(mutex_);
+  if (me.stage == Stage::Waiting) await_turn(me, lock);
+  me.stage = Stage::Out;
+}
+
+ThreadTurns::Member& ThreadTurns::adopt(int tid) {
+  const InCall in_call;
+  const Lock lock(mutex_);
+  const auto found = std::ranges::find(members_, tid, [](const Member& m) { return m.tid.load(); });
+  if (found != members_.end()) return *found;
+  Member& made = members_.emplace_back();
+  made.tid = tid;
+  ++count_;
+  return made;
+}
+
+void ThreadTurns::name(const Member& member, unsigned long thread) {
+  const InCall in_call;
+  const Lock lock(mutex_);
+  for (Member& present : members_) {
+    if (&present == &member) present.thread = thread;
+  }
+}
+
+void ThreadTurns::leave(Member& member) {
+  const InCall in_call;
+  Lock lock(mutex_);
+  member.stage = Stage::Gone;
+  forget_gone();
+  const std::shared_ptr<WakeUp> next = have_begun() ? pass_on() : nullptr;
+  lock.unlock();
+  if (next != nullptr) next->post();
+}
+
+void ThreadTurns::wait(Member& me, Time deadline) {
+  if (deadline <= now()) return;
+  if (is_alone()) return clock()->wait_until(deadline);
+  park(me, nullptr, deadline);
+}
+
+bool ThreadTurns::park(Member& me, const void* what, Time deadline) {
+  const InCall in_call;
+  Lock lock(mutex_);
+  me.deadline = std::max(deadline, now() + Time(1));
+  me.what = what;
+  me.arrival = ++arrivals_;
+  me.was_woken = false;
+  me.is_left_alone = false;
+  me.computes_since.reset();
+  me.stage = Stage::Waiting;
+  await_turn(me, lock);
+  const bool is_late = !me.was_woken;
+  // Whatever happens: what steps the world may throw.
+  const struct Leaving {
+    Member& me;
+    ~Leaving() { me.stage = Stage::Out; }
+  } leaving{me};
+  if (is_late) clock()->wait_until(me.deadline);
+  return is_late;
+}
+
+/// Gives way until it is the caller's turn. `lock` is released.
+void ThreadTurns::await_turn(Member& me, Lock& lock) {
+  microseconds pause = kLookSoon;
+  for (;;) {
+    const std::shared_ptr<WakeUp> next = pass_on();
+    const bool is_mine = me.stage == Stage::Going;
+    const microseconds patience = first_waiting() == &me ? pause : kLookSeldom;
+    lock.unlock();
+    if (is_mine) return;
+    // Not before: whoever wakes would run into the lock, which takes four times as long.
+    if (next != nullptr) next->post();
+    me.turn->wait_for(patience);
+    // Whose turn it is needs no lock, which who gave it may still have.
+    if (me.stage == Stage::Going) return;
+    lock.lock();
+    pause = std::min(2 * pause, kLookAgain);
+  }
+}
+
+void ThreadTurns::wake(const void* what, bool all) {
+  if (is_alone()) return;
+  const InCall in_call;
+  const Lock lock(mutex_);
+  wake_locked(what, all);
+}
+
+void ThreadTurns::wake_locked(const void* what, bool all) {
+  const auto waits = [what](const Member& member) {
+    return member.stage == Stage::Waiting && member.what == what && !member.was_woken;
+  };
+  for (;;) {
+    Member* first = nullptr;
+    for (Member& member : members_) {
+      if (waits(member) && (first == nullptr || member.arrival < first->arrival)) first = &member;
+    }
+    if (first == nullptr) return;
+    first->was_woken = true;
+    first->deadline = now();
+    if (!all) return;
+  }
+}
+
+void ThreadTurns::await_end(Member& me, const std::function<bool(const Member&)>& is_wanted) {
+  for (;;) {
+    const Member* wanted = nullptr;
+    {
+      const InCall in_call;
+      const Lock lock(mutex_);
+      const auto found = std::ranges::find_if(members_, is_wanted);
+      if (found == members_.end()) return;
+      wanted = &*found;
+    }
+    park(me, wanted, kNever);
+  }
+}
+
+ThreadTurns::Member* ThreadTurns::first_waiting() {
+  Member* first = nullptr;
+  for (Member& member : members_) {
+    if (member.stage != Stage::Waiting) continue;
+    if (first == nullptr || member.deadline < first->deadline) first = &member;
+  }
+  return first;
+}
+
+bool ThreadTurns::is_busy(Member& member) {
+  switch (member.stage) {
+    case Stage::Going:
+      return true;
+    case Stage::Waiting:
+    case Stage::Gone:
+      return false;
+    case Stage::Out:
+      break;
+  }
+  if (member.is_left_alone) return false;
+  if (member.tid == 0) return true;
+  const ThreadState state = look_(member);
+  if (state.kind == ThreadState::Kind::Gone) member.stage = Stage::Gone;
+  if (state.kind != ThreadState::Kind::Computes) {
+    member.computes_since.reset();
+    return false;
+  }
+  if (!member.computes_since) member.computes_since = state.processor_s;
+  if (state.processor_s - *member.computes_since < kPatience_s) return true;
+  member.is_left_alone = true;
+  tell_();
+  return false;
+}
+
+/// It is the next one's turn, unless somebody goes on already: what he sleeps at, else null.
+std::shared_ptr<WakeUp> ThreadTurns::pass_on() {
+  bool is_gone = false;
+  for (Member& member : members_) {
+    if (is_busy(member)) return nullptr;
+    is_gone = is_gone || member.stage == Stage::Gone;
+  }
+  if (is_gone) forget_gone();
+  Member* const next = first_waiting();
+  if (next == nullptr || next->deadline == kNever) return nullptr;
+  next->stage = Stage::Going;
+  return next->turn;
+}
+
+void ThreadTurns::forget_gone() {
+  for (auto member = members_.begin(); member != members_.end();) {
+    if (member->stage != Stage::Gone) {
+      ++member;
+      continue;
+    }
+    const void* const gone = &*member;
+    if (have_begun()) wake_locked(gone, true);
+    member = members_.erase(member);
+    --count_;
+  }
+}
+
+}  // namespace eyebridge::robios

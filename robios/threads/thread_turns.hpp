@@ -1,0 +1,117 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "eyebridge/base/clock.hpp"
+#include "thread_state.hpp"
+#include "wake_up.hpp"
+
+namespace eyebridge::robios {
+
+struct TurnMember;
+
+/// Lets the threads of the process's only program take turns in virtual time, so that time passes
+/// for all of them at once, and runs repeat: one goes on at a time, the one that waits for the
+/// earliest moment; of several that do, the one that was made first.
+///
+/// They are threads of the system, so that whatever they do works. Who waits otherwise than here
+/// (reads a file, waits in a lock that is not told of) sleeps, by the kernel's word, and the others
+/// go on without it. Who computes holds time up, for kPatience_s of processor time.
+///
+/// Any thread. A member is one thread's, which alone calls what takes it, but for leave().
+class ThreadTurns {
+ public:
+  static constexpr Time kNever = Time::max();
+  static constexpr double kPatience_s = 5.0;
+
+  /// A thread of the program.
+  using Member = TurnMember;
+  using Look = std::function<ThreadState(Member&)>;
+  /// Told once for each time that a thread has computed too long: time goes on without it.
+  using Tell = std::function<void()>;
+
+  /// `look`: what a member does that is not here.
+  ThreadTurns(Look look, Tell tell);
+  ~ThreadTurns();
+  ThreadTurns(const ThreadTurns&) = delete;
+  ThreadTurns& operator=(const ThreadTurns&) = delete;
+
+  /// Turns begin, on this clock, which is lent; before, members come and go, and that is all.
+  void begin(Clock& clock);
+  [[nodiscard]] bool have_begun() const { return clock_ != nullptr; }
+  /// True while nobody has to be asked.
+  [[nodiscard]] bool is_alone() const { return count_.load(std::memory_order_relaxed) < 2; }
+
+  /// A thread that is about to be started by the calling one. It takes its first turn in start().
+  Member& expect();
+  /// What an expected thread does first.
+  void start(Member& me);
+  /// A thread that runs already, not as a member: `tid` as gettid(2) has it. The same one when it
+  /// is a member.
+  Member& adopt(int tid);
+  /// Its pthread_t, for whoever waits for its end; nothing when it has left already.
+  void name(const Member& member, unsigned long thread);
+  /// It ends, or was never started.
+  void leave(Member& member);
+
+  /// Returns when the clock is at `deadline` and it is the caller's turn.
+  void wait(Member& me, Time deadline);
+  /// The same, or when somebody wakes `what`; true when the deadline came first.
+  bool park(Member& me, const void* what, Time deadline);
+  /// Who parked at `what` first, or all, go on at the present time, each in its turn.
+  void wake(const void* what, bool all);
+
+  /// For join(): parks until the member that `is_wanted` has left; at once when there is none.
+  void await_end(Member& me, const std::function<bool(const Member&)>& is_wanted);
+
+  [[nodiscard]] Time now() const { return clock()->now(); }
+
+ private:
+  using Lock = std::unique_lock<std::mutex>;
+
+  [[nodiscard]] Clock* clock() const { return clock_.load(std::memory_order_acquire); }
+  [[nodiscard]] bool is_busy(Member& member);
+  [[nodiscard]] Member* first_waiting();
+  std::shared_ptr<WakeUp> pass_on();
+  void await_turn(Member& me, Lock& lock);
+  void wake_locked(const void* what, bool all);
+  void forget_gone();
+
+  const Look look_;
+  const Tell tell_;
+  std::mutex mutex_;
+  std::list<Member> members_;  ///< In the order they were made.
+  std::atomic<std::size_t> count_ = 0;
+  std::uint64_t arrivals_ = 0;
+  std::atomic<Clock*> clock_ = nullptr;
+};
+
+/// A thread of the program, as its ThreadTurns has it, which alone reads and writes this.
+struct TurnMember {
+  enum class Stage {
+    Out,      ///< Runs, or waits for something else.
+    Waiting,  ///< For its turn.
+    Going,    ///< It is its turn; it lets time pass, and is Out then.
+    Gone,
+  };
+
+  std::atomic<int> tid = 0;  ///< 0: not started yet.
+  unsigned long thread = 0;  ///< As pthread_t; 0: not known.
+  std::atomic<Stage> stage = Stage::Out;
+  Time deadline = ThreadTurns::kNever;  ///< While it waits.
+  const void* what = nullptr;           ///< At which it parked.
+  std::uint64_t arrival = 0;
+  bool was_woken = false;
+  bool is_left_alone = false;            ///< It has computed too long; until it is here again.
+  std::optional<double> computes_since;  ///< Its processor time when it was first seen to.
+  const std::shared_ptr<WakeUp> turn = std::make_shared<WakeUp>();
+  std::unique_ptr<ThreadView> view;  ///< For the `look` of a process.
+};
+
+}  // namespace eyebridge::robios

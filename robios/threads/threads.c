@@ -1,0 +1,67 @@
+/* Threads of the program of a process's only robot: in virtual time they take turns
+   (thread_turns.hpp). They are threads of the system; what is here tells when they come, end, and
+   wait for each other's end. */
+#include <errno.h>
+#include <pthread.h>
+#include <sched.h>
+#include <stdlib.h>
+
+#include "next.h"
+#include "program_threads.h"
+
+struct beginning {
+  void* (*start)(void*);
+  void* argument;
+  void* member;
+};
+
+static void end(void* member) { eyebridge_thread_ends(member); }
+
+static void* begin(void* given) {
+  const struct beginning beginning = *(struct beginning*)given;
+  void* result;
+  free(given);
+  eyebridge_thread_starts(beginning.member);
+  pthread_cleanup_push(end, beginning.member); /* also by pthread_exit() and pthread_cancel() */
+  result = beginning.start(beginning.argument);
+  pthread_cleanup_pop(1);
+  return result;
+}
+
+EXPORTED int pthread_create(pthread_t* thread, const pthread_attr_t* attributes,
+                            void* (*start)(void*), void* argument) {
+  NEXT(int, pthread_create, (pthread_t*, const pthread_attr_t*, void* (*)(void*), void*));
+  if (!eyebridge_is_in_program()) return next_pthread_create(thread, attributes, start, argument);
+  struct beginning* beginning = malloc(sizeof *beginning);
+  if (beginning == NULL) return EAGAIN;
+  void* const member = eyebridge_thread_expected();
+  *beginning = (struct beginning){start, argument, member};
+  const int error = next_pthread_create(thread, attributes, begin, beginning);
+  if (error == 0) {
+    eyebridge_thread_is(member, *thread);
+  } else {
+    free(beginning);
+    eyebridge_thread_ends(member);
+  }
+  return error;
+}
+
+EXPORTED int pthread_join(pthread_t thread, void** result) {
+  NEXT(int, pthread_join, (pthread_t, void**));
+  if (TAKES_TURNS()) eyebridge_thread_awaited(thread);
+  return next_pthread_join(thread, result);
+}
+
+EXPORTED int pthread_barrier_wait(pthread_barrier_t* barrier) {
+  NEXT(int, pthread_barrier_wait, (pthread_barrier_t*));
+  const int result = next_pthread_barrier_wait(barrier);
+  if (TAKES_TURNS()) CALLS.park(NULL, 0); /* whoever came last goes on first */
+  return result;
+}
+
+EXPORTED int sched_yield(void) {
+  NEXT(int, sched_yield, (void));
+  if (!TAKES_TURNS()) return next_sched_yield();
+  CALLS.park(NULL, CALLS.now() + 1000); /* somebody else's turn, a microsecond long */
+  return 0;
+}

@@ -1,0 +1,85 @@
+// Threads of a program that is the only robot: in virtual time they take turns. With the thread
+// sanitizer, too.
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "named_program.hpp"
+
+namespace eyebridge {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::run_named;
+using ::testing::SizeIs;
+
+constexpr const char* kWaits =
+    "future 7 at 500, looked 5 times\n"
+    "latch after 30\n"
+    "barrier after 30\n"
+    "semaphore 0 after 100, then after 300\n"
+    "mutex 0 after 50, then after 200\n"
+    "writer 0 after 50, then after 200\n"
+    "reader 0, then after 200\n"
+    "all at 1460\n";
+
+TEST(ProgramTurns, ThreadsWaitForEachOtherInEveryWay) {
+  const auto r = run_named("waits");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  EXPECT_EQ(r.out, kWaits);
+}
+
+TEST(ProgramTurns, TheSameThreadsOfOneOfSeveralDoTheSame) {
+  const auto alone = run_named("several_crew");
+  EXPECT_EQ(alone.exit_code, 0) << alone.err;
+  EXPECT_EQ(alone.err, "");
+  EXPECT_EQ(alone.out, "1: took 5, late after 760 ms, 0\n");
+}
+
+TEST(ProgramTurns, ThreadsMayWaitForWhatTheLibraryDoesNotKnow) {
+  const auto r = run_named("system_threads");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  EXPECT_EQ(r.out,
+            "read 5 at 500\n"
+            "0 of mine at 500\n"
+            "met at 530\n"
+            "cancelled 1\n"
+            "left 5 at 580\n"
+            "select, poll 500\n"
+            "until then 2500\n"
+            "until that time of day 3500\n"
+            "looked at the clock until 4000\n");
+}
+
+TEST(ProgramTurns, TimeIsTheRobotsFromTheFirstLookOn) {
+  EXPECT_EQ(run_named("looks").out, "946684800, 2 s, 2 s, at 2000\n");
+  const auto wall = run_named("looks", {{"EYEBRIDGE_FAST", "false"}, {"EYEBRIDGE_FACTOR", "100"}});
+  EXPECT_THAT(wall.out, ::testing::Not(::testing::StartsWith("9466848"))) << wall.err;
+}
+
+std::string file(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+TEST(ProgramTurns, RunsWithThreadsRepeat) {
+  const testing::ScratchFolder folder;
+  const std::string report = folder.path() + "/report";
+  std::set<std::string> seen;
+  for (int i = 0; i < 20; ++i) {
+    const auto r = run_named("several_crew", {{"EYEBRIDGE_REPORT", report}});
+    seen.insert(r.out + r.err + file(report));
+  }
+  EXPECT_THAT(seen, SizeIs(1));
+  EXPECT_THAT(*seen.begin(), HasSubstr("state_hash = "));
+}
+
+}  // namespace
+}  // namespace eyebridge
