@@ -107,13 +107,13 @@ void Simulation::read_lidar(RobotIndex robot, double field_of_view, double tilt,
   const world::BodyId self = body(robot);
   const Sight sight =
       Sight(model.pose_in_robot).in_world(world.position(self), world.heading(self));
-  const std::vector<Vec2>& bearings = devices.scan.directions(field_of_view, ranges.size());
-  devices.scan_directions.resize(bearings.size());
-  std::transform(bearings.begin(), bearings.end(), devices.scan_directions.begin(),
+  const ScanShape& scan = impl_->scans.of(field_of_view, ranges.size());
+  std::vector<Vec2>& directions = impl_->scan_directions;
+  directions.resize(scan.directions.size());
+  std::transform(scan.directions.begin(), scan.directions.end(), directions.begin(),
                  [&](Vec2 bearing) { return sight.heading.rotate(bearing); });
   const SlantedBeam beam(model, tilt);
-  world.cast_sweep(sight.origin, devices.scan_directions, devices.scan.gap(), beam.level_reach(),
-                   self, ranges);
+  world.cast_sweep(sight.origin, directions, scan.gap, beam.level_reach(), self, ranges);
   for (double& range : ranges) {
     range = beam.range(range);
     if (model.error.perfect() || range >= model.max_range) continue;

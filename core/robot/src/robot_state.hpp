@@ -131,8 +131,6 @@ struct RobotDevices {
   Random accelerometer;
   double gyroscope_stray = 0.0;         ///< Of its bias, radians per second,
   std::uint64_t gyroscope_strayed = 0;  ///< after so many steps of the simulation.
-  ScanShape scan;
-  std::vector<Vec2> scan_directions;
   std::array<double, kServoCount> servos;
 };
 

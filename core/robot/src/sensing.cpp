@@ -27,20 +27,29 @@ bool in_sector(double bearing, double start, double end) {
          from_start >= kTurn - kBearingSlack;
 }
 
-const std::vector<Vec2>& ScanShape::directions(double field_of_view, std::size_t points) {
-  if (field_of_view == field_of_view_ && points == directions_.size()) return directions_;
-  field_of_view_ = field_of_view;
-  directions_.resize(points);
+ScanShape::ScanShape(double given_field_of_view, std::size_t points)
+    : field_of_view(given_field_of_view), directions(points) {
   const bool full_circle = field_of_view >= kTurn - kBearingSlack;
   const double gaps =
       static_cast<double>(full_circle ? points : std::max<std::size_t>(points, 2) - 1);
-  gap_ = field_of_view <= kTurn + kBearingSlack ? -field_of_view / gaps : 0.0;
+  gap = field_of_view <= kTurn + kBearingSlack ? -field_of_view / gaps : 0.0;
   for (std::size_t i = 0; i < points; ++i) {
     const double bearing = field_of_view / 2 - static_cast<double>(i) * field_of_view / gaps;
     const bool single = points == 1 && !full_circle;
-    directions_[i] = Heading::from_angle(single ? 0.0 : bearing).forward();
+    directions[i] = Heading::from_angle(single ? 0.0 : bearing).forward();
   }
-  return directions_;
+}
+
+const ScanShape& ScanShapes::of(double field_of_view, std::size_t points) {
+  const auto found = std::find_if(shapes_.begin(), shapes_.end(), [&](const ScanShape& shape) {
+    return shape.field_of_view == field_of_view && shape.directions.size() == points;
+  });
+  if (found != shapes_.end()) {
+    if (found != shapes_.begin()) std::rotate(shapes_.begin(), found, found + 1);
+    return shapes_.front();
+  }
+  if (shapes_.size() == kMost) shapes_.pop_back();
+  return *shapes_.emplace(shapes_.begin(), field_of_view, points);
 }
 
 namespace {

@@ -28,20 +28,27 @@ struct Sight {
   }
 };
 
-/// Bearings of a scan in the lidar's frame, in the order of Simulation::read_lidar(). Remembers
-/// the last shape, so that trigonometry is paid only when the shape changes.
-class ScanShape {
+/// Bearings of a scan in the lidar's frame, in the order of Simulation::read_lidar().
+struct ScanShape {
+  /// `points` rays over `field_of_view` radians.
+  ScanShape(double field_of_view, std::size_t points);
+
+  double field_of_view;          ///< Radians.
+  std::vector<Vec2> directions;  ///< Unit vectors.
+  /// From one bearing to the next, radians, < 0; 0 where they go round more than once.
+  double gap;
+};
+
+/// The shapes that robots scan by, so that trigonometry is paid once for each; many robots with the
+/// same lidar share it, and the processor's cache. A few are kept.
+class ScanShapes {
  public:
-  /// Unit vectors of `points` rays over `field_of_view` radians.
-  const std::vector<Vec2>& directions(double field_of_view, std::size_t points);
-  /// From one bearing of the last directions() to the next, radians, < 0; 0 where they go
-  /// round more than once.
-  [[nodiscard]] double gap() const { return gap_; }
+  /// Valid until the next call.
+  const ScanShape& of(double field_of_view, std::size_t points);
 
  private:
-  double field_of_view_ = 0.0;
-  double gap_ = -1.0;
-  std::vector<Vec2> directions_;
+  static constexpr std::size_t kMost = 8;
+  std::vector<ScanShape> shapes_;  ///< The one that was asked for last is the first.
 };
 
 /// The reading of a range sensor whose ray meets something after `range` metres; `range` at or

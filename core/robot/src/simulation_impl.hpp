@@ -75,9 +75,11 @@ struct Simulation::Impl {
   std::function<void(const CollisionEvent&)> listener;
   std::vector<CollisionEvent> collisions;
   std::uint64_t collisions_dropped = 0;
+  ScanShapes scans;
   // Of the reading at hand; kept for its memory.
   std::array<Vec2, RangeLayout::kMostInFan> directions;
   std::vector<Vec2> cone_directions;
+  std::vector<Vec2> scan_directions;
   std::vector<double> cone_ranges;
   std::vector<Vec2> contacts;  // of the reading at hand; kept for its memory
 };
