@@ -70,6 +70,57 @@ EXPORTED int pthread_setname_np(pthread_t thread, const char* name) {
   return TAKES_TURNS() ? 0 : next_pthread_setname_np(thread, name);
 }
 
+EXPORTED int pthread_cancel(pthread_t thread) {
+  NEXT(int, pthread_cancel, (pthread_t));
+  return TAKES_TURNS() ? CALLS.cancel(thread) : next_pthread_cancel(thread);
+}
+
+EXPORTED int pthread_key_create(pthread_key_t* key, void (*destroy)(void*)) {
+  NEXT(int, pthread_key_create, (pthread_key_t*, void (*)(void*)));
+  if (!TAKES_TURNS()) return next_pthread_key_create(key, destroy);
+  const int error = next_pthread_key_create(key, NULL); /* only its number is used */
+  if (error == 0) CALLS.make_key(*key, destroy);
+  return error;
+}
+
+EXPORTED int pthread_key_delete(pthread_key_t key) {
+  NEXT(int, pthread_key_delete, (pthread_key_t));
+  if (TAKES_TURNS()) CALLS.forget_key(key);
+  return next_pthread_key_delete(key);
+}
+
+EXPORTED void* pthread_getspecific(pthread_key_t key) {
+  NEXT(void*, pthread_getspecific, (pthread_key_t));
+  return TAKES_TURNS() ? CALLS.specific(key) : next_pthread_getspecific(key);
+}
+
+EXPORTED int pthread_setspecific(pthread_key_t key, const void* value) {
+  NEXT(int, pthread_setspecific, (pthread_key_t, const void*));
+  if (!TAKES_TURNS()) return next_pthread_setspecific(key, value);
+  CALLS.set_specific(key, value);
+  return 0;
+}
+
+EXPORTED int pthread_barrier_init(pthread_barrier_t* barrier,
+                                  const pthread_barrierattr_t* attributes, unsigned count) {
+  NEXT(int, pthread_barrier_init, (pthread_barrier_t*, const pthread_barrierattr_t*, unsigned));
+  const int error = next_pthread_barrier_init(barrier, attributes, count);
+  if (error == 0 && TAKES_TURNS()) CALLS.make_barrier(barrier, count);
+  return error;
+}
+
+EXPORTED int pthread_barrier_destroy(pthread_barrier_t* barrier) {
+  NEXT(int, pthread_barrier_destroy, (pthread_barrier_t*));
+  if (TAKES_TURNS()) CALLS.make_barrier(barrier, 0);
+  return next_pthread_barrier_destroy(barrier);
+}
+
+EXPORTED int pthread_barrier_wait(pthread_barrier_t* barrier) {
+  NEXT(int, pthread_barrier_wait, (pthread_barrier_t*));
+  if (!TAKES_TURNS()) return next_pthread_barrier_wait(barrier);
+  return CALLS.meet(barrier) ? PTHREAD_BARRIER_SERIAL_THREAD : 0;
+}
+
 EXPORTED int sched_yield(void) {
   NEXT(int, sched_yield, (void));
   if (!TAKES_TURNS()) return next_sched_yield();

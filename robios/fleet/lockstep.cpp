@@ -156,6 +156,12 @@ void Lockstep::drop_robot() {
   drop_strand();
 }
 
+void Lockstep::drop_other(Strand& strand) {
+  places_[strand.robot].has_dropped = true;
+  strand.has_ended = true;
+  strand.wake = kNever;
+}
+
 void Lockstep::drop_strand() {
   places_[running_->robot].has_dropped = true;
   running_->has_ended = true;

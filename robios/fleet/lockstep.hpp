@@ -67,6 +67,9 @@ class Lockstep final : public hal::Turns {
   /// The calling strand ends, the robot's others go on. Does not return.
   [[noreturn]] void drop_strand();
 
+  /// `strand`, another one of the calling strand's robot, ends where it waits: it goes no further.
+  void drop_other(Strand& strand);
+
   /// True when the calling strand is its robot's only one.
   [[nodiscard]] bool is_last_strand() const;
 

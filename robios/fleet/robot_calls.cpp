@@ -58,6 +58,19 @@ eyebridge_robot_calls robot_calls(Strands* given) {
   calls.finish = [](void* result) { strands->finish(result); };
   calls.join = [](unsigned long thread, void** result) { return strands->join(thread, result); };
   calls.detach = [](unsigned long thread) { return strands->detach(thread); };
+  calls.cancel = [](unsigned long thread) { return strands->cancel(thread); };
+  calls.specific = [](unsigned key) { return strands->specifics().get(key); };
+  calls.set_specific = [](unsigned key, const void* value) {
+    strands->specifics().set(key, value);
+  };
+  calls.make_key = [](unsigned key, void (*destroy)(void*)) {
+    strands->specifics().make(key, destroy);
+  };
+  calls.forget_key = [](unsigned key) { strands->specifics().forget(key); };
+  calls.make_barrier = [](const void* barrier, unsigned count) {
+    strands->make_barrier(barrier, count);
+  };
+  calls.meet = [](const void* barrier) { return strands->meet(barrier) ? 1 : 0; };
   calls.park = [](const void* what, long long deadline) {
     return strands->park(what, deadline_of(deadline)) ? 1 : 0;
   };

@@ -4,6 +4,8 @@
 #include <cerrno>
 #include <iterator>
 
+#include <pthread.h>
+
 #include "flow.hpp"
 #include "robot.hpp"
 
@@ -33,15 +35,66 @@ unsigned long Strands::self() const {
 }
 
 void Strands::finish(void* result) {
+  specifics_.destroy();
+  forget_strand(lockstep_.current());
   if (lockstep_.is_last_strand()) Session::here()->leave(0);
   const auto me = threads_.find(self());
   if (me != threads_.end()) {
-    me->second.strand = nullptr;
-    me->second.result = result;
-    wake(&me->second, true);
+    note_end(me->second, result);
     if (me->second.is_detached) threads_.erase(me);
   }
   lockstep_.drop_strand();
+}
+
+void Strands::note_end(Thread& thread, void* result) {
+  thread.strand = nullptr;
+  thread.result = result;
+  wake(&thread, true);
+}
+
+/// Another one may lie where it lay; the locks that it has are nobody's.
+void Strands::forget_strand(const Strand* strand) {
+  for (auto& [lock, owner] : owners_) {
+    if (owner.strand == strand) owner.strand = nullptr;
+  }
+}
+
+int Strands::cancel(unsigned long number) {
+  const auto found = threads_.find(number);
+  if (found == threads_.end() || found->second.robot != lockstep_.current()->robot) return ESRCH;
+  Strand* const strand = found->second.strand;
+  if (strand == nullptr) return 0;
+  if (strand == lockstep_.current()) finish(PTHREAD_CANCELED);
+  for (auto row = waiting_.begin(); row != waiting_.end();) {
+    std::erase(row->second, strand);
+    row = row->second.empty() ? waiting_.erase(row) : std::next(row);
+  }
+  specifics_.forget_strand(strand);
+  forget_strand(strand);
+  note_end(found->second, PTHREAD_CANCELED);
+  if (found->second.is_detached) threads_.erase(found);
+  lockstep_.drop_other(*strand);
+  return 0;
+}
+
+void Strands::make_barrier(const void* barrier, unsigned count) {
+  if (count == 0) {
+    barriers_.erase(barrier);
+  } else {
+    barriers_[barrier] = {lockstep_.current()->robot, count, 0};
+  }
+}
+
+bool Strands::meet(const void* barrier) {
+  const auto found = barriers_.find(barrier);
+  if (found == barriers_.end()) return true;  // it is none
+  if (++found->second.there < found->second.count) {
+    park(barrier, Lockstep::kNever);
+    return false;
+  }
+  found->second.there = 0;
+  wake(barrier, true);
+  return true;
 }
 
 int Strands::join(unsigned long number, void** result) {
@@ -93,8 +146,9 @@ void Strands::wake(const void* what, bool all) {
 bool Strands::own(const void* lock) {
   Owner& owner = owners_[lock];
   Strand* const me = lockstep_.current();
-  if (owner.strand != nullptr && owner.strand != me) return false;
+  if (owner.count > 0 && owner.strand != me) return false;
   owner.strand = me;
+  owner.robot = me->robot;
   ++owner.count;
   return true;
 }
@@ -114,7 +168,9 @@ bool Strands::owns(const void* lock) const {
 
 void Strands::forget(std::size_t robot) {
   std::erase_if(threads_, [&](const auto& row) { return row.second.robot == robot; });
-  std::erase_if(owners_, [&](const auto& row) { return row.second.strand->robot == robot; });
+  std::erase_if(owners_, [&](const auto& row) { return row.second.robot == robot; });
+  std::erase_if(barriers_, [&](const auto& row) { return row.second.robot == robot; });
+  specifics_.forget_robot(robot);
   for (auto row = waiting_.begin(); row != waiting_.end();) {
     std::erase_if(row->second, [&](const Strand* strand) { return strand->robot == robot; });
     row = row->second.empty() ? waiting_.erase(row) : std::next(row);

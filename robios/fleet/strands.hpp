@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "lockstep.hpp"
+#include "specifics.hpp"
 
 namespace eyebridge::robios {
 
@@ -16,7 +17,7 @@ namespace eyebridge::robios {
 class Strands {
  public:
   /// `lockstep` is lent.
-  explicit Strands(Lockstep& lockstep) : lockstep_(lockstep) {}
+  explicit Strands(Lockstep& lockstep) : lockstep_(lockstep), specifics_(lockstep) {}
 
   using Start = void* (*)(void*);
   /// A thread of the calling robot, from now on: its number.
@@ -28,6 +29,8 @@ class Strands {
   /// As pthread_join() and pthread_detach(): 0 or an error code.
   int join(unsigned long thread, void** result);
   int detach(unsigned long thread);
+  /// As pthread_cancel(), but that it ends at once: 0 or an error code. Nothing is cleaned up.
+  int cancel(unsigned long thread);
 
   /// Lays the caller down until wake(what) or `deadline` on its clock; true when that came first.
   bool park(const void* what, Time deadline);
@@ -38,6 +41,13 @@ class Strands {
   /// How often the caller still has it; -1 when it has not.
   int disown(const void* lock);
   [[nodiscard]] bool owns(const void* lock) const;
+
+  /// A barrier for `count` threads; 0: it is gone.
+  void make_barrier(const void* barrier, unsigned count);
+  /// Waits until as many threads are at the barrier as it is for; true for the last one.
+  bool meet(const void* barrier);
+
+  [[nodiscard]] Specifics& specifics() { return specifics_; }
 
   /// True once a program has made a thread.
   [[nodiscard]] bool any() const { return next_number_ > 1; }
@@ -54,16 +64,27 @@ class Strands {
     bool is_detached = false;
   };
   struct Owner {
-    Strand* strand = nullptr;
+    const Strand* strand = nullptr;  ///< Null when that has ended, and has it for ever.
+    std::size_t robot = 0;
     int count = 0;
   };
 
+  struct Barrier {
+    std::size_t robot = 0;
+    unsigned count = 0;
+    unsigned there = 0;
+  };
+
   [[nodiscard]] Time now() const;
+  void note_end(Thread& thread, void* result);
+  void forget_strand(const Strand* strand);
 
   Lockstep& lockstep_;
   std::map<unsigned long, Thread> threads_;
   std::unordered_map<const void*, std::deque<Strand*>> waiting_;
   std::unordered_map<const void*, Owner> owners_;
+  std::unordered_map<const void*, Barrier> barriers_;
+  Specifics specifics_;
   unsigned long next_number_ = 1;
 };
 

@@ -110,6 +110,7 @@ static int wait_for(pthread_cond_t* condition, pthread_mutex_t* mutex, long long
   unlock(mutex);
   const int is_late = CALLS.park(condition, deadline);
   const int error = lock_until(mutex, -1);
+  pthread_testcancel(); /* with the mutex */
   return error != 0 ? error : is_late ? ETIMEDOUT : 0;
 }
 
@@ -148,7 +149,9 @@ EXPORTED int pthread_cond_broadcast(pthread_cond_t* condition) {
 static int take_until(sem_t* semaphore, long long deadline) {
   while (sem_trywait(semaphore) != 0) {
     if (errno != EAGAIN) return -1;
-    if (CALLS.park(semaphore, deadline)) {
+    const int is_late = CALLS.park(semaphore, deadline);
+    pthread_testcancel();
+    if (is_late) {
       errno = ETIMEDOUT;
       return -1;
     }

@@ -115,6 +115,8 @@ void eyebridge_thread_starts(void* member) {
 
 void eyebridge_thread_ends(void* member) { program_threads().leave(member_of(member)); }
 
+void eyebridge_thread_cancelled(unsigned long thread) { program_threads().cancel(thread); }
+
 void eyebridge_thread_awaited(unsigned long thread) {
   program_threads().await_end(*flow.member, [thread](const ThreadTurns::Member& member) {
     return member.thread == thread;

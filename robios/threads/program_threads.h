@@ -19,6 +19,8 @@ void eyebridge_thread_is(void* member, unsigned long thread);
 /* What the thread does first, and last; the latter, too, when it cannot be started. */
 void eyebridge_thread_starts(void* member);
 void eyebridge_thread_ends(void* member);
+/* pthread_cancel() was called for it. */
+void eyebridge_thread_cancelled(unsigned long thread);
 /* Returns when the thread is about to end: in virtual time the caller's turn is over till then. */
 void eyebridge_thread_awaited(unsigned long thread);
 /* NOLINTEND(readability-identifier-naming) */

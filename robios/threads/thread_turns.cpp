@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include <pthread.h>
+
 #include "flow.hpp"
 
 namespace eyebridge::robios {
@@ -18,6 +20,18 @@ constexpr microseconds kLookSoon(50);
 constexpr microseconds kLookAgain(2000);
 constexpr microseconds kLookSeldom(20'000);  // who is not next
 
+/// Who sleeps here is cancelled where he may be, not here: a condition has its mutex then.
+class Uncancelled {
+ public:
+  Uncancelled() { pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, &before_); }
+  ~Uncancelled() { pthread_setcancelstate(before_, nullptr); }
+  Uncancelled(const Uncancelled&) = delete;
+  Uncancelled& operator=(const Uncancelled&) = delete;
+
+ private:
+  int before_ = PTHREAD_CANCEL_ENABLE;
+};
+
 }  // namespace
 
 ThreadTurns::ThreadTurns(Look look, Tell tell) : look_(std::move(look)), tell_(std::move(tell)) {}
@@ -25,9 +39,17 @@ ThreadTurns::~ThreadTurns() = default;
 
 void ThreadTurns::begin(Clock& clock) { clock_.store(&clock, std::memory_order_release); }
 
+/// Takes the lock. Whoever waits for it sleeps, by the kernel's word, and yet goes on.
+ThreadTurns::Lock ThreadTurns::enter() {
+  ++entering_;
+  Lock lock(mutex_);
+  --entering_;
+  return lock;
+}
+
 ThreadTurns::Member& ThreadTurns::expect() {
   const InCall in_call;
-  const Lock lock(mutex_);
+  const Lock lock = enter();
   Member& made = members_.emplace_back();
   ++count_;
   if (have_begun()) {
@@ -39,14 +61,14 @@ ThreadTurns::Member& ThreadTurns::expect() {
 
 void ThreadTurns::start(Member& me) {
   const InCall in_call;
-  Lock lock(mutex_);
+  Lock lock = enter();
   if (me.stage == Stage::Waiting) await_turn(me, lock);
   me.stage = Stage::Out;
 }
 
 ThreadTurns::Member& ThreadTurns::adopt(int tid) {
   const InCall in_call;
-  const Lock lock(mutex_);
+  const Lock lock = enter();
   const auto found = std::ranges::find(members_, tid, [](const Member& m) { return m.tid.load(); });
   if (found != members_.end()) return *found;
   Member& made = members_.emplace_back();
@@ -57,15 +79,23 @@ ThreadTurns::Member& ThreadTurns::adopt(int tid) {
 
 void ThreadTurns::name(const Member& member, unsigned long thread) {
   const InCall in_call;
-  const Lock lock(mutex_);
+  const Lock lock = enter();
   for (Member& present : members_) {
     if (&present == &member) present.thread = thread;
   }
 }
 
+void ThreadTurns::cancel(unsigned long thread) {
+  const InCall in_call;
+  const Lock lock = enter();
+  for (Member& member : members_) {
+    if (member.thread == thread && member.stage == Stage::Waiting) wake_member(member);
+  }
+}
+
 void ThreadTurns::leave(Member& member) {
   const InCall in_call;
-  Lock lock(mutex_);
+  Lock lock = enter();
   member.stage = Stage::Gone;
   forget_gone();
   const std::shared_ptr<WakeUp> next = have_begun() ? pass_on() : nullptr;
@@ -77,11 +107,12 @@ void ThreadTurns::wait(Member& me, Time deadline) {
   if (deadline <= now()) return;
   if (is_alone()) return clock()->wait_until(deadline);
   park(me, nullptr, deadline);
+  pthread_testcancel();  // as every sleep
 }
 
 bool ThreadTurns::park(Member& me, const void* what, Time deadline) {
   const InCall in_call;
-  Lock lock(mutex_);
+  Lock lock = enter();
   me.deadline = std::max(deadline, now() + Time(1));
   me.what = what;
   me.arrival = ++arrivals_;
@@ -102,6 +133,7 @@ bool ThreadTurns::park(Member& me, const void* what, Time deadline) {
 
 /// Gives way until it is the caller's turn. `lock` is released.
 void ThreadTurns::await_turn(Member& me, Lock& lock) {
+  const Uncancelled until_then;
   microseconds pause = kLookSoon;
   for (;;) {
     const std::shared_ptr<WakeUp> next = pass_on();
@@ -114,7 +146,7 @@ void ThreadTurns::await_turn(Member& me, Lock& lock) {
     me.turn->wait_for(patience);
     // Whose turn it is needs no lock, which who gave it may still have.
     if (me.stage == Stage::Going) return;
-    lock.lock();
+    lock = enter();
     pause = std::min(2 * pause, kLookAgain);
   }
 }
@@ -122,7 +154,7 @@ void ThreadTurns::await_turn(Member& me, Lock& lock) {
 void ThreadTurns::wake(const void* what, bool all) {
   if (is_alone()) return;
   const InCall in_call;
-  const Lock lock(mutex_);
+  const Lock lock = enter();
   wake_locked(what, all);
 }
 
@@ -136,10 +168,14 @@ void ThreadTurns::wake_locked(const void* what, bool all) {
       if (waits(member) && (first == nullptr || member.arrival < first->arrival)) first = &member;
     }
     if (first == nullptr) return;
-    first->was_woken = true;
-    first->deadline = now();
+    wake_member(*first);
     if (!all) return;
   }
+}
+
+void ThreadTurns::wake_member(Member& member) const {
+  member.was_woken = true;
+  member.deadline = now();
 }
 
 void ThreadTurns::await_end(Member& me, const std::function<bool(const Member&)>& is_wanted) {
@@ -147,7 +183,7 @@ void ThreadTurns::await_end(Member& me, const std::function<bool(const Member&)>
     const Member* wanted = nullptr;
     {
       const InCall in_call;
-      const Lock lock(mutex_);
+      const Lock lock = enter();
       const auto found = std::ranges::find_if(members_, is_wanted);
       if (found == members_.end()) return;
       wanted = &*found;
@@ -198,6 +234,7 @@ std::shared_ptr<WakeUp> ThreadTurns::pass_on() {
     is_gone = is_gone || member.stage == Stage::Gone;
   }
   if (is_gone) forget_gone();
+  if (entering_ != 0) return nullptr;  // after the looks: who sleeps at our own lock goes on
   Member* const next = first_waiting();
   if (next == nullptr || next->deadline == kNever) return nullptr;
   next->stage = Stage::Going;

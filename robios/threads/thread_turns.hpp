@@ -60,12 +60,15 @@ class ThreadTurns {
   /// It ends, or was never started.
   void leave(Member& member);
 
-  /// Returns when the clock is at `deadline` and it is the caller's turn.
+  /// Returns when the clock is at `deadline` and it is the caller's turn. A cancellation point.
   void wait(Member& me, Time deadline);
   /// The same, or when somebody wakes `what`; true when the deadline came first.
   bool park(Member& me, const void* what, Time deadline);
   /// Who parked at `what` first, or all, go on at the present time, each in its turn.
   void wake(const void* what, bool all);
+
+  /// The one with this name is cancelled: it waits no longer.
+  void cancel(unsigned long thread);
 
   /// For join(): parks until the member that `is_wanted` has left; at once when there is none.
   void await_end(Member& me, const std::function<bool(const Member&)>& is_wanted);
@@ -76,17 +79,20 @@ class ThreadTurns {
   using Lock = std::unique_lock<std::mutex>;
 
   [[nodiscard]] Clock* clock() const { return clock_.load(std::memory_order_acquire); }
+  [[nodiscard]] Lock enter();
   [[nodiscard]] bool is_busy(Member& member);
   [[nodiscard]] Member* first_waiting();
   std::shared_ptr<WakeUp> pass_on();
   void await_turn(Member& me, Lock& lock);
   void wake_locked(const void* what, bool all);
+  void wake_member(Member& member) const;
   void forget_gone();
 
   const Look look_;
   const Tell tell_;
   std::mutex mutex_;
-  std::list<Member> members_;  ///< In the order they were made.
+  std::atomic<int> entering_ = 0;  ///< Who waits for the lock: he goes on.
+  std::list<Member> members_;      ///< In the order they were made.
   std::atomic<std::size_t> count_ = 0;
   std::uint64_t arrivals_ = 0;
   std::atomic<Clock*> clock_ = nullptr;

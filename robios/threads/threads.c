@@ -52,6 +52,13 @@ EXPORTED int pthread_join(pthread_t thread, void** result) {
   return next_pthread_join(thread, result);
 }
 
+EXPORTED int pthread_cancel(pthread_t thread) {
+  NEXT(int, pthread_cancel, (pthread_t));
+  const int error = next_pthread_cancel(thread);
+  if (error == 0 && TAKES_TURNS()) eyebridge_thread_cancelled(thread);
+  return error;
+}
+
 EXPORTED int pthread_barrier_wait(pthread_barrier_t* barrier) {
   NEXT(int, pthread_barrier_wait, (pthread_barrier_t*));
   const int result = next_pthread_barrier_wait(barrier);

@@ -41,6 +41,18 @@ struct eyebridge_robot_calls {
   /* 0, or the error code of pthread_join(). */
   int (*join)(unsigned long thread, void** result);
   int (*detach)(unsigned long thread);
+  /* As pthread_cancel(), but that it ends at once, and nothing is cleaned up. */
+  int (*cancel)(unsigned long thread);
+  /* The value of a key that is the calling thread's. */
+  void* (*specific)(unsigned key);
+  void (*set_specific)(unsigned key, const void* value);
+  /* `destroy` (or null) is called with the values of threads that end. */
+  void (*make_key)(unsigned key, void (*destroy)(void*));
+  void (*forget_key)(unsigned key);
+  /* A barrier for `count` threads; 0: it is gone. */
+  void (*make_barrier)(const void* barrier, unsigned count);
+  /* Waits for the others; 1 for the last one of them. */
+  int (*meet)(const void* barrier);
   /* Lays the caller down until somebody wakes `what`, or until `deadline` (ns on its clock; -1:
      none). 1 when that came first. */
   int (*park)(const void* what, long long deadline);

@@ -50,11 +50,25 @@ TEST(ProgramTurns, ThreadsMayWaitForWhatTheLibraryDoesNotKnow) {
             "0 of mine at 500\n"
             "met at 530\n"
             "cancelled 1\n"
-            "left 5 at 580\n"
+            "cancelled 1, unlocked 1\n"
+            "left 5 at 630\n"
             "select, poll 500\n"
             "until then 2500\n"
             "until that time of day 3500\n"
             "looked at the clock until 4000\n");
+}
+
+TEST(ProgramTurns, ThreadsHaveDataBarriersAndAnEndOfTheirOwn) {
+  const std::string what =
+      ": mine 1, of a 1, of b 2, destroyed 3, met at 130, last 01, cancelled 1, its lock is taken "
+      "1, "
+      "at 230\n";
+  const auto alone = run_named("several_threads");
+  EXPECT_EQ(alone.out, "1" + what) << alone.err;
+  const auto two = run_named("several_threads", {{"EYEBRIDGE_ROBOTS", "2"}});
+  EXPECT_EQ(two.exit_code, 0) << two.err;
+  EXPECT_THAT(two.out, HasSubstr("1" + what));
+  EXPECT_THAT(two.out, HasSubstr("2" + what));
 }
 
 TEST(ProgramTurns, TimeIsTheRobotsFromTheFirstLookOn) {

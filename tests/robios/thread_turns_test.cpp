@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace eyebridge::robios {
 namespace {
@@ -160,6 +161,30 @@ TEST(ThreadTurns, HoldTimeUpWhileOneComputes) {
   for (std::thread& thread : stage.threads) thread.join();
   EXPECT_EQ(stage.clock.now(), milliseconds(20));
   EXPECT_EQ(stage.told, 0);
+}
+
+// Who waits for the table's lock sleeps, too, but is about to wait for an earlier moment.
+TEST(ThreadTurns, WaitForWhoIsComing) {
+  Stage stage;
+  Member& coming = stage.turns.adopt(2);
+  stage.look = [&](Member& member) -> ThreadState {
+    EXPECT_EQ(&member, &coming);
+    if (!stage.threads.empty()) return {Kind::Sleeps};
+    std::atomic<int> tid = 0;
+    stage.threads.emplace_back([&] {
+      tid = gettid();
+      stage.turns.wait(coming, milliseconds(5));
+      stage.text += 'a';
+      stage.turns.leave(coming);
+    });
+    while (tid == 0) std::this_thread::yield();
+    ThreadView view(tid);
+    while (view.look().kind != Kind::Sleeps) std::this_thread::yield();
+    return view.look();
+  };
+  stage.turns.wait(*stage.me, milliseconds(10));
+  stage.text += 'b';
+  EXPECT_EQ(stage.run(), "ab");
 }
 
 TEST(ThreadTurns, GoOnWithoutWhoComputesForLong) {

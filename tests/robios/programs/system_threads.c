@@ -33,6 +33,19 @@ static void* run_on(void* unused) {
   return unused;
 }
 
+static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
+static pthread_cond_t never = PTHREAD_COND_INITIALIZER;
+
+static void unlock(void* held) { pthread_mutex_unlock(held); }
+
+static void* wait_for_ever(void* unused) {
+  pthread_mutex_lock(&mutex);
+  pthread_cleanup_push(unlock, &mutex);
+  for (;;) pthread_cond_wait(&never, &mutex);
+  pthread_cleanup_pop(1);
+  return unused;
+}
+
 static void* leave(void* code) { pthread_exit(code); }
 
 static void sleeps(void) {
@@ -84,6 +97,12 @@ int main() {
   pthread_cancel(a);
   pthread_join(a, &result);
   printf("cancelled %d\n", result == PTHREAD_CANCELED);
+  pthread_create(&a, NULL, wait_for_ever, NULL);
+  OSWait(50);
+  pthread_cancel(a);
+  pthread_join(a, &result);
+  printf("cancelled %d, unlocked %d\n", result == PTHREAD_CANCELED,
+         pthread_mutex_trylock(&mutex) == 0);
   pthread_create(&a, NULL, leave, (void*)5L);
   pthread_join(a, &result);
   sched_yield();
