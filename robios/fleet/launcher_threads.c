@@ -2,6 +2,7 @@
    (robios/fleet/strands): what would block it lays down the caller instead. In real time a new
    thread only learns whose robot it is. */
 #include <errno.h>
+#include <limits.h>
 #include <pthread.h>
 #include <sched.h>
 #include <stdlib.h>
@@ -75,28 +76,41 @@ EXPORTED int pthread_cancel(pthread_t thread) {
   return TAKES_TURNS() ? CALLS.cancel(thread) : next_pthread_cancel(thread);
 }
 
+/* Keys that programs have made in turns. Others are libraries', also a sanitizer's, which looks at
+   any time, and stay the C library's. */
+static char is_programs[PTHREAD_KEYS_MAX];
+
+static int is_strands(pthread_key_t key) {
+  return key < PTHREAD_KEYS_MAX && is_programs[key] != 0 && TAKES_TURNS();
+}
+
 EXPORTED int pthread_key_create(pthread_key_t* key, void (*destroy)(void*)) {
   NEXT(int, pthread_key_create, (pthread_key_t*, void (*)(void*)));
   if (!TAKES_TURNS()) return next_pthread_key_create(key, destroy);
   const int error = next_pthread_key_create(key, NULL); /* only its number is used */
-  if (error == 0) CALLS.make_key(*key, destroy);
-  return error;
+  if (error != 0) return error;
+  CALLS.make_key(*key, destroy);
+  is_programs[*key] = 1;
+  return 0;
 }
 
 EXPORTED int pthread_key_delete(pthread_key_t key) {
   NEXT(int, pthread_key_delete, (pthread_key_t));
-  if (TAKES_TURNS()) CALLS.forget_key(key);
+  if (is_strands(key)) {
+    is_programs[key] = 0;
+    CALLS.forget_key(key);
+  }
   return next_pthread_key_delete(key);
 }
 
 EXPORTED void* pthread_getspecific(pthread_key_t key) {
   NEXT(void*, pthread_getspecific, (pthread_key_t));
-  return TAKES_TURNS() ? CALLS.specific(key) : next_pthread_getspecific(key);
+  return is_strands(key) ? CALLS.specific(key) : next_pthread_getspecific(key);
 }
 
 EXPORTED int pthread_setspecific(pthread_key_t key, const void* value) {
   NEXT(int, pthread_setspecific, (pthread_key_t, const void*));
-  if (!TAKES_TURNS()) return next_pthread_setspecific(key, value);
+  if (!is_strands(key)) return next_pthread_setspecific(key, value);
   CALLS.set_specific(key, value);
   return 0;
 }

@@ -71,7 +71,7 @@ __attribute__((constructor)) void start_several(int argc, char** argv, char** /*
   if (dladdr(reinterpret_cast<void*>(&start_several), &library) == 0) return;
   if (argc < 1 || !belongs_to_program(library.dli_fname)) return;
   const Wanted settings = wanted();
-  if (settings.virtual_time) begin_session_with_time();
+  if (settings.virtual_time) expect_virtual_time();
   if (!settings.several) return;
   std::vector<std::string> words{program_file().string()};
   words.insert(words.end(), argv + 1, argv + argc);

@@ -23,10 +23,9 @@ inline constexpr std::array kCallCosts = {
     CallCost{"ANALOGTransfer", std::chrono::microseconds(100)},
     CallCost{"AU", std::chrono::microseconds(100)},
     CallCost{"AUMicrophone", std::chrono::microseconds(1500)},
-    CallCost{"CAM", std::chrono::microseconds(200)},          // waiting for the frame comes on top
-    CallCost{"clock_gettime", std::chrono::microseconds(1)},  // and its like
-    CallCost{"DIGITAL", std::chrono::microseconds(1500)},     //
-    CallCost{"ENCODER", std::chrono::microseconds(1500)},     //
+    CallCost{"CAM", std::chrono::microseconds(200)},       // waiting for the frame comes on top
+    CallCost{"DIGITAL", std::chrono::microseconds(1500)},  //
+    CallCost{"ENCODER", std::chrono::microseconds(1500)},  //
     CallCost{"EYEBRIDGEAccelerometer", std::chrono::microseconds(1500)},  // as other sensors
     CallCost{"EYEBRIDGEGyroscope", std::chrono::microseconds(1500)},      //
     CallCost{"IRTV", std::chrono::microseconds(20)},                      //
@@ -51,6 +50,8 @@ inline constexpr std::array kCallCosts = {
     CallCost{"SIM", std::chrono::microseconds(20)},
     CallCost{"VW", std::chrono::microseconds(1500)},
 };
+/// A look at the C library's clocks.
+inline constexpr Time kLookCost = std::chrono::microseconds(1);
 inline constexpr Time kOtherCallCost = std::chrono::microseconds(100);
 
 /// How long the call named `call` takes on a real robot, for virtual clocks.

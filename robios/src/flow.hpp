@@ -1,5 +1,9 @@
 #pragma once
 
+#include <utility>
+
+#include "eyebridge/base/clock.hpp"
+
 namespace eyebridge::robios {
 
 class Session;
@@ -14,6 +18,8 @@ struct Flow {
   TurnMember* member = nullptr;
   /// Calls of the API that it is in: a crash there may have left something locked.
   int calls = 0;
+  /// What looks at the time have cost since the last call, which charges it.
+  Time looked{0};
   bool in_timer = false;        ///< It runs the function of a timer.
   int kernel_calls = 0;         ///< Of classic RoBIOS's multitasking.
   void* kernel_task = nullptr;  ///< Likewise: which task it is.
@@ -24,6 +30,9 @@ struct Flow {
 // Asked at every call: where the thread's start is, and not through a function. The library may be
 // loaded late (by Python); there is always room for so little.
 inline thread_local constinit Flow flow [[gnu::tls_model("initial-exec")]];
+
+/// The looks, to be charged now.
+inline Time take_looks() { return std::exchange(flow.looked, Time(0)); }
 
 /// Counts one call.
 class InCall {

@@ -54,10 +54,23 @@ void Session::charge(const Call& call) {
                          std::memory_order_relaxed);
     }
     const double cost = static_cast<double>(call.cost.count()) * impl_->cost_scale;
-    impl_->clock.spend(Time(static_cast<Time::rep>(cost)));
+    impl_->clock.spend(Time(static_cast<Time::rep>(cost)) + take_looks());
     if (impl_->timers.any()) impl_->timers.run_due();
   }
   if (impl_->limit) check_limit();
+}
+
+Time Session::look_at_clock() {
+  // Others go on, too, while one does nothing but look.
+  constexpr Time kMost = 100 * kLookCost;
+  flow.looked += kLookCost;
+  if (flow.looked >= kMost) {
+    const InCall in_call;
+    impl_->clock.spend(take_looks());
+    if (impl_->timers.any()) impl_->timers.run_due();
+    if (impl_->limit) check_limit();
+  }
+  return impl_->clock.now() + flow.looked;
 }
 
 void Session::wait_until(Time deadline) {

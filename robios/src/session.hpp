@@ -81,6 +81,9 @@ class Session {
 
   /// Charges what `call` costs on a real robot, and runs the timers that came due meanwhile.
   void charge(const Call& call);
+  /// What the program sees on the C library's clocks. The look is charged later, with others: it
+  /// may come from anywhere, as from what counts memory.
+  Time look_at_clock();
   /// Waits until `deadline` on the robot's clock; timers run meanwhile.
   void wait_until(Time deadline);
 

@@ -21,11 +21,14 @@ namespace {
 using eyebridge::robios::flow;
 using eyebridge::robios::InCall;
 using eyebridge::robios::Session;
+using eyebridge::robios::take_looks;
 
 /// The session of the calling program, when its clock is not the wall clock; else null.
 Session* own_time() {
-  if (flow.session == nullptr && eyebridge_is_in_program() == 0) return nullptr;
-  eyebridge_time_is_asked();
+  // In real time timers' functions run in a thread of ours.
+  const bool is_timers = flow.in_timer && flow.calls == 0;
+  if (flow.session == nullptr && !is_timers && eyebridge_is_in_program() == 0) return nullptr;
+  eyebridge_begin_sleep();
   return Session::with_own_time();
 }
 
@@ -34,7 +37,7 @@ bool waited(std::chrono::nanoseconds duration) {
   Session* session = own_time();
   if (session == nullptr) return false;
   const InCall in_call;
-  session->wait_until(session->clock().now() + duration);
+  session->wait_until(session->clock().now() + take_looks() + duration);
   return true;
 }
 

@@ -13,14 +13,32 @@ static int is_recursive(const pthread_mutex_t* mutex) {
   return (mutex->__data.__kind & 3) == PTHREAD_MUTEX_RECURSIVE;
 }
 
+static int is_checked(const pthread_mutex_t* mutex) {
+  return (mutex->__data.__kind & 3) == PTHREAD_MUTEX_ERRORCHECK;
+}
+
 static int knows_owner(const pthread_mutex_t* mutex) {
-  if (CALLS.own == NULL) return 0;
-  return is_recursive(mutex) || (mutex->__data.__kind & 3) == PTHREAD_MUTEX_ERRORCHECK;
+  return !ARE_THREADS() && (is_recursive(mutex) || is_checked(mutex));
+}
+
+static int is_free(const void* mutex) {
+  return ((const pthread_mutex_t*)mutex)->__data.__lock == 0;
+}
+
+static int has_value(const void* semaphore) {
+  int value = 0;
+  return sem_getvalue((sem_t*)semaphore, &value) == 0 && value > 0;
+}
+
+/* On which clock it counts: bit 1 of what glibc has there. */
+static clockid_t clock_of(const pthread_cond_t* condition) {
+  return (condition->__data.__wrefs & 2) != 0 ? CLOCK_MONOTONIC : CLOCK_REALTIME;
 }
 
 /* 0, EBUSY or EDEADLK. */
 static int try_lock(pthread_mutex_t* mutex) {
   NEXT(int, pthread_mutex_trylock, (pthread_mutex_t*));
+  if (ARE_THREADS() && is_checked(mutex) && mutex->__data.__owner == gettid()) return EDEADLK;
   if (!knows_owner(mutex)) return next_pthread_mutex_trylock(mutex);
   if (!is_recursive(mutex) && CALLS.owns(mutex)) return EDEADLK;
   return CALLS.own(mutex) ? 0 : EBUSY;
@@ -30,7 +48,7 @@ static int lock_until(pthread_mutex_t* mutex, long long deadline) {
   for (;;) {
     const int error = try_lock(mutex);
     if (error != EBUSY) return error;
-    if (CALLS.park(mutex, deadline)) return ETIMEDOUT;
+    if (eyebridge_park(mutex, deadline, is_free)) return ETIMEDOUT;
   }
 }
 
@@ -123,7 +141,7 @@ EXPORTED int pthread_cond_timedwait(pthread_cond_t* condition, pthread_mutex_t* 
                                     const struct timespec* until) {
   NEXT(int, pthread_cond_timedwait, (pthread_cond_t*, pthread_mutex_t*, const struct timespec*));
   if (!TAKES_TURNS()) return next_pthread_cond_timedwait(condition, mutex, until);
-  return wait_for(condition, mutex, deadline_of(CLOCK_REALTIME, until));
+  return wait_for(condition, mutex, deadline_of(clock_of(condition), until));
 }
 
 EXPORTED int pthread_cond_clockwait(pthread_cond_t* condition, pthread_mutex_t* mutex,
@@ -149,7 +167,7 @@ EXPORTED int pthread_cond_broadcast(pthread_cond_t* condition) {
 static int take_until(sem_t* semaphore, long long deadline) {
   while (sem_trywait(semaphore) != 0) {
     if (errno != EAGAIN) return -1;
-    const int is_late = CALLS.park(semaphore, deadline);
+    const int is_late = eyebridge_park(semaphore, deadline, has_value);
     pthread_testcancel();
     if (is_late) {
       errno = ETIMEDOUT;

@@ -37,6 +37,15 @@ static inline void* eyebridge_next(const char* name, void** known) {
 extern struct eyebridge_robot_calls EYEBRIDGE_CALLS;
 #define CALLS EYEBRIDGE_CALLS
 
+/* Threads of the system; else strands, which the C library takes for one. */
+#define ARE_THREADS() (CALLS.own == NULL)
+
+static inline int eyebridge_park(const void* what, long long deadline,
+                                 int (*is_free)(const void*)) {
+  return CALLS.park_unless != NULL ? CALLS.park_unless(what, deadline, is_free)
+                                   : CALLS.park(what, deadline);
+}
+
 #define TURNS() (CALLS.turns != NULL ? CALLS.turns() : EYEBRIDGE_NO_TURNS)
 #define TAKES_TURNS() (TURNS() == EYEBRIDGE_IN_PROGRAM)
 

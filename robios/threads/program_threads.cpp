@@ -21,10 +21,7 @@ using Member = ThreadTurns::Member;
 
 Member& member_of(void* member) { return *static_cast<Member*>(member); }
 
-ThreadState look_at(Member& member) {
-  if (member.view == nullptr) member.view = std::make_unique<ThreadView>(member.tid);
-  return member.view->look();
-}
+ThreadState look_at(Member& member) { return look_at_thread(member.tid); }
 
 void tell() {
   Session::instance().log().write(
@@ -43,9 +40,27 @@ bool is_ours() {
 /// The thread that loads the library is the main one, or an interpreter's that will call.
 [[gnu::constructor]] void join_main_thread() {
   if (gettid() == getpid()) join_program_threads();
+  pthread_atfork(
+      [] {
+        const InCall in_call;
+        program_threads().before_fork();
+      },
+      [] {
+        const InCall in_call;
+        program_threads().after_fork();
+      },
+      [] {
+        {
+          const InCall in_call;
+          program_threads().after_fork();
+        }
+        // It has one thread, with another number, and may begin a session if its parent had none.
+        flow.member = nullptr;
+        if (!Session::has_begun()) join_program_threads();
+      });
 }
 
-bool begins_with_time = false;
+bool is_time_virtual = false;
 
 int turns() {
   if (!eyebridge_is_in_program() || !program_threads().have_begun()) return EYEBRIDGE_NO_TURNS;
@@ -66,7 +81,7 @@ void join_program_threads() {
   flow.member = &program_threads().adopt(gettid());
 }
 
-void begin_session_with_time() { begins_with_time = true; }
+void expect_virtual_time() { is_time_virtual = true; }
 
 }  // namespace eyebridge::robios
 
@@ -79,15 +94,22 @@ __attribute__((visibility("hidden"))) eyebridge_robot_calls eyebridge_own_calls 
   eyebridge_robot_calls calls{};
   calls.turns = turns;
   calls.now = [] { return nanoseconds(program_threads().now()); };
-  calls.begin = eyebridge_time_is_asked;
-  calls.read_clock = [] {
-    const InCall in_call;
-    Session::instance().charge("clock_gettime");
-    return nanoseconds(program_threads().now());
+  calls.read_clock = []() -> long long {
+    if (eyebridge_is_in_program() == 0) return -1;
+    if (Session* const session = Session::has_begun() ? Session::with_own_time() : nullptr) {
+      return program_threads().have_begun() ? nanoseconds(session->look_at_clock()) : -1;
+    }
+    if (!is_time_virtual || Session::has_begun()) return -1;
+    flow.looked += kLookCost;
+    return nanoseconds(flow.looked);
   };
   calls.park = [](const void* what, long long deadline) {
     const auto until = deadline < 0 ? ThreadTurns::kNever : eyebridge::Time(deadline);
     return program_threads().park(*flow.member, what, until) ? 1 : 0;
+  };
+  calls.park_unless = [](const void* what, long long deadline, int (*is_free)(const void*)) {
+    const auto until = deadline < 0 ? ThreadTurns::kNever : eyebridge::Time(deadline);
+    return program_threads().park(*flow.member, what, until, is_free) ? 1 : 0;
   };
   calls.wake = [](const void* what, int all) { program_threads().wake(what, all != 0); };
   return calls;
@@ -97,8 +119,8 @@ int eyebridge_is_in_program(void) {
   return flow.member != nullptr && flow.calls == 0 && flow.session == nullptr ? 1 : 0;
 }
 
-void eyebridge_time_is_asked(void) {
-  if (begins_with_time && eyebridge_is_in_program() != 0) (void)Session::instance();
+void eyebridge_begin_sleep(void) {
+  if (is_time_virtual && eyebridge_is_in_program() != 0) (void)Session::instance();
 }
 
 void* eyebridge_thread_expected(void) { return &program_threads().expect(); }

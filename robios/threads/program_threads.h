@@ -10,8 +10,8 @@ extern "C" {
 /* NOLINTBEGIN(readability-identifier-naming): the names of C */
 /* 1 when the caller is one of them, outside of calls. */
 int eyebridge_is_in_program(void);
-/* Before the caller is told the time, or sleeps: begins the session where that is to be so. */
-void eyebridge_time_is_asked(void);
+/* Before the caller sleeps: begins the session where time will be virtual. */
+void eyebridge_begin_sleep(void);
 /* One that is about to be started by the caller; what the following take. */
 void* eyebridge_thread_expected(void);
 /* Its number, as its creator has it. */

@@ -13,9 +13,10 @@ ThreadTurns& program_threads();
 /// not known yet (an interpreter's) and is none of ours.
 void join_program_threads();
 
-/// The program's first look at the time, or first sleep, begins the session, as its first call
-/// would: its time is the robot's from the start, and runs repeat (`srand(time(NULL))`).
-void begin_session_with_time();
+/// The session will be in virtual time: the program's time is the robot's from its start, so that
+/// runs repeat (`srand(time(NULL))`), and its first sleep begins the session as a call would. (A
+/// look does not: what counts memory may look at any time.)
+void expect_virtual_time();
 
 /// A virtual clock that a program's threads share by turns. Others go on at once. Any thread.
 class TurnClock final : public Clock {

@@ -7,11 +7,17 @@
 
 typedef int try_function(pthread_rwlock_t*);
 
+/* For a look only: it may be taken again at once. */
+static int may_be_free(const void* lock) {
+  return ((const pthread_rwlock_t*)lock)->__data.__cur_writer == 0;
+}
+
 static int lock_until(pthread_rwlock_t* lock, try_function* attempt, long long deadline) {
+  if (ARE_THREADS() && lock->__data.__cur_writer == gettid()) return EDEADLK;
   for (;;) {
     const int error = attempt(lock);
     if (error != EBUSY) return error;
-    if (CALLS.park(lock, deadline)) return ETIMEDOUT;
+    if (eyebridge_park(lock, deadline, may_be_free)) return ETIMEDOUT;
   }
 }
 

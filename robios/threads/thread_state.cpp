@@ -1,11 +1,14 @@
 #include "thread_state.hpp"
 
 #include <array>
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
 
 #include <fcntl.h>
 #include <unistd.h>
+
+#include "eyebridge/base/unique_fd.hpp"
 
 namespace eyebridge::robios {
 
@@ -28,14 +31,16 @@ ThreadState read_thread_state(const char* text) {
           static_cast<double>(user + kernel) / ticks_per_second};
 }
 
-ThreadState ThreadView::look() {
-  if (!file_.valid()) {
-    std::array<char, 64> path{};
-    std::snprintf(path.data(), path.size(), "/proc/self/task/%d/stat", tid_);
-    file_ = UniqueFd(::open(path.data(), O_RDONLY | O_CLOEXEC));
+ThreadState look_at_thread(int tid) {
+  std::array<char, 64> path{};
+  std::snprintf(path.data(), path.size(), "/proc/self/task/%d/stat", tid);
+  // Not kept open: a program may close all files.
+  const UniqueFd file(::open(path.data(), O_RDONLY | O_CLOEXEC));
+  if (!file.valid()) {
+    return {errno == ENOENT ? ThreadState::Kind::Gone : ThreadState::Kind::Sleeps};
   }
   std::array<char, 1024> text{};
-  const ssize_t length = file_.valid() ? ::pread(file_.get(), text.data(), text.size() - 1, 0) : -1;
+  const ssize_t length = ::read(file.get(), text.data(), text.size() - 1);
   return read_thread_state(length > 0 ? text.data() : "");
 }
 

@@ -110,11 +110,12 @@ void ThreadTurns::wait(Member& me, Time deadline) {
   pthread_testcancel();  // as every sleep
 }
 
-bool ThreadTurns::park(Member& me, const void* what, Time deadline) {
+bool ThreadTurns::park(Member& me, const void* what, Time deadline, IsFree is_free) {
   const InCall in_call;
   Lock lock = enter();
   me.deadline = std::max(deadline, now() + Time(1));
   me.what = what;
+  me.is_free = is_free;
   me.arrival = ++arrivals_;
   me.was_woken = false;
   me.is_left_alone = false;
@@ -147,6 +148,7 @@ void ThreadTurns::await_turn(Member& me, Lock& lock) {
     // Whose turn it is needs no lock, which who gave it may still have.
     if (me.stage == Stage::Going) return;
     lock = enter();
+    if (me.is_free != nullptr && !me.was_woken && me.is_free(me.what) != 0) wake_member(me);
     pause = std::min(2 * pause, kLookAgain);
   }
 }

@@ -32,6 +32,7 @@ class ThreadTurns {
 
   /// A thread of the program.
   using Member = TurnMember;
+  using IsFree = int (*)(const void* what);
   using Look = std::function<ThreadState(Member&)>;
   /// Told once for each time that a thread has computed too long: time goes on without it.
   using Tell = std::function<void()>;
@@ -60,10 +61,15 @@ class ThreadTurns {
   /// It ends, or was never started.
   void leave(Member& member);
 
+  /// Before and after fork(2), in the calling thread: nobody else has the lock.
+  void before_fork() { mutex_.lock(); }
+  void after_fork() { mutex_.unlock(); }
+
   /// Returns when the clock is at `deadline` and it is the caller's turn. A cancellation point.
   void wait(Member& me, Time deadline);
-  /// The same, or when somebody wakes `what`; true when the deadline came first.
-  bool park(Member& me, const void* what, Time deadline);
+  /// The same, or when somebody wakes `what`; true when the deadline came first. `is_free(what)`,
+  /// which is asked now and then, wakes it, too: who is no member may have changed it.
+  bool park(Member& me, const void* what, Time deadline, IsFree is_free = nullptr);
   /// Who parked at `what` first, or all, go on at the present time, each in its turn.
   void wake(const void* what, bool all);
 
@@ -111,13 +117,13 @@ struct TurnMember {
   unsigned long thread = 0;  ///< As pthread_t; 0: not known.
   std::atomic<Stage> stage = Stage::Out;
   Time deadline = ThreadTurns::kNever;  ///< While it waits.
-  const void* what = nullptr;           ///< At which it parked.
+  ThreadTurns::IsFree is_free = nullptr;
+  const void* what = nullptr;  ///< At which it parked.
   std::uint64_t arrival = 0;
   bool was_woken = false;
   bool is_left_alone = false;            ///< It has computed too long; until it is here again.
   std::optional<double> computes_since;  ///< Its processor time when it was first seen to.
   const std::shared_ptr<WakeUp> turn = std::make_shared<WakeUp>();
-  std::unique_ptr<ThreadView> view;  ///< For the `look` of a process.
 };
 
 }  // namespace eyebridge::robios

@@ -31,7 +31,11 @@ static void* begin(void* given) {
 EXPORTED int pthread_create(pthread_t* thread, const pthread_attr_t* attributes,
                             void* (*start)(void*), void* argument) {
   NEXT(int, pthread_create, (pthread_t*, const pthread_attr_t*, void* (*)(void*), void*));
-  if (!eyebridge_is_in_program()) return next_pthread_create(thread, attributes, start, argument);
+  /* The thread sanitizer stands before us, and its threads must not begin with code of ours: they
+     take turns from their first call on. */
+  if (!eyebridge_is_in_program() || dlsym(RTLD_DEFAULT, "__tsan_init") != NULL) {
+    return next_pthread_create(thread, attributes, start, argument);
+  }
   struct beginning* beginning = malloc(sizeof *beginning);
   if (beginning == NULL) return EAGAIN;
   void* const member = eyebridge_thread_expected();
@@ -48,7 +52,7 @@ EXPORTED int pthread_create(pthread_t* thread, const pthread_attr_t* attributes,
 
 EXPORTED int pthread_join(pthread_t thread, void** result) {
   NEXT(int, pthread_join, (pthread_t, void**));
-  if (TAKES_TURNS()) eyebridge_thread_awaited(thread);
+  if (TAKES_TURNS() && !pthread_equal(thread, pthread_self())) eyebridge_thread_awaited(thread);
   return next_pthread_join(thread, result);
 }
 

@@ -24,13 +24,10 @@ struct eyebridge_robot_calls {
   /* Whether the caller's threads take turns, in virtual time: EYEBRIDGE_… below. The following are
    * asked then only. */
   int (*turns)(void);
-  /* The caller wants to know the time, before turns() is asked; null: nothing to do. */
-  void (*begin)(void);
   /* Nanoseconds on the clock of the caller's robot. */
   long long (*now)(void);
   /* The same for a program that looks at it, which takes time: so a loop that waits by looking
-   * ends.
-   */
+     ends. -1 when the caller's time is the computer's; without asking turns() before. */
   long long (*read_clock)(void);
   /* A thread of the caller's robot that runs start(argument); its number, never 0. */
   unsigned long (*create)(void* (*start)(void*), void* argument);
@@ -56,6 +53,9 @@ struct eyebridge_robot_calls {
   /* Lays the caller down until somebody wakes `what`, or until `deadline` (ns on its clock; -1:
      none). 1 when that came first. */
   int (*park)(const void* what, long long deadline);
+  /* The same; is_free(what) tells when somebody else than the robot's threads may have woken it (a
+     signal's handler, another process). Null where nobody asks. */
+  int (*park_unless)(const void* what, long long deadline, int (*is_free)(const void*));
   void (*wake)(const void* what, int all);
   /* A lock that knows its owner: 1 when the caller has it now, else 0. */
   int (*own)(const void* lock);

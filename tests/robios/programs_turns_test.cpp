@@ -1,5 +1,4 @@
-// Threads of a program that is the only robot: in virtual time they take turns. With the thread
-// sanitizer, too.
+// Threads of a program that is the only robot: in virtual time they take turns.
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -49,26 +48,33 @@ TEST(ProgramTurns, ThreadsMayWaitForWhatTheLibraryDoesNotKnow) {
             "read 5 at 500\n"
             "0 of mine at 500\n"
             "met at 530\n"
-            "cancelled 1\n"
-            "cancelled 1, unlocked 1\n"
-            "left 5 at 630\n"
+            "left 5 at 530\n"
+            "the child's thread says 42\n"
             "select, poll 500\n"
             "until then 2500\n"
             "until that time of day 3500\n"
             "looked at the clock until 4000\n");
 }
 
-TEST(ProgramTurns, ThreadsHaveDataBarriersAndAnEndOfTheirOwn) {
-  const std::string what =
-      ": mine 1, of a 1, of b 2, destroyed 3, met at 130, last 01, cancelled 1, its lock is taken "
-      "1, "
-      "at 230\n";
+TEST(ProgramTurns, ThreadsHaveDataAndBarriersOfTheirOwn) {
+  const std::string what = ": mine 1, of a 1, of b 2, destroyed 3, met at 130, last 01, at 130\n";
   const auto alone = run_named("several_threads");
   EXPECT_EQ(alone.out, "1" + what) << alone.err;
   const auto two = run_named("several_threads", {{"EYEBRIDGE_ROBOTS", "2"}});
   EXPECT_EQ(two.exit_code, 0) << two.err;
   EXPECT_THAT(two.out, HasSubstr("1" + what));
   EXPECT_THAT(two.out, HasSubstr("2" + what));
+}
+
+TEST(ProgramTurns, ThreadsCanBeCancelled) {
+#if !defined(__SANITIZE_ADDRESS__)  // it stumbles over threads of the system that are cancelled
+  const auto alone = run_named("cancels");
+  EXPECT_EQ(alone.out, "1: cancelled 111, free 1, taken 1, at 150\n") << alone.err;
+#endif
+  // Without their clean-up handlers.
+  const auto two = run_named("cancels", {{"EYEBRIDGE_ROBOTS", "2"}});
+  EXPECT_EQ(two.exit_code, 0) << two.err;
+  EXPECT_THAT(two.out, HasSubstr("1: cancelled 111, free 1, taken 1, at 150\n"));
 }
 
 TEST(ProgramTurns, TimeIsTheRobotsFromTheFirstLookOn) {

@@ -44,12 +44,11 @@ TEST(ThreadState, TakesNoTextForNoThread) {
 }
 
 TEST(ThreadState, IsSeenOfThreadsThatAreThere) {
-  ThreadView self(gettid());
-  EXPECT_EQ(self.look().kind, Kind::Computes);
+  EXPECT_EQ(look_at_thread(gettid()).kind, Kind::Computes);
   int tid = 0;
   std::thread([&] { tid = gettid(); }).join();
-  ThreadView ended(tid);
-  while (ended.look().kind != Kind::Gone) std::this_thread::yield();  // the kernel's last steps
+  while (look_at_thread(tid).kind != Kind::Gone)
+    std::this_thread::yield();  // the kernel's last steps
 }
 
 }  // namespace

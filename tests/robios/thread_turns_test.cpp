@@ -178,9 +178,8 @@ TEST(ThreadTurns, WaitForWhoIsComing) {
       stage.turns.leave(coming);
     });
     while (tid == 0) std::this_thread::yield();
-    ThreadView view(tid);
-    while (view.look().kind != Kind::Sleeps) std::this_thread::yield();
-    return view.look();
+    while (look_at_thread(tid).kind != Kind::Sleeps) std::this_thread::yield();
+    return {Kind::Sleeps};
   };
   stage.turns.wait(*stage.me, milliseconds(10));
   stage.text += 'b';

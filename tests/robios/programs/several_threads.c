@@ -1,10 +1,9 @@
-/* Threads of one of several robots: data of their own, barriers, cancelling. */
+/* Threads of one of several robots: data of their own, barriers. */
 #include "eyebot.h"
 
 static pthread_key_t key;
 static pthread_barrier_t barrier;
 static int destroyed;
-static pthread_mutex_t twice;
 
 static void destroy(void* value) { destroyed += (int)(long)value; }
 
@@ -19,16 +18,9 @@ static void* meet(void* wait) {
   return (void*)(long)(pthread_barrier_wait(&barrier) == PTHREAD_BARRIER_SERIAL_THREAD);
 }
 
-static void* run_on(void* unused) {
-  pthread_mutex_lock(&twice);
-  for (;;) OSWait(10);
-  return unused;
-}
-
 int main() {
   pthread_t a, b;
-  void *of_a, *of_b, *last_a, *last_b, *of_cancelled;
-  pthread_mutexattr_t attributes;
+  void *of_a, *of_b, *last_a, *last_b;
   int first, met;
   pthread_key_create(&key, destroy);
   pthread_create(&a, NULL, keep, (void*)1L);
@@ -45,17 +37,8 @@ int main() {
   pthread_join(a, &last_a);
   pthread_join(b, &last_b);
   pthread_barrier_destroy(&barrier);
-  pthread_mutexattr_init(&attributes);
-  pthread_mutexattr_settype(&attributes, PTHREAD_MUTEX_RECURSIVE);
-  pthread_mutex_init(&twice, &attributes);
-  pthread_create(&a, NULL, run_on, NULL);
-  OSWait(100);
-  pthread_cancel(a);
-  pthread_join(a, &of_cancelled);
   printf("%d: mine %d, of a %ld, of b %ld, destroyed %d, ", OSMachineID(), first, (long)of_a,
          (long)of_b, destroyed);
-  printf("met at %d, last %ld%ld, cancelled %d, its lock is taken %d, at %d\n", met, (long)last_a,
-         (long)last_b, of_cancelled == PTHREAD_CANCELED, pthread_mutex_trylock(&twice) != 0,
-         OSGetCount());
+  printf("met at %d, last %ld%ld, at %d\n", met, (long)last_a, (long)last_b, OSGetCount());
   return 0;
 }

@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <sched.h>
 #include <sys/select.h>
+#include <sys/wait.h>
 #include <time.h>
 
 #include "eyebot.h"
@@ -28,25 +29,24 @@ static void* meet(void* wait) {
   return NULL;
 }
 
-static void* run_on(void* unused) {
-  for (;;) usleep(1000);
-  return unused;
-}
-
-static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
-static pthread_cond_t never = PTHREAD_COND_INITIALIZER;
-
-static void unlock(void* held) { pthread_mutex_unlock(held); }
-
-static void* wait_for_ever(void* unused) {
-  pthread_mutex_lock(&mutex);
-  pthread_cleanup_push(unlock, &mutex);
-  for (;;) pthread_cond_wait(&never, &mutex);
-  pthread_cleanup_pop(1);
-  return unused;
-}
-
 static void* leave(void* code) { pthread_exit(code); }
+
+static void* add_one(void* number) { return (void*)((long)number + 1); }
+
+/* The child has no robot, but threads like any process. */
+static void forks(void) {
+  int status = 0;
+  const pid_t child = fork();
+  if (child == 0) {
+    pthread_t thread;
+    void* result = NULL;
+    pthread_create(&thread, NULL, add_one, (void*)41L);
+    pthread_join(thread, &result);
+    _exit((int)(long)result);
+  }
+  waitpid(child, &status, 0);
+  printf("the child's thread says %d\n", WEXITSTATUS(status));
+}
 
 static void sleeps(void) {
   struct timeval three_tenths = {0, 300000};
@@ -92,21 +92,12 @@ int main() {
   pthread_join(a, NULL);
   pthread_join(b, NULL);
 
-  pthread_create(&a, NULL, run_on, NULL);
-  OSWait(50);
-  pthread_cancel(a);
-  pthread_join(a, &result);
-  printf("cancelled %d\n", result == PTHREAD_CANCELED);
-  pthread_create(&a, NULL, wait_for_ever, NULL);
-  OSWait(50);
-  pthread_cancel(a);
-  pthread_join(a, &result);
-  printf("cancelled %d, unlocked %d\n", result == PTHREAD_CANCELED,
-         pthread_mutex_trylock(&mutex) == 0);
   pthread_create(&a, NULL, leave, (void*)5L);
   pthread_join(a, &result);
   sched_yield();
   printf("left %ld at %d\n", (long)result, OSGetCount());
+  fflush(stdout);
+  forks();
   sleeps();
   return 0;
 }
