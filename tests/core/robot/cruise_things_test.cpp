@@ -144,7 +144,7 @@ TEST(CruiseAmongThings, RaysBesideRobotsThatCruiseMeetBoxesAsSingleRaysDo) {
   for (RobotIndex robot = 0; robot < kMany; ++robot) fair.sim.set_speed(robot, {0.1, 0.2});
   int of_objects = 0;
   std::vector<double> scan(360);
-  ScanShape shape;
+  const ScanShape shape(2 * kPi, scan.size());
   for (int step = 0; step < 1000; ++step) {
     fair.step();
     if (step % 20 != 0) continue;
@@ -154,9 +154,8 @@ TEST(CruiseAmongThings, RaysBesideRobotsThatCruiseMeetBoxesAsSingleRaysDo) {
     const world::BodyId self = fair.sim.body(robot);
     const Sight sight =
         Sight(lidar.pose_in_robot).in_world(world.position(self), world.heading(self));
-    const std::vector<Vec2>& bearings = shape.directions(2 * kPi, scan.size());
     for (std::size_t i = 0; i < scan.size(); ++i) {
-      const Vec2 direction = sight.heading.rotate(bearings[i]);
+      const Vec2 direction = sight.heading.rotate(shape.directions[i]);
       ASSERT_EQ(scan[i], world.cast_ray(sight.origin, direction, lidar.max_range, self))
           << "step " << step << ", ray " << i;
       const Vec2 met = sight.origin + scan[i] * direction;

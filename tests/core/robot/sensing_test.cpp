@@ -1,6 +1,7 @@
 #include "sensing.hpp"
 
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -36,8 +37,7 @@ TEST(Sector, TakesDegreesFromZeroToThreeSixty) {
 }
 
 TEST(Scan, FullCircleStartsBehindAndGoesClockwise) {
-  ScanShape shape;
-  const auto& rays = shape.directions(2 * kPi, 360);
+  const std::vector<Vec2> rays = ScanShape(2 * kPi, 360).directions;
   ASSERT_EQ(rays.size(), 360u);
   EXPECT_NEAR(rays[0].x, -1.0, 1e-12);
   EXPECT_NEAR(rays[90].y, 1.0, 1e-12) << "left";
@@ -46,23 +46,28 @@ TEST(Scan, FullCircleStartsBehindAndGoesClockwise) {
 }
 
 TEST(Scan, PartOfACircleGoesFromLeftMostToRightMost) {
-  ScanShape shape;
-  const auto& rays = shape.directions(kPi, 181);
+  const std::vector<Vec2> rays = ScanShape(kPi, 181).directions;
   EXPECT_NEAR(rays[0].y, 1.0, 1e-12);
   EXPECT_NEAR(rays[90].x, 1.0, 1e-12);
   EXPECT_NEAR(rays[180].y, -1.0, 1e-12);
 }
 
-TEST(Scan, ASingleRayLooksAhead) {
-  ScanShape shape;
-  EXPECT_EQ(shape.directions(1.0, 1)[0], (Vec2{1.0, 0.0}));
-}
+TEST(Scan, ASingleRayLooksAhead) { EXPECT_EQ(ScanShape(1.0, 1).directions[0], (Vec2{1.0, 0.0})); }
 
-TEST(Scan, ShapeCanChangeBetweenScans) {
-  ScanShape shape;
-  EXPECT_EQ(shape.directions(kPi, 3).size(), 3u);
-  EXPECT_NEAR(shape.directions(kPi / 2, 3)[0].x, std::sqrt(0.5), 1e-12);
-  EXPECT_EQ(shape.directions(kPi / 2, 5).size(), 5u);
+TEST(Scan, ShapesAreToldApartAndKept) {
+  ScanShapes shapes;
+  EXPECT_EQ(shapes.of(kPi, 3).directions.size(), 3U);
+  EXPECT_NEAR(shapes.of(kPi / 2, 3).directions[0].x, std::sqrt(0.5), 1e-12);
+  EXPECT_EQ(shapes.of(kPi / 2, 5).directions.size(), 5U);
+  const Vec2* const kept = shapes.of(kPi, 3).directions.data();
+  shapes.of(kPi / 2, 5);
+  EXPECT_EQ(shapes.of(kPi, 3).directions.data(), kept);
+  // More than are kept: the one that was not asked for longest is made anew, and the same.
+  for (std::size_t points = 10; points < 30; ++points) {
+    EXPECT_EQ(shapes.of(1.0, points).directions.size(), points);
+  }
+  EXPECT_NEAR(shapes.of(kPi, 3).directions[0].y, 1.0, 1e-12);
+  EXPECT_DOUBLE_EQ(shapes.of(kPi, 3).gap, -kPi / 2);
 }
 
 TEST(Sight, FollowsTheRobot) {
