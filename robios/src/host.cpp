@@ -108,7 +108,7 @@ void EYEBRIDGEHostThreadStarts(void* expected) {
 }
 
 void EYEBRIDGEHostThreadFailed(void* expected) {
-  if (expected != nullptr) eyebridge_thread_ends(expected);
+  if (expected != nullptr) eyebridge_thread_failed(expected);
 }
 
 int EYEBRIDGEHostWait(long long nanoseconds) {

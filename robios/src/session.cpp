@@ -207,6 +207,8 @@ void Session::end() noexcept {
   std::call_once(impl_->ended, [this] {
     impl_->claim_end();
     impl_->stage = Impl::Stage::Ended;
+    // Destructors may wait for threads.
+    if (impl_->turn_clock) program_threads().end();
     if (impl_->runner == nullptr) {
       impl_->timers.stop();
     } else {

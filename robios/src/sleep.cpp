@@ -1,8 +1,11 @@
 // libc's sleeping on the robot's clock: a program that waits with usleep() while its motors run
 // must see the robot move as far as in real time. Libraries, and threads of theirs, sleep as ever.
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
+#include <optional>
 
 #include <dlfcn.h>
 #include <poll.h>
@@ -18,6 +21,7 @@
 
 namespace {
 
+using eyebridge::Time;
 using eyebridge::robios::flow;
 using eyebridge::robios::InCall;
 using eyebridge::robios::Session;
@@ -45,6 +49,24 @@ bool waited(std::chrono::nanoseconds duration) {
 template <class Function>
 Function* next(const char* name) {
   return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
+}
+
+/// In virtual time: looks again and again for `patience` of the robot's time, until it sees
+/// something; nothing for others, who wait as ever.
+template <class Look>
+std::optional<int> watched(Time patience, Look look) {
+  constexpr Time kPause = std::chrono::milliseconds(1);
+  std::optional<Time> deadline;
+  for (Session* session = own_time(); session != nullptr && session->clock().is_virtual();
+       session = own_time()) {
+    const int seen = look();
+    const Time now = session->clock().now();
+    if (!deadline) deadline = now + take_looks() + patience;
+    if (seen != 0 || now >= *deadline) return seen;
+    const InCall in_call;
+    session->wait_until(std::min(*deadline, now + kPause));
+  }
+  return std::nullopt;
 }
 
 bool is_valid(const timespec& time) {
@@ -91,22 +113,40 @@ int usleep(useconds_t microseconds) {
   return nanosleep(&wanted, nullptr);
 }
 
-// Where nothing is watched these are sleeps, too.
-
 int select(int count, fd_set* to_read, fd_set* to_write, fd_set* to_except, timeval* most) {
-  const bool is_sleep = to_read == nullptr && to_write == nullptr && to_except == nullptr;
-  if (is_sleep && most != nullptr && most->tv_sec >= 0 && most->tv_usec >= 0 &&
-      waited(std::chrono::seconds(most->tv_sec) + std::chrono::microseconds(most->tv_usec))) {
-    *most = {};
-    return 0;
+  using Select = int(int, fd_set*, fd_set*, fd_set*, timeval*);
+  if (most == nullptr || most->tv_sec < 0 || most->tv_usec < 0) {
+    return next<Select>("select")(count, to_read, to_write, to_except, most);
   }
-  return next<int(int, fd_set*, fd_set*, fd_set*, timeval*)>("select")(count, to_read, to_write,
-                                                                       to_except, most);
+  std::array<fd_set*, 3> sets{to_read, to_write, to_except};
+  std::array<fd_set, 3> wanted{};
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    if (sets[i] != nullptr) wanted[i] = *sets[i];
+  }
+  const auto look = [&] {
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+      if (sets[i] != nullptr) *sets[i] = wanted[i];
+    }
+    timeval at_once{};
+    return next<Select>("select")(count, to_read, to_write, to_except, &at_once);
+  };
+  const Time patience =
+      std::chrono::seconds(most->tv_sec) + std::chrono::microseconds(most->tv_usec);
+  if (const std::optional<int> seen = watched(patience, look)) {
+    if (*seen == 0) *most = {};
+    return *seen;
+  }
+  return next<Select>("select")(count, to_read, to_write, to_except, most);
 }
 
-int poll(pollfd* watched, nfds_t count, int most_ms) {
-  if (count == 0 && most_ms >= 0 && waited(std::chrono::milliseconds(most_ms))) return 0;
-  return next<int(pollfd*, nfds_t, int)>("poll")(watched, count, most_ms);
+int poll(pollfd* files, nfds_t count, int most_ms) {
+  using Poll = int(pollfd*, nfds_t, int);
+  const auto look = [&] { return next<Poll>("poll")(files, count, 0); };
+  if (most_ms > 0) {
+    const std::optional<int> seen = watched(std::chrono::milliseconds(most_ms), look);
+    if (seen) return *seen;
+  }
+  return next<Poll>("poll")(files, count, most_ms);
 }
 
 }  // extern "C"

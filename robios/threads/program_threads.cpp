@@ -60,6 +60,18 @@ bool is_ours() {
       });
 }
 
+/// Made before all thread-local variables of the program, and so destroyed after them: they may
+/// wait.
+struct Leaving {
+  Leaving() = default;
+  ~Leaving() {
+    if (flow.member != nullptr) program_threads().leave(*flow.member);
+    flow.member = nullptr;
+  }
+  Leaving(const Leaving&) = delete;
+  Leaving& operator=(const Leaving&) = delete;
+};
+
 bool is_time_virtual = false;
 
 int turns() {
@@ -130,12 +142,13 @@ void eyebridge_thread_is(void* member, unsigned long thread) {
 }
 
 void eyebridge_thread_starts(void* member) {
+  static thread_local const Leaving leaving;
   flow.member = &member_of(member);
   member_of(member).tid = gettid();
   program_threads().start(member_of(member));
 }
 
-void eyebridge_thread_ends(void* member) { program_threads().leave(member_of(member)); }
+void eyebridge_thread_failed(void* member) { program_threads().leave(member_of(member)); }
 
 void eyebridge_thread_cancelled(unsigned long thread) { program_threads().cancel(thread); }
 

@@ -16,9 +16,10 @@ void eyebridge_begin_sleep(void);
 void* eyebridge_thread_expected(void);
 /* Its number, as its creator has it. */
 void eyebridge_thread_is(void* member, unsigned long thread);
-/* What the thread does first, and last; the latter, too, when it cannot be started. */
+/* What the thread does first; it leaves by itself, after its thread-local variables. */
 void eyebridge_thread_starts(void* member);
-void eyebridge_thread_ends(void* member);
+/* It cannot be started. */
+void eyebridge_thread_failed(void* member);
 /* pthread_cancel() was called for it. */
 void eyebridge_thread_cancelled(unsigned long thread);
 /* Returns when the thread is about to end: in virtual time the caller's turn is over till then. */

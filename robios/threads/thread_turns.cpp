@@ -39,6 +39,18 @@ ThreadTurns::~ThreadTurns() = default;
 
 void ThreadTurns::begin(Clock& clock) { clock_.store(&clock, std::memory_order_release); }
 
+void ThreadTurns::end() {
+  const InCall in_call;
+  const Lock lock = enter();
+  has_ended_ = true;
+  for (Member& member : members_) {
+    if (member.stage != Stage::Waiting) continue;
+    wake_member(member);
+    member.stage = Stage::Going;
+    member.turn->post();
+  }
+}
+
 /// Takes the lock. Whoever waits for it sleeps, by the kernel's word, and yet goes on.
 ThreadTurns::Lock ThreadTurns::enter() {
   ++entering_;
@@ -52,7 +64,7 @@ ThreadTurns::Member& ThreadTurns::expect() {
   const Lock lock = enter();
   Member& made = members_.emplace_back();
   ++count_;
-  if (have_begun()) {
+  if (have_begun() && !has_ended_) {
     made.deadline = now();
     made.stage = Stage::Waiting;
   }
@@ -98,7 +110,7 @@ void ThreadTurns::leave(Member& member) {
   Lock lock = enter();
   member.stage = Stage::Gone;
   forget_gone();
-  const std::shared_ptr<WakeUp> next = have_begun() ? pass_on() : nullptr;
+  const std::shared_ptr<WakeUp> next = have_begun() && !has_ended_ ? pass_on() : nullptr;
   lock.unlock();
   if (next != nullptr) next->post();
 }
@@ -113,6 +125,7 @@ void ThreadTurns::wait(Member& me, Time deadline) {
 bool ThreadTurns::park(Member& me, const void* what, Time deadline, IsFree is_free) {
   const InCall in_call;
   Lock lock = enter();
+  if (has_ended_) return false;
   me.deadline = std::max(deadline, now() + Time(1));
   me.what = what;
   me.is_free = is_free;

@@ -46,6 +46,8 @@ class ThreadTurns {
   /// Turns begin, on this clock, which is lent; before, members come and go, and that is all.
   void begin(Clock& clock);
   [[nodiscard]] bool have_begun() const { return clock_ != nullptr; }
+  /// There are none any more: whoever waits goes on as if it were woken, and nobody waits again.
+  void end();
   /// True while nobody has to be asked.
   [[nodiscard]] bool is_alone() const { return count_.load(std::memory_order_relaxed) < 2; }
 
@@ -102,6 +104,7 @@ class ThreadTurns {
   std::atomic<std::size_t> count_ = 0;
   std::uint64_t arrivals_ = 0;
   std::atomic<Clock*> clock_ = nullptr;
+  bool has_ended_ = false;
 };
 
 /// A thread of the program, as its ThreadTurns has it, which alone reads and writes this.

@@ -15,17 +15,11 @@ struct beginning {
   void* member;
 };
 
-static void end(void* member) { eyebridge_thread_ends(member); }
-
 static void* begin(void* given) {
   const struct beginning beginning = *(struct beginning*)given;
-  void* result;
   free(given);
   eyebridge_thread_starts(beginning.member);
-  pthread_cleanup_push(end, beginning.member); /* also by pthread_exit() and pthread_cancel() */
-  result = beginning.start(beginning.argument);
-  pthread_cleanup_pop(1);
-  return result;
+  return beginning.start(beginning.argument);
 }
 
 EXPORTED int pthread_create(pthread_t* thread, const pthread_attr_t* attributes,
@@ -45,7 +39,7 @@ EXPORTED int pthread_create(pthread_t* thread, const pthread_attr_t* attributes,
     eyebridge_thread_is(member, *thread);
   } else {
     free(beginning);
-    eyebridge_thread_ends(member);
+    eyebridge_thread_failed(member);
   }
   return error;
 }

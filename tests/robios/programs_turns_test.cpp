@@ -66,6 +66,12 @@ TEST(ProgramTurns, ThreadsHaveDataAndBarriersOfTheirOwn) {
   EXPECT_THAT(two.out, HasSubstr("2" + what));
 }
 
+TEST(ProgramTurns, ThreadsMayOutliveMainAndTheirVariablesThem) {
+  const auto r = run_named("outlives");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.out, "at 600\npolled 0, then 1 after 30\njoined, 0 left\n");
+}
+
 TEST(ProgramTurns, ThreadsCanBeCancelled) {
 #if !defined(__SANITIZE_ADDRESS__)  // it stumbles over threads of the system that are cancelled
   const auto alone = run_named("cancels");

@@ -221,6 +221,19 @@ TEST(ThreadTurns, GoOnAfterAStepThatFails) {
   EXPECT_EQ(stage.clock.now(), milliseconds(40));
 }
 
+TEST(ThreadTurns, LetEverybodyGoAtTheEnd) {
+  Stage stage;
+  const int what = 0;
+  stage.add([&](Member& member) {
+    EXPECT_FALSE(stage.turns.park(member, &what, ThreadTurns::kNever));
+    EXPECT_FALSE(stage.turns.park(member, &what, ThreadTurns::kNever));  // never again
+  });
+  stage.turns.wait(*stage.me, milliseconds(5));
+  stage.turns.end();
+  stage.add([](Member&) {});
+  stage.run();
+}
+
 TEST(ThreadTurns, AdoptAThreadOnce) {
   Stage stage;
   EXPECT_EQ(&stage.turns.adopt(7), &stage.turns.adopt(7));
