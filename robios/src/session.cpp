@@ -169,6 +169,9 @@ OwnPart& Session::own_part(std::type_index type, std::unique_ptr<OwnPart> (*make
 
 void Session::leave(int code) {
   if (impl_->runner != nullptr) impl_->runner->leave(code);
+  // Destructors of the program come before ours, and may wait for threads.
+  if (impl_->turn_clock) program_threads().end();
+  const OutOfCall program;
   std::exit(code);
 }
 

@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <chrono>
 #include <optional>
 
 #include <dlfcn.h>
 #include <poll.h>
 #include <sys/select.h>
-#include <sys/syscall.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -83,7 +81,8 @@ int nanosleep(const timespec* wanted, timespec* left) {
     if (left != nullptr) *left = {};
     return 0;
   }
-  return static_cast<int>(syscall(SYS_nanosleep, wanted, left));
+  static auto* const real = next<int(const timespec*, timespec*)>("nanosleep");
+  return real(wanted, left);  // as a cancellation point
 }
 
 unsigned sleep(unsigned seconds) {
@@ -104,7 +103,9 @@ int clock_nanosleep(clockid_t clock, int flags, const timespec* wanted, timespec
     nanosleep(wanted, left);
     return 0;
   }
-  return syscall(SYS_clock_nanosleep, clock, flags, wanted, left) == 0 ? 0 : errno;
+  static auto* const real =
+      next<int(clockid_t, int, const timespec*, timespec*)>("clock_nanosleep");
+  return real(clock, flags, wanted, left);
 }
 
 int usleep(useconds_t microseconds) {

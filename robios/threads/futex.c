@@ -20,13 +20,16 @@ static long long end_of(int operation, const struct timespec* timeout) {
   return deadline_of(is_day ? CLOCK_REALTIME : CLOCK_MONOTONIC, timeout);
 }
 
-/* Nobody else of the program goes on between the look and the wait. */
+static int has_changed(const void* word, long value) {
+  return __atomic_load_n((const uint32_t*)word, __ATOMIC_SEQ_CST) != (uint32_t)value;
+}
+
 static long wait_while(const uint32_t* word, uint32_t value, long long deadline) {
   if (__atomic_load_n(word, __ATOMIC_SEQ_CST) != value) {
     errno = EAGAIN;
     return -1;
   }
-  if (!CALLS.park(word, deadline)) return 0;
+  if (!eyebridge_park(word, deadline, has_changed, (long)value, 0)) return 0;
   errno = ETIMEDOUT;
   return -1;
 }

@@ -21,12 +21,14 @@ static int knows_owner(const pthread_mutex_t* mutex) {
   return !ARE_THREADS() && (is_recursive(mutex) || is_checked(mutex));
 }
 
-static int is_free(const void* mutex) {
+static int is_free(const void* mutex, long unused) {
+  (void)unused;
   return ((const pthread_mutex_t*)mutex)->__data.__lock == 0;
 }
 
-static int has_value(const void* semaphore) {
+static int has_value(const void* semaphore, long unused) {
   int value = 0;
+  (void)unused;
   return sem_getvalue((sem_t*)semaphore, &value) == 0 && value > 0;
 }
 
@@ -48,7 +50,7 @@ static int lock_until(pthread_mutex_t* mutex, long long deadline) {
   for (;;) {
     const int error = try_lock(mutex);
     if (error != EBUSY) return error;
-    if (eyebridge_park(mutex, deadline, is_free)) return ETIMEDOUT;
+    if (eyebridge_park(mutex, deadline, is_free, 0, 1)) return ETIMEDOUT;
   }
 }
 
@@ -123,10 +125,20 @@ EXPORTED int pthread_mutex_unlock(pthread_mutex_t* mutex) {
   }
 }
 
+/* How often conditions were signalled: who runs beside the others, as it came back from a pipe, may
+   do so when somebody has just given the mutex back, and does not wait yet. */
+static long signals;
+
+static int was_signalled(const void* condition, long before) {
+  (void)condition;
+  return __atomic_load_n(&signals, __ATOMIC_SEQ_CST) != before;
+}
+
 /* Not by the functions' names, behind which a sanitizer may stand. */
 static int wait_for(pthread_cond_t* condition, pthread_mutex_t* mutex, long long deadline) {
+  const long before = __atomic_load_n(&signals, __ATOMIC_SEQ_CST);
   unlock(mutex);
-  const int is_late = CALLS.park(condition, deadline);
+  const int is_late = eyebridge_park(condition, deadline, was_signalled, before, 0);
   const int error = lock_until(mutex, -1);
   pthread_testcancel(); /* with the mutex */
   return error != 0 ? error : is_late ? ETIMEDOUT : 0;
@@ -154,20 +166,26 @@ EXPORTED int pthread_cond_clockwait(pthread_cond_t* condition, pthread_mutex_t* 
 
 EXPORTED int pthread_cond_signal(pthread_cond_t* condition) {
   NEXT(int, pthread_cond_signal, (pthread_cond_t*));
-  if (TAKES_TURNS()) CALLS.wake(condition, 0);
+  if (TAKES_TURNS()) {
+    __atomic_add_fetch(&signals, 1, __ATOMIC_SEQ_CST);
+    CALLS.wake(condition, 0);
+  }
   return next_pthread_cond_signal(condition);
 }
 
 EXPORTED int pthread_cond_broadcast(pthread_cond_t* condition) {
   NEXT(int, pthread_cond_broadcast, (pthread_cond_t*));
-  if (TAKES_TURNS()) CALLS.wake(condition, 1);
+  if (TAKES_TURNS()) {
+    __atomic_add_fetch(&signals, 1, __ATOMIC_SEQ_CST);
+    CALLS.wake(condition, 1);
+  }
   return next_pthread_cond_broadcast(condition);
 }
 
 static int take_until(sem_t* semaphore, long long deadline) {
   while (sem_trywait(semaphore) != 0) {
     if (errno != EAGAIN) return -1;
-    const int is_late = eyebridge_park(semaphore, deadline, has_value);
+    const int is_late = eyebridge_park(semaphore, deadline, has_value, 0, 1);
     pthread_testcancel();
     if (is_late) {
       errno = ETIMEDOUT;

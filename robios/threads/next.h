@@ -40,9 +40,11 @@ extern struct eyebridge_robot_calls EYEBRIDGE_CALLS;
 /* Threads of the system; else strands, which the C library takes for one. */
 #define ARE_THREADS() (CALLS.own == NULL)
 
+/* Unless is_free(what, value) says at the start, or, when it `is_watched`, later that it need not.
+ */
 static inline int eyebridge_park(const void* what, long long deadline,
-                                 int (*is_free)(const void*)) {
-  return CALLS.park_unless != NULL ? CALLS.park_unless(what, deadline, is_free)
+                                 int (*is_free)(const void*, long), long value, int is_watched) {
+  return CALLS.park_unless != NULL ? CALLS.park_unless(what, deadline, is_free, value, is_watched)
                                    : CALLS.park(what, deadline);
 }
 

@@ -52,7 +52,7 @@ bool is_ours() {
       [] {
         {
           const InCall in_call;
-          program_threads().after_fork();
+          program_threads().after_fork_in_child();
         }
         // It has one thread, with another number, and may begin a session if its parent had none.
         flow.member = nullptr;
@@ -119,9 +119,11 @@ __attribute__((visibility("hidden"))) eyebridge_robot_calls eyebridge_own_calls 
     const auto until = deadline < 0 ? ThreadTurns::kNever : eyebridge::Time(deadline);
     return program_threads().park(*flow.member, what, until) ? 1 : 0;
   };
-  calls.park_unless = [](const void* what, long long deadline, int (*is_free)(const void*)) {
+  calls.park_unless = [](const void* what, long long deadline, int (*is_free)(const void*, long),
+                         long value, int is_watched) {
     const auto until = deadline < 0 ? ThreadTurns::kNever : eyebridge::Time(deadline);
-    return program_threads().park(*flow.member, what, until, is_free) ? 1 : 0;
+    return program_threads().park(*flow.member, what, until, {is_free, value, is_watched != 0}) ? 1
+                                                                                                : 0;
   };
   calls.wake = [](const void* what, int all) { program_threads().wake(what, all != 0); };
   return calls;

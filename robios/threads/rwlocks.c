@@ -7,17 +7,21 @@
 
 typedef int try_function(pthread_rwlock_t*);
 
-/* For a look only: it may be taken again at once. */
-static int may_be_free(const void* lock) {
-  return ((const pthread_rwlock_t*)lock)->__data.__cur_writer == 0;
+/* glibc's word for who has it. */
+static long state_of(const void* lock) {
+  return (long)__atomic_load_n(&((const pthread_rwlock_t*)lock)->__data.__readers,
+                               __ATOMIC_SEQ_CST);
 }
+
+static int has_changed(const void* lock, long state) { return state_of(lock) != state; }
 
 static int lock_until(pthread_rwlock_t* lock, try_function* attempt, long long deadline) {
   if (ARE_THREADS() && lock->__data.__cur_writer == gettid()) return EDEADLK;
   for (;;) {
+    const long state = state_of(lock);
     const int error = attempt(lock);
     if (error != EBUSY) return error;
-    if (eyebridge_park(lock, deadline, may_be_free)) return ETIMEDOUT;
+    if (eyebridge_park(lock, deadline, has_changed, state, 0)) return ETIMEDOUT;
   }
 }
 

@@ -64,7 +64,7 @@ ThreadTurns::Member& ThreadTurns::expect() {
   const Lock lock = enter();
   Member& made = members_.emplace_back();
   ++count_;
-  if (have_begun() && !has_ended_) {
+  if (have_begun()) {
     made.deadline = now();
     made.stage = Stage::Waiting;
   }
@@ -110,7 +110,7 @@ void ThreadTurns::leave(Member& member) {
   Lock lock = enter();
   member.stage = Stage::Gone;
   forget_gone();
-  const std::shared_ptr<WakeUp> next = have_begun() && !has_ended_ ? pass_on() : nullptr;
+  const std::shared_ptr<WakeUp> next = have_begun() ? pass_on() : nullptr;
   lock.unlock();
   if (next != nullptr) next->post();
 }
@@ -122,13 +122,20 @@ void ThreadTurns::wait(Member& me, Time deadline) {
   pthread_testcancel();  // as every sleep
 }
 
-bool ThreadTurns::park(Member& me, const void* what, Time deadline, IsFree is_free) {
+bool ThreadTurns::park(Member& me, const void* what, Time deadline, const Unless& unless) {
   const InCall in_call;
   Lock lock = enter();
+  if (unless.is_free != nullptr && unless.is_free(what, unless.value) != 0) return false;
+  me.what = what;
+  me.is_free = unless.is_free;
+  me.value = unless.value;
+  me.is_watched = unless.is_watched;
+  return park_in(me, lock, deadline);
+}
+
+bool ThreadTurns::park_in(Member& me, Lock& lock, Time deadline) {
   if (has_ended_) return false;
   me.deadline = std::max(deadline, now() + Time(1));
-  me.what = what;
-  me.is_free = is_free;
   me.arrival = ++arrivals_;
   me.was_woken = false;
   me.is_left_alone = false;
@@ -161,7 +168,6 @@ void ThreadTurns::await_turn(Member& me, Lock& lock) {
     // Whose turn it is needs no lock, which who gave it may still have.
     if (me.stage == Stage::Going) return;
     lock = enter();
-    if (me.is_free != nullptr && !me.was_woken && me.is_free(me.what) != 0) wake_member(me);
     pause = std::min(2 * pause, kLookAgain);
   }
 }
@@ -194,16 +200,29 @@ void ThreadTurns::wake_member(Member& member) const {
 }
 
 void ThreadTurns::await_end(Member& me, const std::function<bool(const Member&)>& is_wanted) {
-  for (;;) {
-    const Member* wanted = nullptr;
-    {
-      const InCall in_call;
-      const Lock lock = enter();
-      const auto found = std::ranges::find_if(members_, is_wanted);
-      if (found == members_.end()) return;
-      wanted = &*found;
-    }
-    park(me, wanted, kNever);
+  const InCall in_call;
+  while (have_begun()) {
+    Lock lock = enter();
+    const auto found = std::ranges::find_if(members_, is_wanted);
+    if (found == members_.end()) return;
+    me.what = &*found;
+    me.is_free = nullptr;
+    me.is_watched = false;
+    park_in(me, lock, kNever);
+  }
+}
+
+/// Who waits for what others than members have given, a signal's handler or another process: the
+/// first one of each, unless one of them has been woken already.
+void ThreadTurns::wake_by_others() {
+  for (Member& member : members_) {
+    if (member.stage != Stage::Waiting || !member.is_watched || member.was_woken) continue;
+    const auto is_before = [&](const Member& other) {
+      return other.stage == Stage::Waiting && other.what == member.what &&
+             (other.was_woken || other.arrival < member.arrival);
+    };
+    if (std::ranges::any_of(members_, is_before)) continue;
+    if (member.is_free(member.what, member.value) != 0) wake_member(member);
   }
 }
 
@@ -250,6 +269,7 @@ std::shared_ptr<WakeUp> ThreadTurns::pass_on() {
   }
   if (is_gone) forget_gone();
   if (entering_ != 0) return nullptr;  // after the looks: who sleeps at our own lock goes on
+  wake_by_others();
   Member* const next = first_waiting();
   if (next == nullptr || next->deadline == kNever) return nullptr;
   next->stage = Stage::Going;

@@ -32,7 +32,8 @@ class ThreadTurns {
 
   /// A thread of the program.
   using Member = TurnMember;
-  using IsFree = int (*)(const void* what);
+  /// Tells whether `what` need not be waited for; `value` as it was given.
+  using IsFree = int (*)(const void* what, long value);
   using Look = std::function<ThreadState(Member&)>;
   /// Told once for each time that a thread has computed too long: time goes on without it.
   using Tell = std::function<void()>;
@@ -45,7 +46,7 @@ class ThreadTurns {
 
   /// Turns begin, on this clock, which is lent; before, members come and go, and that is all.
   void begin(Clock& clock);
-  [[nodiscard]] bool have_begun() const { return clock_ != nullptr; }
+  [[nodiscard]] bool have_begun() const { return clock_ != nullptr && !has_ended_; }
   /// There are none any more: whoever waits goes on as if it were woken, and nobody waits again.
   void end();
   /// True while nobody has to be asked.
@@ -66,12 +67,23 @@ class ThreadTurns {
   /// Before and after fork(2), in the calling thread: nobody else has the lock.
   void before_fork() { mutex_.lock(); }
   void after_fork() { mutex_.unlock(); }
+  void after_fork_in_child() {
+    entering_ = 0;  // who waited is not there
+    mutex_.unlock();
+  }
 
   /// Returns when the clock is at `deadline` and it is the caller's turn. A cancellation point.
   void wait(Member& me, Time deadline);
-  /// The same, or when somebody wakes `what`; true when the deadline came first. `is_free(what)`,
-  /// which is asked now and then, wakes it, too: who is no member may have changed it.
-  bool park(Member& me, const void* what, Time deadline, IsFree is_free = nullptr);
+  /// What may end a park besides a wake().
+  struct Unless {
+    IsFree is_free = nullptr;
+    long value = 0;
+    bool is_watched = false;  ///< Asked later, too: who is no member may change it.
+  };
+  /// The same, or when somebody wakes `what`; true when the deadline came first. Not at all when
+  /// `unless` says so: nobody can wake it between that look and the wait.
+  bool park(Member& me, const void* what, Time deadline, const Unless& unless);
+  bool park(Member& me, const void* what, Time deadline) { return park(me, what, deadline, {}); }
   /// Who parked at `what` first, or all, go on at the present time, each in its turn.
   void wake(const void* what, bool all);
 
@@ -91,6 +103,8 @@ class ThreadTurns {
   [[nodiscard]] bool is_busy(Member& member);
   [[nodiscard]] Member* first_waiting();
   std::shared_ptr<WakeUp> pass_on();
+  bool park_in(Member& me, Lock& lock, Time deadline);
+  void wake_by_others();
   void await_turn(Member& me, Lock& lock);
   void wake_locked(const void* what, bool all);
   void wake_member(Member& member) const;
@@ -104,7 +118,7 @@ class ThreadTurns {
   std::atomic<std::size_t> count_ = 0;
   std::uint64_t arrivals_ = 0;
   std::atomic<Clock*> clock_ = nullptr;
-  bool has_ended_ = false;
+  std::atomic<bool> has_ended_ = false;
 };
 
 /// A thread of the program, as its ThreadTurns has it, which alone reads and writes this.
@@ -121,6 +135,8 @@ struct TurnMember {
   std::atomic<Stage> stage = Stage::Out;
   Time deadline = ThreadTurns::kNever;  ///< While it waits.
   ThreadTurns::IsFree is_free = nullptr;
+  long value = 0;              ///< For is_free.
+  bool is_watched = false;     ///< is_free is asked later, too.
   const void* what = nullptr;  ///< At which it parked.
   std::uint64_t arrival = 0;
   bool was_woken = false;

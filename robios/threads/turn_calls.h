@@ -55,7 +55,8 @@ struct eyebridge_robot_calls {
   int (*park)(const void* what, long long deadline);
   /* The same; is_free(what) tells when somebody else than the robot's threads may have woken it (a
      signal's handler, another process). Null where nobody asks. */
-  int (*park_unless)(const void* what, long long deadline, int (*is_free)(const void*));
+  int (*park_unless)(const void* what, long long deadline,
+                     int (*is_free)(const void* what, long value), long value, int is_watched);
   void (*wake)(const void* what, int all);
   /* A lock that knows its owner: 1 when the caller has it now, else 0. */
   int (*own)(const void* lock);

@@ -70,6 +70,9 @@ TEST(ProgramTurns, ThreadsMayOutliveMainAndTheirVariablesThem) {
   const auto r = run_named("outlives");
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_EQ(r.out, "at 600\npolled 0, then 1 after 30\njoined, 0 left\n");
+  const auto cut = run_named("outlives", {{"EYEBRIDGE_TIME_LIMIT", "0.25"}});
+  EXPECT_EQ(cut.exit_code, 0) << cut.err;
+  EXPECT_EQ(cut.out, "joined, 0 left\n");
 }
 
 TEST(ProgramTurns, ThreadsCanBeCancelled) {

@@ -221,6 +221,36 @@ TEST(ThreadTurns, GoOnAfterAStepThatFails) {
   EXPECT_EQ(stage.clock.now(), milliseconds(40));
 }
 
+int is_value(const void* what, long value) { return *static_cast<const int*>(what) == value; }
+
+TEST(ThreadTurns, DoNotParkAtWhatIsThereAlready) {
+  Stage stage;
+  const int what = 7;
+  stage.add('a', milliseconds(10), 1);
+  EXPECT_FALSE(stage.turns.park(*stage.me, &what, milliseconds(5), {is_value, 7, false}));
+  EXPECT_EQ(stage.clock.now(), Time(0));
+  EXPECT_TRUE(stage.turns.park(*stage.me, &what, milliseconds(5), {is_value, 8, false}));
+  stage.run();
+}
+
+// As a signal's handler does.
+TEST(ThreadTurns, SeeWhatOthersGiveAndLetTheFirstOneHaveIt) {
+  Stage stage;
+  int what = 0;
+  for (const char name : {'a', 'b'}) {
+    const Time later = milliseconds(name == 'a' ? 2 : 1);  // b waits first
+    stage.add([&stage, &what, name, later](Member& member) {
+      stage.turns.wait(member, later);
+      EXPECT_FALSE(stage.turns.park(member, &what, ThreadTurns::kNever, {is_value, 1, true}));
+      stage.text += name;
+      what = name == 'a' ? 0 : 1;  // b leaves it for a
+    });
+  }
+  stage.turns.wait(*stage.me, milliseconds(10));
+  what = 1;
+  EXPECT_EQ(stage.run(), "ba");
+}
+
 TEST(ThreadTurns, LetEverybodyGoAtTheEnd) {
   Stage stage;
   const int what = 0;
