@@ -56,7 +56,7 @@ double Simulation::Impl::measure(RobotIndex robot, std::size_t sensor) {
 double Simulation::Impl::first_echo(RobotIndex robot, std::size_t sensor) {
   const RobotDevices& own = devices_of(robot);
   const RangeSensorModel& model = own.model.range_sensors[sensor];
-  const std::vector<Vec2>& cone = own.layout->cones[sensor];
+  const std::vector<Vec2>& cone = eyes[robot].layout->cones[sensor];
   const world::BodyId self = body_of(robot);
   const Sight sight = own.ranges[sensor].sight.in_world(world.position(self), world.heading(self));
   cone_directions.resize(cone.size());

@@ -26,11 +26,13 @@ RangeLayout::RangeLayout(const std::vector<RangeSensorModel>& models) {
     const Vec2 origin = model.pose_in_robot.position();
     if (fans.empty() || !(fans.back().origin == origin) ||
         fans.back().max_range != model.max_range || fans.back().count == kMostInFan) {
-      fans.push_back({origin, model.max_range, beams.size(), 0});
+      fans.push_back({origin, model.max_range, headings.size(), 0});
     }
     ++fans.back().count;
-    beams.push_back({Heading::from_angle(model.pose_in_robot.theta), model.min_range,
-                     model.max_range, model.out_of_range});
+    headings.push_back(Heading::from_angle(model.pose_in_robot.theta));
+    min_range.push_back(model.min_range);
+    max_range.push_back(model.max_range);
+    out_of_range.push_back(model.out_of_range);
     only_rays = only_rays && model.kind == RangeKind::Ray;
   }
   if (only_rays) return;
@@ -39,8 +41,9 @@ RangeLayout::RangeLayout(const std::vector<RangeSensorModel>& models) {
 
 bool RangeLayout::fits(const std::vector<RangeSensorModel>& models) const {
   const RangeLayout other(models);
-  return beams == other.beams && fans == other.fans && only_rays == other.only_rays &&
-         cones == other.cones;
+  return headings == other.headings && min_range == other.min_range &&
+         max_range == other.max_range && out_of_range == other.out_of_range && fans == other.fans &&
+         only_rays == other.only_rays && cones == other.cones;
 }
 
 }  // namespace eyebridge::robot

@@ -17,28 +17,24 @@ struct RangeLayout {
   /// True when readings by this layout are those of `models`.
   [[nodiscard]] bool fits(const std::vector<RangeSensorModel>& models) const;
 
-  struct Beam {
-    Heading heading;  ///< In the robot.
-    double min_range;
-    double max_range;
-    double out_of_range;
-
-    friend bool operator==(const Beam&, const Beam&) = default;
-  };
   /// Neighbours that look from one place, equally far: their rays are cast at once.
   struct Fan {
     Vec2 origin;  ///< In the robot, metres.
     double max_range;
-    std::size_t first;  ///< Of `beams`.
+    std::size_t first;  ///< Sensor.
     std::size_t count;
 
     friend bool operator==(const Fan&, const Fan&) = default;
   };
   static constexpr std::size_t kMostInFan = 16;
 
-  std::vector<Beam> beams;  ///< One a sensor, in the order of the model.
+  // One a sensor, in the order of the model.
+  std::vector<Heading> headings;  ///< In the robot.
+  std::vector<double> min_range;
+  std::vector<double> max_range;
+  std::vector<double> out_of_range;
   std::vector<Fan> fans;
-  bool only_rays = true;  ///< Else `beams` and `fans` do not say everything about a reading.
+  bool only_rays = true;  ///< Else these do not say everything about a reading.
   /// Unit vectors of an ultrasound sensor's rays in its own frame, from right to left, one set a
   /// sensor; none for other kinds. Empty when all are rays.
   std::vector<std::vector<Vec2>> cones;

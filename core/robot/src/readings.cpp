@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <bit>
 #include <stdexcept>
 
 #include "simulation_impl.hpp"
@@ -7,6 +8,13 @@ namespace eyebridge::robot {
 namespace {
 
 constexpr double kBumperReach = 2e-3;  // metres: the play of a bumper plate
+
+/// `first` ? a : b, by masks: a branch would be a coin's toss.
+double either(bool first, double a, double b) {
+  const std::uint64_t mask = 0 - static_cast<std::uint64_t>(first);
+  return std::bit_cast<double>((std::bit_cast<std::uint64_t>(a) & mask) |
+                               (std::bit_cast<std::uint64_t>(b) & ~mask));
+}
 
 }  // namespace
 
@@ -29,9 +37,9 @@ double Simulation::read_range(RobotIndex robot, std::size_t sensor) {
 }
 
 void Simulation::read_ranges(RobotIndex robot, std::span<double> ranges) {
-  RobotDevices& devices = impl_->devices_of(robot);
-  const RangeLayout& layout = *devices.layout;
-  if (ranges.size() != layout.beams.size()) {
+  const Eyes& eyes = impl_->eyes.at(robot);
+  const RangeLayout& layout = *eyes.layout;
+  if (ranges.size() != layout.headings.size()) {
     throw std::out_of_range("read_ranges: one range a sensor");
   }
   if (!layout.only_rays) {
@@ -39,25 +47,33 @@ void Simulation::read_ranges(RobotIndex robot, std::span<double> ranges) {
     return;
   }
   const world::World& world = impl_->world;
-  const world::BodyId self = body(robot);
+  // Who asks all robots asks them in order.
+  if (std::size_t{robot} + 1 < impl_->eyes.size() && !layout.fans.empty()) {
+    const world::BodyId next = impl_->eyes[robot + 1].body;
+    world.expect_fan(world.position(next), layout.fans.front().max_range);
+  }
+  const world::BodyId self = eyes.body;
   const Vec2 position = world.position(self);
   const Heading heading = world.heading(self);
   for (const RangeLayout::Fan& fan : layout.fans) {
     Vec2* const directions = impl_->directions.data();
+    const Heading* const headings = layout.headings.data() + fan.first;
     for (std::size_t i = 0; i < fan.count; ++i) {
-      directions[i] = heading.turned(layout.beams[fan.first + i].heading).forward();
+      directions[i] = heading.turned(headings[i]).forward();
     }
     world.cast_fan(position + heading.rotate(fan.origin), {directions, fan.count}, fan.max_range,
                    self, ranges.subspan(fan.first, fan.count));
   }
-  if (devices.perfect_ranges) {
+  if (eyes.perfect) {
+    const double* const least = layout.min_range.data();
+    const double* const most = layout.max_range.data();
+    const double* const beyond = layout.out_of_range.data();
     for (std::size_t i = 0; i < ranges.size(); ++i) {
-      const RangeLayout::Beam& beam = layout.beams[i];
-      const bool in_reach = ranges[i] >= beam.min_range && ranges[i] < beam.max_range;
-      ranges[i] = in_reach ? ranges[i] : beam.out_of_range;
+      ranges[i] = either((ranges[i] >= least[i]) & (ranges[i] < most[i]), ranges[i], beyond[i]);
     }
     return;
   }
+  RobotDevices& devices = impl_->devices_of(robot);
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     ranges[i] = range_reading(ranges[i], devices.model.range_sensors[i], devices.ranges[i].noise);
   }
@@ -114,6 +130,7 @@ void Simulation::read_lidar(RobotIndex robot, double field_of_view, double tilt,
                  [&](Vec2 bearing) { return sight.heading.rotate(bearing); });
   const SlantedBeam beam(model, tilt);
   world.cast_sweep(sight.origin, directions, scan.gap, beam.level_reach(), self, ranges);
+  if (beam.is_level() && model.error.perfect()) return;
   for (double& range : ranges) {
     range = beam.range(range);
     if (model.error.perfect() || range >= model.max_range) continue;

@@ -155,12 +155,8 @@ void RobotState::clear_stall() {
   stalled_steps = 0;
 }
 
-RobotDevices::RobotDevices(const RobotModel& robot_model,
-                           std::shared_ptr<const RangeLayout> range_layout, std::uint64_t seed,
-                           std::uint32_t robot)
-    : layout(std::move(range_layout)),
-      perfect_ranges(all_perfect(robot_model.range_sensors)),
-      model(robot_model),
+RobotDevices::RobotDevices(const RobotModel& robot_model, std::uint64_t seed, std::uint32_t robot)
+    : model(robot_model),
       ranges(ray_devices(robot_model.range_sensors, seed, robot, NoiseSource::Range)),
       proximities(ray_devices(robot_model.proximity_sensors, seed, robot, NoiseSource::Proximity)),
       compass(noise_stream(seed, robot, NoiseSource::Compass, 0)),

@@ -113,14 +113,17 @@ struct RayDevice {
                      [](const RangeSensorModel& sensor) { return sensor.error.perfect(); });
 }
 
+/// What reading all range sensors of a robot needs: half a cache line instead of three.
+struct Eyes {
+  std::shared_ptr<const RangeLayout> layout;  ///< Fits the model's range sensors.
+  world::BodyId body = world::kNoBody;
+  bool perfect = true;  ///< all_perfect() of the range sensors.
+};
+
 /// What is needed only when someone asks.
 struct RobotDevices {
-  /// `range_layout` fits the model's range sensors.
-  RobotDevices(const RobotModel& robot_model, std::shared_ptr<const RangeLayout> range_layout,
-               std::uint64_t seed, std::uint32_t robot);
+  RobotDevices(const RobotModel& robot_model, std::uint64_t seed, std::uint32_t robot);
 
-  std::shared_ptr<const RangeLayout> layout;
-  bool perfect_ranges;  ///< all_perfect() of the range sensors.
   RobotModel model;
   std::vector<RayDevice> ranges;
   std::vector<RayDevice> proximities;

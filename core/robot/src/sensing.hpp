@@ -79,6 +79,8 @@ class SlantedBeam {
   /// The range along the beam for something met `level` metres away over the floor: the floor
   /// itself where the beam ends there, the lidar's reach where nothing is met.
   [[nodiscard]] double range(double level) const;
+  /// True when range() changes nothing of what is no farther than level_reach().
+  [[nodiscard]] bool is_level() const { return cosine_ == 1.0 && miss_ == level_reach_; }
 
  private:
   double max_range_;

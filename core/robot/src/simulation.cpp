@@ -80,11 +80,12 @@ RobotIndex Simulation::add_robot(const RobotModel& model, const Pose& pose) {
                              noise_stream(seed, robot, NoiseSource::Drive, 0),
                              DriveFaults(seed, robot));
   const std::shared_ptr<const RangeLayout> last =
-      impl_->devices.empty() ? nullptr : impl_->devices.back().layout;
+      impl_->eyes.empty() ? nullptr : impl_->eyes.back().layout;
   const bool like_last = last && last->fits(model.range_sensors);
-  impl_->devices.emplace_back(
-      model, like_last ? last : std::make_shared<const RangeLayout>(model.range_sensors), seed,
-      robot);
+  impl_->eyes.push_back(
+      {like_last ? last : std::make_shared<const RangeLayout>(model.range_sensors), body,
+       all_perfect(model.range_sensors)});
+  impl_->devices.emplace_back(model, seed, robot);
   impl_->devices.back().gyroscope_strayed = impl_->steps;
   return robot;
 }
@@ -111,7 +112,7 @@ void Simulation::set_errors(RobotIndex robot, const RobotModel& like) {
   RobotDevices& devices = impl_->devices_of(robot);
   impl_->stray_gyroscope(robot);
   copy_errors(like, devices.model);
-  devices.perfect_ranges = all_perfect(devices.model.range_sensors);
+  impl_->eyes[robot].perfect = all_perfect(devices.model.range_sensors);
   const SimulationSettings& settings = impl_->settings;
   impl_->command(robot).set_error(devices.model, settings.step, DriveFaults(settings.seed, robot));
 }

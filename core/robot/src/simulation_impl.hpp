@@ -71,6 +71,7 @@ struct Simulation::Impl {
   std::vector<RobotState> states;
   std::vector<Cruise> cruises;
   std::vector<Twist> asked;  ///< By set_speed(), while the robot goes steadily by it; or kNothing.
+  std::vector<Eyes> eyes;
   std::vector<RobotDevices> devices;
   std::function<void(const CollisionEvent&)> listener;
   std::vector<CollisionEvent> collisions;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -34,49 +35,63 @@ class BodyMap {
   /// the next call.
   [[nodiscard]] std::span<const Disc> around(Vec2 place, double reach);
 
-  /// The discs in the order of the map, and nearly the same in single precision, in a row each; as
-  /// many more as a register holds may be read.
+  /// The discs in the order of the map, and nearly the same in single precision, in a row each.
+  /// kBeyond more than there are may be read: no ray meets those.
   struct Rows {
     const Disc* discs;
     const float* x;
     const float* y;
     const float* radius;
-    double error;  ///< Metres by which the floats may be off, seen from `place`.
+    std::uint32_t nobody;  ///< The first one that no ray meets.
+    double error;          ///< Metres by which the floats may be off, seen from `place`.
   };
-  /// Calls visit(begin, end) for runs of `Rows` that hold all discs that around() would find, and
-  /// more.
-  template <class Visit>
-  void each_run(Vec2 place, double reach, Visit visit) const {
+  /// Cells of the map: those of a row follow each other in `Rows`.
+  struct Box {
+    std::size_t first, last;  ///< Columns.
+    std::size_t first_row, last_row;
+  };
+  /// The cells that hold all discs with centres between two corners, and more.
+  [[nodiscard]] Box box(Vec2 low, Vec2 high) const {
     // Places outside belong to the rim, also on this side of it.
-    const std::size_t first = index(place.x - reach, columns_);
-    const std::size_t last = index(place.x + reach, columns_);
-    const std::size_t last_row = index(place.y + reach, rows_);
-    for (std::size_t row = index(place.y - reach, rows_); row <= last_row; ++row) {
-      const std::size_t begin = starts_[row * columns_ + first];
-      const std::size_t end = starts_[row * columns_ + last + 1];
-      if (begin < end) visit(begin, end);
-    }
+    return {column_of(low.x), column_of(high.x), row_of(low.y), row_of(high.y)};
+  }
+  [[nodiscard]] std::size_t begin_of(const Box& box, std::size_t row) const {
+    return starts_[row * columns_ + box.first];
+  }
+  [[nodiscard]] std::size_t end_of(const Box& box, std::size_t row) const {
+    return starts_[row * columns_ + box.last + 1];
+  }
+  /// No ray meets the body in `Rows` until it is shown again. kNoBody is ignored.
+  void hide(BodyId id) {
+    if (id < places_.size()) r_[places_[id]] = std::numeric_limits<float>::quiet_NaN();
+  }
+  void show(BodyId id) {
+    if (id < places_.size()) r_[places_[id]] = static_cast<float>(discs_[places_[id]].radius);
   }
   [[nodiscard]] Rows rows(Vec2 place) const {
     const double size = farthest_ + std::fabs(place.x) + std::fabs(place.y);
-    return {discs_.data(), x_.data(), y_.data(), r_.data(), 1e-4 + 1e-6 * size};
+    return {discs_.data(), x_.data(), y_.data(), r_.data(), starts_.back(), 1e-4 + 1e-6 * size};
   }
 
  private:
-  [[nodiscard]] std::size_t index(double coordinate, std::size_t count) const {
-    const double i = coordinate * per_cell_;
-    if (!(i > 0.0)) return 0;
-    return i < static_cast<double>(count) ? static_cast<std::size_t>(i) : count - 1;
+  [[nodiscard]] std::size_t column_of(double x) const { return index(x * per_column_, columns_); }
+  [[nodiscard]] std::size_t row_of(double y) const { return index(y * per_row_, rows_); }
+  static std::size_t index(double i, std::size_t count) {
+    const auto last = static_cast<double>(static_cast<std::int64_t>(count) - 1);
+    const double low = i > 0.0 ? i : 0.0;
+    const double within = low < last ? low : last;
+    return static_cast<std::size_t>(static_cast<std::int64_t>(within));  // fewer steps than at once
   }
 
   Vec2 extent_;
   std::uint64_t version_ = 0;  ///< Of the bodies.
-  double per_cell_ = 1.0;
+  double per_column_ = 1.0;
+  double per_row_ = 1.0;
   std::size_t columns_ = 1;
   std::size_t rows_ = 1;
   std::vector<std::uint32_t> starts_;  ///< Cell -> first of its discs; one more at the end.
   std::vector<Disc> discs_;
-  std::vector<std::uint32_t> cells_;  ///< Body -> its cell.
+  std::vector<std::uint32_t> places_;  ///< Body -> its disc, among `discs_`.
   std::vector<float> x_, y_, r_;
   double farthest_ = 0.0;   ///< Of all coordinates, metres.
   std::vector<Disc> near_;  ///< Of around(); room for all.

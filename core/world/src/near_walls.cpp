@@ -72,7 +72,7 @@ std::uint32_t NearWalls::make_list(Layer& layer, Vec2 centre) {
   // Where item i stands, its floats begin at 4 i: padded lists fill whole registers.
   const std::size_t stride = (near.size() + kPadding - 1) / kPadding * kPadding;
   layer.items.resize(start + std::max(stride, near.size() + 1), 0);
-  layer.ends.resize(4 * layer.items.size(), 0.0F);
+  layer.ends.resize(4 * layer.items.size(), std::numeric_limits<float>::quiet_NaN());
   float* const ends = layer.ends.data() + 4 * std::size_t{start};
   for (std::size_t i = 0; i < near.size(); ++i) {
     const Segment& s = segments_[near[i]];
@@ -86,22 +86,25 @@ std::uint32_t NearWalls::make_list(Layer& layer, Vec2 centre) {
   return start;
 }
 
+std::optional<NearWalls::Layer::Cell> NearWalls::Layer::cell_of(Vec2 place) const {
+  const double x = place.x * per_cell;
+  const double y = place.y * per_cell;
+  // Also false for NaN.
+  const bool there =
+      x >= 0.0 && y >= 0.0 && x < static_cast<double>(columns) && y < static_cast<double>(rows);
+  if (!there) return std::nullopt;
+  return Cell{static_cast<std::size_t>(x), static_cast<std::size_t>(y)};
+}
+
 std::optional<WallList> NearWalls::around(Vec2 origin, double reach) {
   if (segments_.empty()) return WallList{};
   Layer* const layer = layer_for(reach);
-  const Vec2 place = origin - low_;
-  // Also false for NaN.
-  if (layer == nullptr || !(place.x >= 0.0 && place.y >= 0.0)) return std::nullopt;
-  const double x = place.x * layer->per_cell;
-  const double y = place.y * layer->per_cell;
-  if (!(x < static_cast<double>(layer->columns) && y < static_cast<double>(layer->rows))) {
-    return std::nullopt;
-  }
-  const auto column = static_cast<std::size_t>(x);
-  const auto row = static_cast<std::size_t>(y);
-  std::uint32_t& start = layer->starts[row * layer->columns + column];
-  const Vec2 centre =
-      low_ + layer->cell * Vec2{static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
+  if (layer == nullptr) return std::nullopt;
+  const std::optional<Layer::Cell> cell = layer->cell_of(origin - low_);
+  if (!cell) return std::nullopt;
+  std::uint32_t& start = layer->starts[cell->row * layer->columns + cell->column];
+  const Vec2 centre = low_ + layer->cell * Vec2{static_cast<double>(cell->column) + 0.5,
+                                                static_cast<double>(cell->row) + 0.5};
   if (start == kUnknown) start = make_list(*layer, centre);
   if (start == kTooMany) return std::nullopt;
   const std::size_t length = layer->items[start];
@@ -110,6 +113,22 @@ std::optional<WallList> NearWalls::around(Vec2 origin, double reach) {
                   (length + kPadding - 1) / kPadding * kPadding,
                   centre,
                   layer->error};
+}
+
+void NearWalls::fetch(Vec2 origin, double reach) const {
+  constexpr std::size_t kLine = 64;  // bytes, of most processors
+  constexpr std::size_t kLines = 6;  // of ends: 24 walls
+  for (const Layer& layer : layers_) {
+    if (layer.reach != reach) continue;
+    const std::optional<Layer::Cell> cell = layer.cell_of(origin - low_);
+    if (!cell) return;
+    const std::size_t start = layer.starts[cell->row * layer.columns + cell->column];
+    if (start >= kTooMany) return;
+    __builtin_prefetch(layer.items.data() + start);
+    const auto* const ends = reinterpret_cast<const char*>(layer.ends.data() + 4 * start);
+    for (std::size_t i = 0; i < kLines; ++i) __builtin_prefetch(ends + i * kLine);
+    return;
+  }
 }
 
 }  // namespace eyebridge::world

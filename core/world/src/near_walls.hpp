@@ -40,6 +40,9 @@ class NearWalls {
   /// until the next call.
   [[nodiscard]] std::optional<WallList> around(Vec2 origin, double reach);
 
+  /// Brings the memory near that around() will need, if it has been there before.
+  void fetch(Vec2 origin, double reach) const;
+
   [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
 
  private:
@@ -54,6 +57,12 @@ class NearWalls {
     std::vector<std::uint32_t> starts;  ///< Cell -> first of its items, kUnknown or kTooMany.
     std::vector<std::uint32_t> items;   ///< Each list begins with its length.
     std::vector<float> ends;            ///< Four for each of `items`, list by list.
+
+    struct Cell {
+      std::size_t column, row;
+    };
+    /// Where a place is, seen from the lower left corner of all.
+    [[nodiscard]] std::optional<Cell> cell_of(Vec2 place) const;
   };
   static constexpr std::uint32_t kUnknown = ~std::uint32_t{0};
   static constexpr std::uint32_t kTooMany = kUnknown - 1;

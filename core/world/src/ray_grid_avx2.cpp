@@ -16,7 +16,10 @@ namespace eyebridge::world {
 #include "ray_lanes.ipp"
 #include "ray_walk.ipp"
 
-bool RayGrid::has_avx2() { return __builtin_cpu_supports("avx2") != 0; }
+bool RayGrid::has_avx2() {
+  // All processors with the first have the other one, too; a virtual machine may hide it.
+  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("bmi") != 0;
+}
 
 }  // namespace eyebridge::world
 

@@ -22,6 +22,26 @@ EYEBRIDGE_RAY_TARGET inline Floats magnitude(Floats v) {
   return (Floats)((FloatBits)v & std::numeric_limits<std::int32_t>::max());
 }
 
+EYEBRIDGE_RAY_TARGET inline Floats smaller(Floats a, Floats b) {
+#if defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 4
+  return __builtin_ia32_minps256(a, b);
+#elif defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 2
+  return __builtin_ia32_minps(a, b);
+#else
+  return a < b ? a : b;
+#endif
+}
+
+EYEBRIDGE_RAY_TARGET inline Floats larger(Floats a, Floats b) {
+#if defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 4
+  return __builtin_ia32_maxps256(a, b);
+#elif defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 2
+  return __builtin_ia32_maxps(a, b);
+#else
+  return a > b ? a : b;
+#endif
+}
+
 /// Bit i is set when lane i is.
 EYEBRIDGE_RAY_TARGET inline unsigned bits_of(FloatBits mask) {
 #if defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 4
@@ -33,6 +53,40 @@ EYEBRIDGE_RAY_TARGET inline unsigned bits_of(FloatBits mask) {
   for (std::size_t lane = 0; lane < kFloats; ++lane) bits |= (mask[lane] != 0 ? 1U : 0U) << lane;
   return bits;
 #endif
+}
+
+/// get(i) in lane i.
+template <class Get>
+EYEBRIDGE_RAY_TARGET inline Lanes lanes_of(Get get) {
+#if EYEBRIDGE_RAY_LANES == 4
+  return Lanes{get(0), get(1), get(2), get(3)};
+#else
+  return Lanes{get(0), get(1)};
+#endif
+}
+template <class Get>
+EYEBRIDGE_RAY_TARGET inline Floats floats_of(Get get) {
+#if EYEBRIDGE_RAY_LANES == 4
+  return Floats{get(0), get(1), get(2), get(3), get(4), get(5), get(6), get(7)};
+#else
+  return Floats{get(0), get(1), get(2), get(3)};
+#endif
+}
+
+/// from[index] in each lane.
+EYEBRIDGE_RAY_TARGET inline Floats picked(const float* from, FloatBits index) {
+#if defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 4
+  const Floats all = (Floats)(FloatBits{} - 1);
+  return __builtin_ia32_gathersiv8sf(all, from, index, all, sizeof(float));
+#else
+  return floats_of([&](std::size_t i) { return from[index[i]]; });
+#endif
+}
+
+EYEBRIDGE_RAY_TARGET inline Floats load(const float* from) {
+  Floats floats;
+  std::memcpy(&floats, from, sizeof floats);
+  return floats;
 }
 
 EYEBRIDGE_RAY_TARGET inline void load(Lanes& lanes, const double* from) {
@@ -59,6 +113,17 @@ EYEBRIDGE_RAY_TARGET inline Lanes root_of(Lanes square) {
   return __builtin_ia32_sqrtpd(square);
 #else
   for (std::size_t lane = 0; lane < kLanes; ++lane) square[lane] = std::sqrt(square[lane]);
+  return square;
+#endif
+}
+
+EYEBRIDGE_RAY_TARGET inline Floats root_of(Floats square) {
+#if defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 4
+  return __builtin_ia32_sqrtps256(square);
+#elif defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 2
+  return __builtin_ia32_sqrtps(square);
+#else
+  for (std::size_t lane = 0; lane < kFloats; ++lane) square[lane] = std::sqrt(square[lane]);
   return square;
 #endif
 }

@@ -14,6 +14,10 @@ constexpr double kHorizon = 1e9;
 /// In worlds where floats are off by more than this, metres, they are of no use.
 constexpr double kCoarse = 0.1;
 
+double farthest_of(std::span<const double> ranges) {
+  return std::min(*std::max_element(ranges.begin(), ranges.end()), kHorizon);
+}
+
 void add_once(Vec2 direction, std::size_t first, std::vector<Vec2>& out) {
   for (std::size_t i = first; i < out.size(); ++i) {
     if (norm_squared(out[i] - direction) < kSameDirection * kSameDirection) return;
@@ -22,6 +26,30 @@ void add_once(Vec2 direction, std::size_t first, std::vector<Vec2>& out) {
 }
 
 }  // namespace
+
+bool World::Impl::cast_few(Vec2 origin, std::span<const Vec2> directions, double max_range,
+                           BodyId ignore, std::span<double> ranges) {
+  body_map.refresh(bodies);
+  if (body_map.rows(origin).error >= kCoarse) return false;
+  Fan fan(origin, directions, max_range);
+  const auto walls_near = by_sweep ? near_walls.around(origin, max_range) : std::nullopt;
+  if (!walls_near) {
+    rays.cast_fan(origin, directions, max_range, fan.ranges());
+  } else if (has_avx2) {
+    fan.meet_walls_avx2(near_walls.segments().data(), *walls_near);
+  } else {
+    fan.meet_walls_scalar(near_walls.segments().data(), *walls_near);
+  }
+  body_map.hide(ignore);
+  if (has_avx2) {
+    fan.meet_discs_avx2(body_map, bodies.largest_radius());
+  } else {
+    fan.meet_discs_scalar(body_map, bodies.largest_radius());
+  }
+  body_map.show(ignore);
+  std::copy_n(fan.ranges().begin(), ranges.size(), ranges.begin());
+  return true;
+}
 
 void World::Impl::cast_around(Vec2 origin, std::span<const Vec2> directions, double gap,
                               double max_range, BodyId ignore, std::span<double> ranges) {
@@ -34,25 +62,20 @@ void World::Impl::cast_around(Vec2 origin, std::span<const Vec2> directions, dou
   } else {
     sweep.meet_walls_scalar(near_walls.segments().data(), *walls_near);
   }
-  const std::span<const double> to_walls = sweep.ranges();
-  const double farthest = std::min(*std::max_element(to_walls.begin(), to_walls.end()), kHorizon);
   body_map.refresh(bodies);
-  const double reach = farthest + bodies.largest_radius();
-  const BodyMap::Rows rows = body_map.rows(origin);
-  if (directions.size() <= Sweep::kFew && rows.error < kCoarse) {
-    body_map.each_run(origin, reach, [&](std::size_t begin, std::size_t end) {
-      if (has_avx2) {
-        sweep.meet_rows_avx2(rows, begin, end, ignore);
-      } else {
-        sweep.meet_rows_scalar(rows, begin, end, ignore);
-      }
-    });
-  } else if (has_avx2) {
-    sweep.meet_discs_avx2(body_map.around(origin, reach), ignore);
-  } else {
+  const double reach = farthest_of(sweep.ranges()) + bodies.largest_radius();
+  if (body_map.rows(origin).error >= kCoarse) {
     sweep.meet_discs_scalar(body_map.around(origin, reach), ignore);
+  } else {
+    body_map.hide(ignore);
+    if (has_avx2) {
+      sweep.meet_discs_avx2(body_map, reach);
+    } else {
+      sweep.meet_discs_scalar(body_map, reach);
+    }
+    body_map.show(ignore);
   }
-  std::copy(to_walls.begin(), to_walls.end(), ranges.begin());
+  std::copy_n(sweep.ranges().begin(), ranges.size(), ranges.begin());
 }
 
 double World::cast_ray(Vec2 origin, Vec2 direction, double max_range, BodyId ignore) const {
@@ -64,8 +87,8 @@ double World::cast_ray(Vec2 origin, Vec2 direction, double max_range, BodyId ign
 void World::cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_range, BodyId ignore,
                      std::span<double> ranges) const {
   if (ranges.empty()) return;
-  if (directions.size() > 1 && directions.size() <= Sweep::kFew && !impl_->bodies.any_convex_) {
-    impl_->cast_around(origin, directions, 0.0, max_range, ignore, ranges);
+  if (directions.size() > 1 && directions.size() <= Fan::kMost && !impl_->bodies.any_convex_ &&
+      impl_->cast_few(origin, directions, max_range, ignore, ranges)) {
     return;
   }
   impl_->rays.cast_fan(origin, directions, max_range, ranges);
@@ -95,9 +118,14 @@ void World::cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_r
   }
 }
 
+void World::expect_fan(Vec2 origin, double max_range) const {
+  if (impl_->by_sweep) impl_->near_walls.fetch(origin, max_range);
+}
+
 void World::cast_sweep(Vec2 origin, std::span<const Vec2> directions, double gap, double max_range,
                        BodyId ignore, std::span<double> ranges) const {
-  if (impl_->bodies.any_convex_) {  // sweeps know discs only
+  // Sweeps know discs only, and what has an order.
+  if (impl_->bodies.any_convex_ || gap == 0.0 || directions.size() <= Fan::kMost) {
     cast_fan(origin, directions, max_range, ignore, ranges);
     return;
   }

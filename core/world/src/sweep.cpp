@@ -7,36 +7,33 @@
 #include <cstring>
 #include <limits>
 
+#include "eyebridge/base/units.hpp"
 #include "sweep_bearings.hpp"
 
 namespace eyebridge::world {
 
 Sweep::Sweep(Vec2 origin, std::span<const Vec2> directions, double gap, double max_range)
-    : origin_(origin), count_(directions.size()) {
-  assert(count_ <= kMost);
+    : origin_(origin),
+      count_(directions.size()),
+      per_gap_(1.0 / std::fabs(gap)),
+      period_(2 * kPi * per_gap_),
+      turn_(gap > 0.0 ? 1.0 : -1.0) {
+  assert(count_ > 0 && count_ <= kMost && gap != 0.0);
   for (std::size_t i = 0; i < count_; ++i) {
     dx[i] = directions[i].x;
     dy[i] = directions[i].y;
     best[i] = max_range;
   }
-  for (std::size_t i = count_; i % 4 != 0; ++i) {  // the last register is full, too
+  for (std::size_t i = count_; i < count_ + kBeyond; ++i) {
     dx[i] = dx[0];
     dy[i] = dy[0];
-    best[i] = max_range;
-  }
-  // Few rays are tried faster than they are found.
-  if (gap != 0.0 && count_ > kFew) {
-    per_gap_ = 1.0 / std::fabs(gap);
-    turn_ = gap > 0.0 ? 1.0 : -1.0;
+    best[i] = 0.0;
   }
 }
 
 #define EYEBRIDGE_RAY_TARGET
 #define EYEBRIDGE_RAY_LANES 2
-#define EYEBRIDGE_MEET_WALLS meet_walls_scalar
-#define EYEBRIDGE_MEET_DISCS meet_discs_scalar
-#define EYEBRIDGE_MEET_ROWS meet_rows_scalar
-#include "ray_lanes.ipp"
+#define EYEBRIDGE_OF(name) name##_scalar
 #include "sweep.ipp"
 
 }  // namespace eyebridge::world

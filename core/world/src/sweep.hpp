@@ -18,11 +18,9 @@ class Sweep {
  public:
   /// So many rays at most.
   static constexpr std::size_t kMost = 512;
-  /// So few are tried faster than the right ones among them are found.
-  static constexpr std::size_t kFew = 16;
 
   /// No ray has met anything yet. `gap`: each direction is the one before turned by so many
-  /// radians, all of them one turn at most; 0 for any directions, all of which are tried then.
+  /// radians, not 0, all of them one turn at most.
   Sweep(Vec2 origin, std::span<const Vec2> directions, double gap, double max_range);
 
   /// Shortens the rays that meet `walls`, by their indices of `segments`. The AVX2 one runs where
@@ -33,32 +31,44 @@ class Sweep {
   void meet_discs_scalar(std::span<const Disc> discs, BodyId ignore);
   void meet_discs_avx2(std::span<const Disc> discs, BodyId ignore);
 
-  /// Same for the discs `begin` to `end` of `rows`, and maybe for some after them: at first only by
-  /// floats. For few rays.
-  void meet_rows_scalar(const BodyMap::Rows& rows, std::size_t begin, std::size_t end,
-                        BodyId ignore);
-  void meet_rows_avx2(const BodyMap::Rows& rows, std::size_t begin, std::size_t end, BodyId ignore);
+  /// Shortens those that meet discs of `map` whose centres are less than `reach` metres away, and
+  /// maybe others. Who it is that looks is hidden there.
+  void meet_discs_scalar(const BodyMap& map, double reach);
+  void meet_discs_avx2(const BodyMap& map, double reach);
 
   [[nodiscard]] std::span<double> ranges() { return {best, count_}; }
 
-  // For the code of the instruction sets.
-  alignas(64) double dx[kMost];
-  alignas(64) double dy[kMost];
-  alignas(64) double best[kMost];
+  /// So many rays have a horizon in common.
+  static constexpr std::size_t kSector = 4;
+
+  // For the code of the instruction sets, which looks at a register beyond the last ray.
+  static constexpr std::size_t kBeyond = 8;
+  alignas(64) double dx[kMost + kBeyond];
+  alignas(64) double dy[kMost + kBeyond];
+  alignas(64) double best[kMost + kBeyond];
 
  private:
-  /// Calls visit(first, last) for runs of rays; all rays that pass between the bearings of `low`
-  /// and `high` (counter-clockwise, less than half a turn apart), widened by `wider` radians to
-  /// either side, are among them.
+  /// Calls visit(first, last) for runs of rays; all between the numbers `from` and `to`, modulo a
+  /// turn, are among them. `from` is less than a turn, `to` not less than 0.
   template <class Visit>
-  void each_between(double low, double high, double wider, Visit visit) const;
-  /// Bearing of `p` from ray 0 in the direction in which the rays are counted; 0 … 2 pi.
-  [[nodiscard]] double bearing_of(Vec2 p) const;
+  void each_between(double from, double to, Visit visit) const;
+  /// The number of the ray that points to `p`, which need not be whole: 0 to less than a turn.
+  [[nodiscard]] double number_of(Vec2 p) const;
+
+  void find_horizons_scalar(float* horizons) const;
+  void find_horizons_avx2(float* horizons) const;
+  /// `ray` is the number of the one that points to the disc, `half_width` how many more, at most,
+  /// it may meet to either side.
+  void meet_disc_scalar(const Disc& disc, double ray, double half_width);
+  void meet_disc_avx2(const Disc& disc, double ray, double half_width);
+  void meet_run_scalar(Vec2 w, double radius, std::size_t first, std::size_t last);
+  void meet_run_avx2(Vec2 w, double radius, std::size_t first, std::size_t last);
 
   Vec2 origin_;
   std::size_t count_;
-  double per_gap_ = 0.0;  ///< Rays a radian; 0: directions are not in order.
-  double turn_ = 1.0;     ///< -1 for rays that are counted clockwise.
+  double per_gap_;  ///< Rays a radian.
+  double period_;   ///< Rays a turn.
+  double turn_;     ///< -1 for rays that are counted clockwise.
 };
 
 }  // namespace eyebridge::world

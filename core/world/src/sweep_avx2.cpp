@@ -13,13 +13,10 @@
 // Without fma: the same roundings as everywhere else.
 #define EYEBRIDGE_RAY_TARGET __attribute__((target("avx2")))
 #define EYEBRIDGE_RAY_LANES 4
-#define EYEBRIDGE_MEET_WALLS meet_walls_avx2
-#define EYEBRIDGE_MEET_DISCS meet_discs_avx2
-#define EYEBRIDGE_MEET_ROWS meet_rows_avx2
+#define EYEBRIDGE_OF(name) name##_avx2
 
 namespace eyebridge::world {
 
-#include "ray_lanes.ipp"
 #include "sweep.ipp"
 
 }  // namespace eyebridge::world
@@ -36,8 +33,7 @@ void Sweep::meet_walls_avx2(const Segment*, const WallList&) {
 void Sweep::meet_discs_avx2(std::span<const Disc>, BodyId) {
   assert(false && "RayGrid::has_avx2() is false here");
 }
-
-void Sweep::meet_rows_avx2(const BodyMap::Rows&, std::size_t, std::size_t, BodyId) {
+void Sweep::meet_discs_avx2(const BodyMap&, double) {
   assert(false && "RayGrid::has_avx2() is false here");
 }
 

@@ -10,6 +10,7 @@
 #include "body_map.hpp"
 #include "contacts.hpp"
 #include "eyebridge/world/world.hpp"
+#include "fan.hpp"
 #include "near_walls.hpp"
 #include "paths.hpp"
 #include "reactions.hpp"
@@ -114,6 +115,9 @@ struct World::Impl {
   [[nodiscard]] double wall_gap(BodyId id) const;
 
   // sensing.cpp
+  /// World::cast_fan(), for 2 to Fan::kMost rays; false in worlds that are too large for it.
+  bool cast_few(Vec2 origin, std::span<const Vec2> directions, double max_range, BodyId ignore,
+                std::span<double> ranges);
   /// World::cast_sweep(), for at most Sweep::kMost rays; without a `gap` in any directions.
   void cast_around(Vec2 origin, std::span<const Vec2> directions, double gap, double max_range,
                    BodyId ignore, std::span<double> ranges);

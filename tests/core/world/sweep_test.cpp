@@ -7,6 +7,7 @@
 
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/world/world.hpp"
+#include "fan.hpp"
 #include "geometry.hpp"
 #include "near_walls.hpp"
 #include "ray_grid.hpp"
@@ -16,15 +17,15 @@ namespace eyebridge::world {
 namespace {
 
 /// A fan of evenly spaced rays.
-struct Fan {
+struct Rays {
   Vec2 origin;
   std::vector<Vec2> directions;
   double gap;
 };
 
 /// `count` rays, `gap` radians apart, the first one at the bearing `start`.
-Fan fan(Vec2 origin, double start, double gap, int count) {
-  Fan made{origin, {}, gap};
+Rays fan(Vec2 origin, double start, double gap, int count) {
+  Rays made{origin, {}, gap};
   for (int i = 0; i < count; ++i) {
     made.directions.push_back(Heading::from_angle(start + i * gap).forward());
   }
@@ -33,7 +34,7 @@ Fan fan(Vec2 origin, double start, double gap, int count) {
 
 /// Fans of all kinds: round and not, either way, with rays right through ends of walls and from
 /// places upon and next to them.
-Fan random_fan(const std::vector<Segment>& segments, double size, Random& random) {
+Rays random_fan(const std::vector<Segment>& segments, double size, Random& random) {
   Vec2 origin{(size + 1) * random.uniform() - 0.5, (size + 1) * random.uniform() - 0.5};
   const Segment& one = segments[random.bits() % segments.size()];
   const double kind = random.uniform();
@@ -66,13 +67,13 @@ TEST(Sweep, GivesExactlyTheRangesOfALoopOverAllWallsAndBodies) {
     for (int i = 0; i < 3000; ++i) {
       // Bodies move between the looks, one of them out of the room.
       world.set_pose(static_cast<BodyId>(i % 40), {5 * random.uniform(), 4 * random.uniform(), 0});
-      Fan rays = random_fan(segments, 4.0, random);
+      Rays rays = random_fan(segments, 4.0, random);
       if (i % 10 == 0) rays.origin = world.position(3) + Vec2{world.radius(3) * 0.9, 0};
       const double max_range = std::vector<double>{
           0.3, 2.5, 8.0, std::numeric_limits<double>::infinity()}[static_cast<std::size_t>(i % 4)];
       const BodyId ignore = i % 3 == 0 ? kNoBody : static_cast<BodyId>(random.bits() % 40);
       ranges.assign(rays.directions.size(), -1.0);
-      if (rays.directions.size() <= Sweep::kFew) {
+      if (rays.directions.size() <= Fan::kMost) {
         world.cast_fan(rays.origin, rays.directions, max_range, ignore, ranges);
       } else {
         world.cast_sweep(rays.origin, rays.directions, rays.gap, max_range, ignore, ranges);
@@ -98,32 +99,113 @@ TEST(Sweep, GivesExactlyTheRangesOfALoopOverAllWallsAndBodies) {
   }
 }
 
+/// What a loop over all gives; `world` has discs only.
+double expected_range(const World& world, const std::vector<Segment>& segments, Vec2 origin,
+                      Vec2 direction, double max_range, BodyId ignore) {
+  double range = max_range;
+  for (const Segment& s : segments) range = nearer_hit(s, origin, direction, range);
+  for (BodyId id = 0; id < world.body_count(); ++id) {
+    if (id == ignore || !world.is_there(id)) continue;
+    range = nearer_disc_hit(world.position(id), world.radius(id), origin, direction, range);
+  }
+  return range;
+}
+
+TEST(Sweep, FindsEachOfACrowdAndNoneThatHasLeft) {
+  World world(shared(random_walls(96, 30, 6.0, 0.08)));
+  const std::vector<Segment> segments = outlines_of(world.model().walls);
+  Random random(97);
+  // Most of them in a corner: long runs of the map beside empty ones.
+  for (int i = 0; i < 60000 && world.body_count() < 1500; ++i) {
+    const double size = i % 4 == 0 ? 6.0 : 2.0;
+    const Pose pose{size * random.uniform(), size * random.uniform(), 0};
+    if (world.is_free(pose.position(), 0.015)) world.add_robot(pose, 0.015, 0.1, {});
+  }
+  ASSERT_GT(world.body_count(), 1200U);
+  std::vector<double> ranges;
+  for (int i = 0; i < 300; ++i) {
+    const auto left = static_cast<BodyId>(5 * i % world.body_count());
+    if (i > 100 && world.is_there(left)) world.remove(left);
+    const Rays rays = random_fan(segments, 6.0, random);
+    // Also one that has left may be ignored.
+    const BodyId ignore = i % 3 == 0 ? left : static_cast<BodyId>(i);
+    ranges.assign(rays.directions.size(), -1.0);
+    world.cast_sweep(rays.origin, rays.directions, rays.gap, 5.0, ignore, ranges);
+    for (std::size_t k = 0; k < ranges.size(); ++k) {
+      ASSERT_EQ(ranges[k],
+                expected_range(world, segments, rays.origin, rays.directions[k], 5.0, ignore))
+          << "fan " << i << ", ray " << k;
+    }
+  }
+}
+
+/// Bodies of a crowd, with a map of them.
+struct Crowd {
+  explicit Crowd(std::size_t count, Random& random) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec2 place{4 * random.uniform(), 4 * random.uniform()};
+      bodies.add(BodyShape::Robot, place, {}, 0.02 + 0.1 * random.uniform(), 0.1, {});
+    }
+    map.refresh(bodies);
+  }
+
+  Bodies bodies{4.0, 4.0};
+  BodyMap map{4.0, 4.0};
+};
+
 TEST(Sweep, EveryInstructionSetGivesTheSameBits) {
   const std::vector<Segment> segments = outlines_of(random_walls(92, 80, 4.0, 0.08).walls);
   NearWalls near(segments, 1000);
   Random random(93);
   for (int i = 0; i < 1000; ++i) {
-    const Fan rays = random_fan(segments, 4.0, random);
+    const Rays rays = random_fan(segments, 4.0, random);
     if (rays.directions.size() > Sweep::kMost) continue;
-    Sweep scalar(rays.origin, rays.directions, rays.gap, 5.0);
-    Sweep avx2(rays.origin, rays.directions, rays.gap, 5.0);
+    Crowd crowd(i % 2 == 0 ? 5 : 60, random);
     const WallList all = *near.around({2.0, 2.0}, 10.0);
-    scalar.meet_walls_scalar(segments.data(), all);
-    if (RayGrid::has_avx2()) avx2.meet_walls_avx2(segments.data(), all);
-    const Vec2 centre = rays.origin + Vec2{random.uniform() - 0.5, random.uniform() - 0.5};
-    const Disc discs[] = {{centre.x, centre.y, 0.1, 4}, {centre.x + 0.1, centre.y, 0.2, 5}};
-    scalar.meet_discs_scalar(discs, 5);
-    if (RayGrid::has_avx2()) avx2.meet_discs_avx2(discs, 5);
-    for (std::size_t k = 0; k < rays.directions.size(); ++k) {
-      double expected = 5.0;
+    const double largest = crowd.bodies.largest_radius();
+    const BodyId ignore = 3;
+    const auto expected = [&](std::size_t k) {
+      double range = 5.0;
       for (const Segment& s : segments) {
-        expected = nearer_hit(s, rays.origin, rays.directions[k], expected);
+        range = nearer_hit(s, rays.origin, rays.directions[k], range);
       }
-      expected = nearer_disc_hit(centre, 0.1, rays.origin, rays.directions[k], expected);
-      if (RayGrid::has_avx2()) {
-        ASSERT_EQ(avx2.ranges()[k], expected) << "fan " << i << ", ray " << k;
+      for (BodyId id = 0; id < crowd.bodies.size(); ++id) {
+        if (id == ignore) continue;
+        range = nearer_disc_hit(crowd.bodies.position(id), crowd.bodies.radius_[id], rays.origin,
+                                rays.directions[k], range);
       }
-      ASSERT_EQ(scalar.ranges()[k], expected) << "fan " << i << ", ray " << k;
+      return range;
+    };
+    const auto check = [&](std::span<const double> ranges, const char* which) {
+      for (std::size_t k = 0; k < ranges.size(); ++k) {
+        ASSERT_EQ(ranges[k], expected(k)) << which << ", fan " << i << ", ray " << k;
+      }
+    };
+    Sweep one_by_one(rays.origin, rays.directions, rays.gap, 5.0);
+    one_by_one.meet_walls_scalar(segments.data(), all);
+    one_by_one.meet_discs_scalar(crowd.map.around(rays.origin, 10.0), ignore);
+    check(one_by_one.ranges(), "disc by disc");
+    crowd.map.hide(ignore);
+    Sweep sweep(rays.origin, rays.directions, rays.gap, 5.0);
+    sweep.meet_walls_scalar(segments.data(), all);
+    sweep.meet_discs_scalar(crowd.map, 5.0 + largest);
+    check(sweep.ranges(), "sweep");
+    if (RayGrid::has_avx2()) {
+      Sweep avx2(rays.origin, rays.directions, rays.gap, 5.0);
+      avx2.meet_walls_avx2(segments.data(), all);
+      avx2.meet_discs_avx2(crowd.map, 5.0 + largest);
+      check(avx2.ranges(), "sweep by AVX2");
+    }
+    if (rays.directions.size() > Fan::kMost) continue;
+    Fan few(rays.origin, rays.directions, 5.0);
+    few.meet_walls_scalar(segments.data(), all);
+    few.meet_discs_scalar(crowd.map, largest);
+    check(few.ranges(), "fan");
+    if (RayGrid::has_avx2()) {
+      Fan avx2(rays.origin, rays.directions, 5.0);
+      avx2.meet_walls_avx2(segments.data(), all);
+      avx2.meet_discs_avx2(crowd.map, largest);
+      check(avx2.ranges(), "fan by AVX2");
     }
   }
 }

@@ -138,6 +138,9 @@ class World {
   /// The same for many directions from one origin.
   void cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_range, BodyId ignore,
                 std::span<double> ranges) const;
+  /// A fan from there, so far, is about to be cast: fetches what it will look at. No range depends
+  /// on it.
+  void expect_fan(Vec2 origin, double max_range) const;
   /// The same ranges, faster, for directions that are evenly spaced: each is the one before turned
   /// by `gap` radians, not 0, to either side, all of them one turn at most.
   void cast_sweep(Vec2 origin, std::span<const Vec2> directions, double gap, double max_range,
