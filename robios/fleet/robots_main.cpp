@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <iostream>  // each image gets a copy of std::cout & co., which must be there by then
 #include <string>
 #include <vector>
 

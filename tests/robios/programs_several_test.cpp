@@ -90,6 +90,18 @@ TEST(SeveralRobots, AnEndOfAnyKindIsThatRobotsOwn) {
   }
 }
 
+TEST(SeveralRobots, EachHasTheStreamsOfCpp) {
+  for (const auto& clock : testing::kClocks) {
+    const auto r = run_named("several_streams", several("3", clock));
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    EXPECT_THAT(sorted_lines(r.out), ElementsAre("robot 1 counts to 10", "robot 1 reads nothing",
+                                                 "robot 2 counts to 14", "robot 2 reads nothing",
+                                                 "robot 3 counts to 30", "robot 3 reads nothing"));
+    EXPECT_THAT(r.err, AllOf(HasSubstr("robot 1 errs\n"), HasSubstr("robot 3 errs\n"),
+                             HasSubstr("robot 1 logs\n"), HasSubstr("robot 3 logs\n")));
+  }
+}
+
 TEST(SeveralRobots, ARobotWhoseProgramEndedKeepsItsLastCommand) {
   const auto r = run_named("several_follow", several("2"));
   EXPECT_EQ(r.exit_code, 0) << r.err;
