@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "eyebridge/base/uncancelled.hpp"
 #include "seat/trace_messages.hpp"
 
 namespace eyebridge::hal {
@@ -80,6 +81,7 @@ Result<Message> SeatLine::exchange(Time time, const Call& call, MessageKind expe
   const SeatRequest request{
       time,        std::string(call.device), call.id, std::string(call.name), call.is_command,
       call.request};
+  const Uncancelled until_answered;  // the next one would have this answer
   const Result<void> sent = stream_.send(encode(request));
   if (!sent) return lose(sent.error());
   for (;;) {

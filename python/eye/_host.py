@@ -31,6 +31,8 @@ _starts = _library.EYEBRIDGEHostThreadStarts
 _starts.argtypes, _starts.restype = [_ctypes.c_void_p], None
 _failed = _library.EYEBRIDGEHostThreadFailed
 _failed.argtypes, _failed.restype = [_ctypes.c_void_p], None
+_started = _library.EYEBRIDGEHostThreadStarted
+_started.argtypes, _started.restype = [_ctypes.c_void_p], None
 
 _real_sleep, _real_time, _real_time_ns = _time.sleep, _time.time, _time.time_ns
 
@@ -138,6 +140,8 @@ def _take_over_threads():
             give_back()
             _failed(expected)
             raise
+        finally:
+            _started(expected)
 
     _threading.Thread.start = start_in_turn
 

@@ -52,6 +52,8 @@ long long EYEBRIDGEHostNow(void);
 /**
  * The interpreter is about to start a thread of the program: what the following take, or null where
  * the robot lives in wall time. In virtual time threads take turns, and time waits for this one.
+ * Begins the robot's life there, as a call would. The caller keeps its turn, whatever it waits for,
+ * until EYEBRIDGEHostThreadStarted().
  */
 void* EYEBRIDGEHostThreadExpected(void);
 
@@ -64,6 +66,11 @@ void EYEBRIDGEHostThreadStarts(void* expected);
  * It could not be started. Null is nothing.
  */
 void EYEBRIDGEHostThreadFailed(void* expected);
+
+/**
+ * What the one that made it calls last, also when that failed. Null is nothing.
+ */
+void EYEBRIDGEHostThreadStarted(void* expected);
 
 #pragma GCC visibility pop
 #ifdef __cplusplus

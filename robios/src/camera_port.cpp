@@ -1,5 +1,7 @@
 #include "camera_port.hpp"
 
+#include "program_threads.hpp"
+
 namespace eyebridge::robios {
 namespace {
 
@@ -14,7 +16,7 @@ CameraPort::CameraPort(std::string url, camera::SourceContext context, camera::S
 CameraPort::~CameraPort() = default;
 
 Result<void> CameraPort::init(int width, int height) {
-  const std::lock_guard lock(mutex_);
+  const std::unique_lock lock = lock_in_turn(mutex_);
   if (url_ == "none") {
     return fail(Errc::Unsupported, "this robot has no camera (--camera none)");
   }
@@ -27,19 +29,19 @@ Result<void> CameraPort::init(int width, int height) {
 }
 
 void CameraPort::release() {
-  const std::lock_guard lock(mutex_);
+  const std::unique_lock lock = lock_in_turn(mutex_);
   opened_.reset();
   source_ = nullptr;
   open_ = false;
 }
 
 bool CameraPort::is_open() const {
-  const std::lock_guard lock(mutex_);
+  const std::unique_lock lock = lock_in_turn(mutex_);
   return open_;
 }
 
 Result<camera::FramePtr> CameraPort::next() {
-  const std::lock_guard lock(mutex_);
+  const std::unique_lock lock = lock_in_turn(mutex_);
   if (!open_) return fail(Errc::Unsupported, "the camera is not initialised: call CAMInit first");
   Result<camera::FramePtr> frame = source_->next(context_.clock->now() + kPatience);
   if (frame && listener_) listener_(*frame);
@@ -47,7 +49,7 @@ Result<camera::FramePtr> CameraPort::next() {
 }
 
 void CameraPort::on_frame(std::function<void(const camera::FramePtr&)> listener) {
-  const std::lock_guard lock(mutex_);
+  const std::unique_lock lock = lock_in_turn(mutex_);
   listener_ = std::move(listener);
 }
 

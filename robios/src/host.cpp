@@ -100,7 +100,10 @@ void EYEBRIDGEHostEnd(void) {
 }
 
 void* EYEBRIDGEHostThreadExpected(void) {
-  return eyebridge::robios::has_own_time() ? eyebridge_thread_expected() : nullptr;
+  if (!eyebridge::robios::has_own_time()) return nullptr;
+  static_cast<void>(Session::instance());
+  eyebridge_hold_turn();
+  return eyebridge_thread_expected();
 }
 
 void EYEBRIDGEHostThreadStarts(void* expected) {
@@ -109,6 +112,10 @@ void EYEBRIDGEHostThreadStarts(void* expected) {
 
 void EYEBRIDGEHostThreadFailed(void* expected) {
   if (expected != nullptr) eyebridge_thread_failed(expected);
+}
+
+void EYEBRIDGEHostThreadStarted(void* expected) {
+  if (expected != nullptr) eyebridge_release_turn();
 }
 
 int EYEBRIDGEHostWait(long long nanoseconds) {

@@ -30,7 +30,7 @@ Session* own_time() {
   // In real time timers' functions run in a thread of ours.
   const bool is_timers = flow.in_timer && flow.calls == 0;
   if (flow.session == nullptr && !is_timers && eyebridge_is_in_program() == 0) return nullptr;
-  eyebridge_begin_sleep();
+  eyebridge_begin_time();
   return Session::with_own_time();
 }
 

@@ -31,6 +31,12 @@ void tell() {
                   ThreadTurns::kPatience_s));
 }
 
+void be(Member* member) {
+  flow.member = member;
+  flow.in_call = member != nullptr ? &member->is_in_call : nullptr;
+  show_in_call(flow.calls > 0);
+}
+
 bool is_ours() {
   std::array<char, 16> name{};
   pthread_getname_np(pthread_self(), name.data(), name.size());
@@ -55,7 +61,7 @@ bool is_ours() {
           program_threads().after_fork_in_child();
         }
         // It has one thread, with another number, and may begin a session if its parent had none.
-        flow.member = nullptr;
+        be(nullptr);
         if (!Session::has_begun()) join_program_threads();
       });
 }
@@ -65,8 +71,9 @@ bool is_ours() {
 struct Leaving {
   Leaving() = default;
   ~Leaving() {
-    if (flow.member != nullptr) program_threads().leave(*flow.member);
-    flow.member = nullptr;
+    Member* const member = flow.member;
+    be(nullptr);  // nothing of it is there afterwards
+    if (member != nullptr) program_threads().leave(*member);
   }
   Leaving(const Leaving&) = delete;
   Leaving& operator=(const Leaving&) = delete;
@@ -90,7 +97,7 @@ ThreadTurns& program_threads() {
 
 void join_program_threads() {
   if (flow.member != nullptr || is_ours()) return;
-  flow.member = &program_threads().adopt(gettid());
+  be(&program_threads().adopt(gettid()));
 }
 
 void expect_virtual_time() { is_time_virtual = true; }
@@ -133,7 +140,7 @@ int eyebridge_is_in_program(void) {
   return flow.member != nullptr && flow.calls == 0 && flow.session == nullptr ? 1 : 0;
 }
 
-void eyebridge_begin_sleep(void) {
+void eyebridge_begin_time(void) {
   if (is_time_virtual && eyebridge_is_in_program() != 0) (void)Session::instance();
 }
 
@@ -145,19 +152,25 @@ void eyebridge_thread_is(void* member, unsigned long thread) {
 
 void eyebridge_thread_starts(void* member) {
   static thread_local const Leaving leaving;
-  flow.member = &member_of(member);
+  be(&member_of(member));
   member_of(member).tid = gettid();
   program_threads().start(member_of(member));
 }
 
 void eyebridge_thread_failed(void* member) { program_threads().leave(member_of(member)); }
 
+void eyebridge_hold_turn(void) {
+  if (flow.calls++ == 0) show_in_call(true);
+}
+
+void eyebridge_release_turn(void) {
+  if (--flow.calls == 0) show_in_call(false);
+}
+
 void eyebridge_thread_cancelled(unsigned long thread) { program_threads().cancel(thread); }
 
-void eyebridge_thread_awaited(unsigned long thread) {
-  program_threads().await_end(*flow.member, [thread](const ThreadTurns::Member& member) {
-    return member.thread == thread;
-  });
+int eyebridge_thread_awaited(unsigned long thread) {
+  return program_threads().await_end(*flow.member, thread) ? 1 : 0;
 }
 
 }  // extern "C"

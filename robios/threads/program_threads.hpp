@@ -1,5 +1,8 @@
 #pragma once
 
+#include <mutex>
+#include <utility>
+
 #include "eyebridge/base/clock.hpp"
 #include "flow.hpp"
 #include "thread_turns.hpp"
@@ -17,6 +20,39 @@ void join_program_threads();
 /// runs repeat (`srand(time(NULL))`), and its first sleep begins the session as a call would. (A
 /// look does not: what counts memory may look at any time.)
 void expect_virtual_time();
+
+/// Within a call: what it waits for may never come, or only when other threads of the program have
+/// done something, which go on while it sleeps. In virtual time the caller has its turn again at the
+/// end. Any thread.
+class Away {
+ public:
+  Away() : was_away_(std::exchange(flow.is_away, true)) { show_in_call(flow.calls > 0); }
+  ~Away() {
+    flow.is_away = was_away_;
+    show_in_call(flow.calls > 0);
+    if (!was_away_ && flow.member != nullptr) program_threads().come_back(*flow.member);
+  }
+  Away(const Away&) = delete;
+  Away& operator=(const Away&) = delete;
+
+ private:
+  const bool was_away_;
+};
+
+template <class Body>
+auto while_away(Body body) {
+  const Away away;
+  return body();
+}
+
+/// Locks what somebody may keep while he waits for his turn.
+inline std::unique_lock<std::mutex> lock_in_turn(std::mutex& mutex) {
+  std::unique_lock lock(mutex, std::try_to_lock);
+  if (lock) return lock;
+  const Away away;
+  lock.lock();
+  return lock;
+}
 
 /// A virtual clock that a program's threads share by turns. Others go on at once. Any thread.
 class TurnClock final : public Clock {

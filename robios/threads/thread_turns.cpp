@@ -6,6 +6,7 @@
 
 #include <pthread.h>
 
+#include "eyebridge/base/uncancelled.hpp"
 #include "flow.hpp"
 
 namespace eyebridge::robios {
@@ -19,18 +20,6 @@ using Stage = ThreadTurns::Member::Stage;
 constexpr microseconds kLookSoon(50);
 constexpr microseconds kLookAgain(2000);
 constexpr microseconds kLookSeldom(20'000);  // who is not next
-
-/// Who sleeps here is cancelled where he may be, not here: a condition has its mutex then.
-class Uncancelled {
- public:
-  Uncancelled() { pthread_setcancelstate(PTHREAD_CANCEL_DISABLE, &before_); }
-  ~Uncancelled() { pthread_setcancelstate(before_, nullptr); }
-  Uncancelled(const Uncancelled&) = delete;
-  Uncancelled& operator=(const Uncancelled&) = delete;
-
- private:
-  int before_ = PTHREAD_CANCEL_ENABLE;
-};
 
 }  // namespace
 
@@ -94,6 +83,7 @@ void ThreadTurns::name(const Member& member, unsigned long thread) {
   const Lock lock = enter();
   for (Member& present : members_) {
     if (&present == &member) present.thread = thread;
+    if (&present == &member) left_.erase(thread);  // of one before, which nobody waited for
   }
 }
 
@@ -138,6 +128,7 @@ bool ThreadTurns::park_in(Member& me, Lock& lock, Time deadline) {
   me.deadline = std::max(deadline, now() + Time(1));
   me.arrival = ++arrivals_;
   me.was_woken = false;
+  me.was_passed = false;
   me.is_left_alone = false;
   me.computes_since.reset();
   me.stage = Stage::Waiting;
@@ -154,6 +145,7 @@ bool ThreadTurns::park_in(Member& me, Lock& lock, Time deadline) {
 
 /// Gives way until it is the caller's turn. `lock` is released.
 void ThreadTurns::await_turn(Member& me, Lock& lock) {
+  // Who sleeps here is cancelled where he may be, not here: a condition has its mutex then.
   const Uncancelled until_then;
   microseconds pause = kLookSoon;
   for (;;) {
@@ -199,17 +191,32 @@ void ThreadTurns::wake_member(Member& member) const {
   member.deadline = now();
 }
 
-void ThreadTurns::await_end(Member& me, const std::function<bool(const Member&)>& is_wanted) {
+void ThreadTurns::come_back(Member& me) {
   const InCall in_call;
+  Lock lock = enter();
+  if (!me.was_passed || !have_begun()) return;
+  me.what = nullptr;
+  me.is_free = nullptr;
+  me.is_watched = false;
+  park_in(me, lock, now());
+}
+
+bool ThreadTurns::await_end(Member& me, unsigned long thread) {
+  const InCall in_call;
+  bool is_known = false;
   while (have_begun()) {
     Lock lock = enter();
-    const auto found = std::ranges::find_if(members_, is_wanted);
-    if (found == members_.end()) return;
+    if (left_.erase(thread) != 0) return true;
+    const auto found =
+        std::ranges::find_if(members_, [=](const Member& m) { return m.thread == thread; });
+    if (found == members_.end()) return is_known;
+    is_known = true;
     me.what = &*found;
     me.is_free = nullptr;
     me.is_watched = false;
     park_in(me, lock, kNever);
   }
+  return false;
 }
 
 /// Who waits for what others than members have given, a signal's handler or another process: the
@@ -246,7 +253,7 @@ bool ThreadTurns::is_busy(Member& member) {
       break;
   }
   if (member.is_left_alone) return false;
-  if (member.tid == 0) return true;
+  if (member.tid == 0 || member.is_in_call) return true;
   const ThreadState state = look_(member);
   if (state.kind == ThreadState::Kind::Gone) member.stage = Stage::Gone;
   if (state.kind != ThreadState::Kind::Computes) {
@@ -273,6 +280,7 @@ std::shared_ptr<WakeUp> ThreadTurns::pass_on() {
   Member* const next = first_waiting();
   if (next == nullptr || next->deadline == kNever) return nullptr;
   next->stage = Stage::Going;
+  for (Member& member : members_) member.was_passed = member.stage == Stage::Out;
   return next->turn;
 }
 
@@ -284,6 +292,7 @@ void ThreadTurns::forget_gone() {
     }
     const void* const gone = &*member;
     if (have_begun()) wake_locked(gone, true);
+    if (member->thread != 0) left_.insert(member->thread);
     member = members_.erase(member);
     --count_;
   }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 
 #include "eyebridge/base/clock.hpp"
 #include "thread_state.hpp"
@@ -22,7 +23,9 @@ struct TurnMember;
 ///
 /// They are threads of the system, so that whatever they do works. Who waits otherwise than here
 /// (reads a file, waits in a lock that is not told of) sleeps, by the kernel's word, and the others
-/// go on without it. Who computes holds time up, for kPatience_s of processor time.
+/// go on without it; not so in a call of the library, where who sleeps waits for an answer that
+/// comes, unless the call says that it may not (Away). Who computes holds time up, for kPatience_s
+/// of processor time.
 ///
 /// Any thread. A member is one thread's, which alone calls what takes it, but for leave().
 class ThreadTurns {
@@ -87,11 +90,16 @@ class ThreadTurns {
   /// Who parked at `what` first, or all, go on at the present time, each in its turn.
   void wake(const void* what, bool all);
 
+  /// Within a call it waited for what others may have to do first, and they could go on: unless
+  /// nobody did, this is as wait() for the present moment.
+  void come_back(Member& me);
+
   /// The one with this name is cancelled: it waits no longer.
   void cancel(unsigned long thread);
 
-  /// For join(): parks until the member that `is_wanted` has left; at once when there is none.
-  void await_end(Member& me, const std::function<bool(const Member&)>& is_wanted);
+  /// For join(): parks until the member with this name has left, or may not come back; at once when
+  /// it has left already. False when nobody had this name, or there are no turns any more.
+  bool await_end(Member& me, unsigned long thread);
 
   [[nodiscard]] Time now() const { return clock()->now(); }
 
@@ -116,6 +124,7 @@ class ThreadTurns {
   std::atomic<int> entering_ = 0;  ///< Who waits for the lock: he goes on.
   std::list<Member> members_;      ///< In the order they were made.
   std::atomic<std::size_t> count_ = 0;
+  std::set<unsigned long> left_;   ///< Names of those who have, and were not waited for.
   std::uint64_t arrivals_ = 0;
   std::atomic<Clock*> clock_ = nullptr;
   std::atomic<bool> has_ended_ = false;
@@ -131,6 +140,8 @@ struct TurnMember {
   };
 
   std::atomic<int> tid = 0;  ///< 0: not started yet.
+  /// It sleeps for what comes by itself. The thread's own flow writes it (robios/src/flow.hpp).
+  std::atomic<bool> is_in_call = false;
   unsigned long thread = 0;  ///< As pthread_t; 0: not known.
   std::atomic<Stage> stage = Stage::Out;
   Time deadline = ThreadTurns::kNever;  ///< While it waits.
@@ -140,6 +151,7 @@ struct TurnMember {
   const void* what = nullptr;  ///< At which it parked.
   std::uint64_t arrival = 0;
   bool was_woken = false;
+  bool was_passed = false;               ///< Others went on while it slept somewhere else.
   bool is_left_alone = false;            ///< It has computed too long; until it is here again.
   std::optional<double> computes_since;  ///< Its processor time when it was first seen to.
   const std::shared_ptr<WakeUp> turn = std::make_shared<WakeUp>();

@@ -30,6 +30,8 @@ EXPORTED int pthread_create(pthread_t* thread, const pthread_attr_t* attributes,
   if (!eyebridge_is_in_program() || dlsym(RTLD_DEFAULT, "__tsan_init") != NULL) {
     return next_pthread_create(thread, attributes, start, argument);
   }
+  /* Else threads would run beside each other, and time pass for each by itself, until one calls. */
+  eyebridge_begin_time();
   struct beginning* beginning = malloc(sizeof *beginning);
   if (beginning == NULL) return EAGAIN;
   void* const member = eyebridge_thread_expected();
@@ -46,8 +48,15 @@ EXPORTED int pthread_create(pthread_t* thread, const pthread_attr_t* attributes,
 
 EXPORTED int pthread_join(pthread_t thread, void** result) {
   NEXT(int, pthread_join, (pthread_t, void**));
-  if (TAKES_TURNS() && !pthread_equal(thread, pthread_self())) eyebridge_thread_awaited(thread);
-  return next_pthread_join(thread, result);
+  if (!TAKES_TURNS() || pthread_equal(thread, pthread_self())) {
+    return next_pthread_join(thread, result);
+  }
+  const int is_over = eyebridge_thread_awaited(thread);
+  /* The kernel's part of its end may still be to come. */
+  if (is_over) eyebridge_hold_turn();
+  const int error = next_pthread_join(thread, result);
+  if (is_over) eyebridge_release_turn();
+  return error;
 }
 
 EXPORTED int pthread_cancel(pthread_t thread) {

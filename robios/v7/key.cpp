@@ -1,5 +1,6 @@
 #include "guarded.hpp"
 #include "keys.hpp"
+#include "program_threads.hpp"
 #include <eyebot.h>
 
 using eyebridge::Errc;
@@ -9,6 +10,7 @@ using eyebridge::robios::guarded;
 using eyebridge::robios::null_pointer;
 using eyebridge::robios::Session;
 using eyebridge::robios::TouchPoint;
+using eyebridge::robios::while_away;
 
 namespace {
 
@@ -29,7 +31,9 @@ Result<Value> or_end(Session& session, Result<Value> waited) {
 }
 
 Result<int> wait_for_key(Session& session, int mask) {
-  return or_end(session, session.keys().wait(mask, session_wait(session)));
+  return or_end(session, while_away([&] {
+                  return session.keys().wait(mask, session_wait(session));
+                }));
 }
 
 }  // namespace
@@ -53,7 +57,8 @@ int KEYGetXY(int* x, int* y) {
     if (x == nullptr || y == nullptr) {
       return null_pointer();
     }
-    const auto touch = session.keys().wait_touch(session_wait(session));
+    const auto touch = while_away(
+        [&] { return session.keys().wait_touch(session_wait(session)); });
     return or_end(session, touch).map([&](TouchPoint point) {
       *x = point.x;
       *y = point.y;

@@ -32,6 +32,28 @@ DRIVES = """
     print(me, counted, OSGetCount() // 100, *sys.argv[1:], flush=True)
     """
 
+# Three threads that read sensors, each at times of its own; no call before theirs.
+SENSES = """
+    from eye import *
+    import threading
+    seen = []
+    def sense(name, pause):
+        for i in range(15):
+            x, y, phi = VWGetPosition()
+            psd = PSDGet(1 + ord(name) % 3)
+            seen.append(f"{name}{OSGetCount()}:{x},{phi},{psd}")
+            if name == "a":
+                VWSetSpeed(100 + psd % 100, psd % 40 - 20)
+            if pause:
+                OSWait(pause)
+    threads = [threading.Thread(target=sense, args=own) for own in (("a", 3), ("b", 5), ("c", 0))]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    print(OSMachineID(), *seen, flush=True)
+    """
+
 
 def state_of(run):
     return re.search("state [0-9a-f]{16}", run.err).group()
@@ -53,6 +75,18 @@ class Several(ProgramTest):
     def run_scenario(self, *programs, settings=None):
         path = self.scenario(*programs)
         return self.run_words([EYEBRIDGE, "run", "--world", path], {"fast": True} | (settings or {}))
+
+    def test_runs_with_threads_that_read_sensors_repeat(self):
+        results = set()
+        all_processors = os.sched_getaffinity(0)
+        self.addCleanup(os.sched_setaffinity, 0, all_processors)
+        for processors in (all_processors, {min(all_processors)}):
+            os.sched_setaffinity(0, processors)  # those that are started inherit it
+            for _ in range(6):
+                run = self.robots(2, SENSES)
+                self.assertEqual(run.returncode, 0, run.err)
+                results.add((*sorted(run.out.splitlines()), state_of(run)))
+        self.assertEqual(len(results), 1)
 
     def test_each_has_globals_a_number_and_time_of_its_own(self):
         for clock in CLOCKS:

@@ -1,17 +1,15 @@
 // Several robots that run programs in one process.
 #include <algorithm>
-#include <atomic>
 #include <set>
 #include <sstream>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <sched.h>
 
 #include "named_program.hpp"
+#include "one_busy_processor.hpp"
 
 namespace eyebridge {
 namespace {
@@ -108,26 +106,6 @@ TEST(SeveralRobots, ARobotWhoseProgramEndedKeepsItsLastCommand) {
   EXPECT_EQ(r.out, "1 said gone at 1500; went on 200 mm\n") << r.err;
 }
 
-/// Lets this process, and what it starts, run on the first processor only while it lives.
-class OneProcessor {
- public:
-  OneProcessor() {
-    sched_getaffinity(0, sizeof before_, &before_);
-    cpu_set_t first;
-    CPU_ZERO(&first);
-    for (int cpu = 0; cpu < CPU_SETSIZE && CPU_COUNT(&first) == 0; ++cpu) {
-      if (CPU_ISSET(cpu, &before_)) CPU_SET(cpu, &first);
-    }
-    sched_setaffinity(0, sizeof first, &first);
-  }
-  ~OneProcessor() { sched_setaffinity(0, sizeof before_, &before_); }
-  OneProcessor(const OneProcessor&) = delete;
-  OneProcessor& operator=(const OneProcessor&) = delete;
-
- private:
-  cpu_set_t before_{};
-};
-
 #if defined(__SANITIZE_ADDRESS__)
 constexpr int kRuns = 3;  // each takes thirty times as long
 #else
@@ -138,15 +116,8 @@ constexpr int kRuns = 25;
 std::string state_of_fifty(const std::string& program) {
   std::set<std::string> states;
   for (int i = 0; i < kRuns; ++i) states.insert(state_of(run_named(program, several("5")).err));
-  const OneProcessor one;
-  std::atomic<bool> stop = false;
-  std::thread busy([&] {
-    while (!stop) {
-    }
-  });
+  const testing::OneBusyProcessor one;
   for (int i = 0; i < kRuns; ++i) states.insert(state_of(run_named(program, several("5")).err));
-  stop = true;
-  busy.join();
   EXPECT_EQ(states.size(), 1U);
   return *states.begin();
 }

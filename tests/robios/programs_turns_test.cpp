@@ -8,10 +8,12 @@
 #include <gtest/gtest.h>
 
 #include "named_program.hpp"
+#include "one_busy_processor.hpp"
 
 namespace eyebridge {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using testing::run_named;
 using ::testing::SizeIs;
@@ -96,6 +98,49 @@ std::string file(const std::string& path) {
   std::ostringstream text;
   text << std::ifstream(path).rdbuf();
   return text.str();
+}
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr int kTimes = 2;
+#else
+constexpr int kTimes = 10;
+#endif
+
+/// What `robots` robots that run `program` print, and the state of their world, in some runs, half of
+/// them on one busy processor.
+std::set<std::string> results_of(const std::string& program, const std::string& robots) {
+  const testing::ScratchFolder folder;
+  const std::string report = folder.path() + "/report";
+  const std::string world = std::string(EYEBRIDGE_TEST_WORLDS) + "/rooms.wld";
+  std::set<std::string> seen;
+  const auto run = [&] {
+    const auto r = run_named(program, {{"EYEBRIDGE_REPORT", report},
+                                       {"EYEBRIDGE_ROBOTS", robots},
+                                       {"EYEBRIDGE_WORLD", world}});
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    // Those who end at once may print in any order.
+    std::multiset<std::string> lines;
+    std::istringstream text(r.out);
+    for (std::string line; std::getline(text, line);) lines.insert(line);
+    std::string all = file(report);
+    for (const std::string& line : lines) all += line + '\n';
+    seen.insert(all);
+  };
+  for (int i = 0; i < kTimes; ++i) run();
+  const testing::OneBusyProcessor one;
+  for (int i = 0; i < kTimes; ++i) run();
+  return seen;
+}
+
+TEST(ProgramTurns, RunsOfProcessesWithThreadsThatReadSensorsRepeat) {
+  const std::set<std::string> seen = results_of("senses", "2");
+  EXPECT_THAT(seen, SizeIs(1));
+  EXPECT_THAT(*seen.begin(), AllOf(HasSubstr("state_hash = "), HasSubstr("\n1: "),
+                                   HasSubstr("\n2: ")));
+}
+
+TEST(ProgramTurns, RunsOfOneWithThreadsThatReadSensorsRepeat) {
+  EXPECT_THAT(results_of("senses", "1"), SizeIs(1));
 }
 
 TEST(ProgramTurns, RunsWithThreadsRepeat) {

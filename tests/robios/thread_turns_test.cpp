@@ -140,7 +140,7 @@ TEST(ThreadTurns, WaitForAnEnd) {
   Member& first = stage.add('a', milliseconds(10), 3);
   stage.add('b', milliseconds(10), 5);
   stage.turns.name(first, 77);
-  stage.turns.await_end(*stage.me, [](const Member& member) { return member.thread == 77; });
+  EXPECT_TRUE(stage.turns.await_end(*stage.me, 77));
   EXPECT_EQ(stage.clock.now(), milliseconds(30));
   stage.text += '.';
   EXPECT_EQ(stage.run().substr(0, 7), "ababab.");
@@ -184,6 +184,47 @@ TEST(ThreadTurns, WaitForWhoIsComing) {
   stage.turns.wait(*stage.me, milliseconds(10));
   stage.text += 'b';
   EXPECT_EQ(stage.run(), "ab");
+}
+
+// Its answer comes by itself, and it goes on before the others do.
+TEST(ThreadTurns, WaitForWhoSleepsInACall) {
+  Stage stage;
+  Member& asking = stage.turns.adopt(2);
+  asking.is_in_call = true;
+  std::atomic<bool> was_seen = false;
+  stage.look = [&](Member& member) -> ThreadState {
+    EXPECT_NE(&member, &asking);
+    was_seen = true;
+    return {Kind::Sleeps};
+  };
+  stage.add('b', milliseconds(10), 1);
+  while (!was_seen) std::this_thread::yield();
+  EXPECT_EQ(stage.text, "");
+  asking.is_in_call = false;
+  stage.turns.wait(asking, milliseconds(5));
+  stage.text += 'a';
+  stage.turns.leave(asking);
+  EXPECT_EQ(stage.run(), "ba");
+}
+
+TEST(ThreadTurns, LetWhoWasPassedComeBackInTurn) {
+  Stage stage;
+  stage.look = [&](Member& member) -> ThreadState {
+    return {&member == stage.me ? Kind::Sleeps : Kind::Computes};
+  };
+  stage.turns.come_back(*stage.me);  // nobody has passed it: at once
+  std::atomic<bool> has_passed = false;
+  stage.add([&](Member& member) {
+    has_passed = true;
+    while (stage.me->stage != Member::Stage::Waiting) std::this_thread::yield();
+    stage.text += 'a';
+    stage.turns.wait(member, milliseconds(5));
+    stage.text += 'b';
+  });
+  while (!has_passed) std::this_thread::yield();
+  stage.turns.come_back(*stage.me);
+  stage.text += '.';
+  EXPECT_EQ(stage.run(), "a.b");
 }
 
 TEST(ThreadTurns, GoOnWithoutWhoComputesForLong) {
