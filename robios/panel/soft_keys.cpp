@@ -15,14 +15,14 @@ std::string cut(std::string_view label) { return std::string(label.substr(0, kLa
 
 }  // namespace
 
-SoftKeys::SoftKeys(int width) : picture_(width, kMenuHeight) { set_all({}); }
+SoftKeys::SoftKeys(int width) : width_(width) { set_all({}); }
 
 void SoftKeys::set_all(const std::array<std::string_view, kSoftKeys>& labels) {
   for (std::size_t key = 0; key < keys_.size(); ++key) {
     keys_[key] = {cut(labels[key]), kBlack, kPapers[key]};
   }
   counts_from_zero_ = false;
-  paint();
+  picture_.reset();
 }
 
 Result<void> SoftKeys::set_one(int position, std::string_view label, Rgb ink, Rgb paper) {
@@ -34,11 +34,11 @@ Result<void> SoftKeys::set_one(int position, std::string_view label, Rgb ink, Rg
   }
   counts_from_zero_ = from_zero;
   keys_[static_cast<std::size_t>(position - first)] = {cut(label), ink, paper};
-  paint();
+  picture_.reset();
   return {};
 }
 
-int SoftKeys::left_of(int key) const { return picture_.width() * key / kSoftKeys; }
+int SoftKeys::left_of(int key) const { return width_ * key / kSoftKeys; }
 
 int SoftKeys::key_at(int x) const {
   for (int key = 0; key < kSoftKeys; ++key) {
@@ -49,13 +49,18 @@ int SoftKeys::key_at(int x) const {
   return 0;
 }
 
-void SoftKeys::paint() {
+const Canvas& SoftKeys::picture() const {
+  if (!picture_) paint(picture_.emplace(width_, kMenuHeight));
+  return *picture_;
+}
+
+void SoftKeys::paint(Canvas& picture) const {
   const Font font(FontFamily::Helvetica, FontStyle::Bold, 12);
   for (int key = 0; key < kSoftKeys; ++key) {
     const SoftKeyLook& look = keys_[static_cast<std::size_t>(key)];
     const int left = left_of(key);
     const int right = left_of(key + 1) - 1;
-    picture_.area(left, 0, right, kMenuHeight - 1, look.paper, true);
+    picture.area(left, 0, right, kMenuHeight - 1, look.paper, true);
 
     const std::vector<std::string> lines = latin1_lines(look.label);
     const int columns = (right - left - 1) / font.cell_width();
@@ -64,12 +69,12 @@ void SoftKeys::paint() {
       const int length = std::min(static_cast<int>(line.size()), columns);
       int x = left + (right - left + 1 - length * font.cell_width()) / 2;
       for (const char c : line.substr(0, static_cast<std::size_t>(length))) {
-        picture_.glyph(x, y, font, static_cast<std::uint8_t>(c), look.ink, look.paper);
+        picture.glyph(x, y, font, static_cast<std::uint8_t>(c), look.ink, look.paper);
         x += font.cell_width();
       }
       y += font.cell_height();
     }
-    picture_.area(left, 0, right, kMenuHeight - 1, kBlack, false);
+    picture.area(left, 0, right, kMenuHeight - 1, kBlack, false);
   }
 }
 

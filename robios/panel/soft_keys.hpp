@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -38,17 +39,20 @@ class SoftKeys {
   /// Mask of the key at column x of the strip.
   [[nodiscard]] int key_at(int x) const;
   /// The strip as it looks: the screen's width x kMenuHeight.
-  [[nodiscard]] const Canvas& picture() const { return picture_; }
+  /// Made when somebody first looks, and valid until a label changes: of a thousand robots few have
+  /// labels.
+  [[nodiscard]] const Canvas& picture() const;
   /// Of key 0..3.
   [[nodiscard]] const SoftKeyLook& look(std::size_t key) const { return keys_.at(key); }
 
  private:
   [[nodiscard]] int left_of(int key) const;
-  void paint();
+  void paint(Canvas& picture) const;
 
+  int width_;
   std::array<SoftKeyLook, kSoftKeys> keys_;
   bool counts_from_zero_ = false;
-  Canvas picture_;
+  mutable std::optional<Canvas> picture_;  ///< Without a value when the labels have changed.
 };
 
 }  // namespace eyebridge::robios

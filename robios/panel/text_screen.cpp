@@ -1,6 +1,7 @@
 #include "text_screen.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "utf8.hpp"
 
@@ -111,7 +112,7 @@ void TextScreen::set_colours(Rgb ink, Rgb paper) {
   if (ink == ink_ && paper == paper_) return;
   ink_ = ink;
   paper_ = paper;
-  mixed_.fill(false);
+  forget_pictures();
 }
 
 void TextScreen::set_font(FontFamily family, FontStyle style) {
@@ -128,7 +129,7 @@ void TextScreen::set_font_size(int size) {
 void TextScreen::apply_font() {
   const int before = font_.cell_width();
   font_ = Font(family_, style_, size_);
-  mixed_.fill(false);
+  forget_pictures();
   rows_ = height_ / font_.cell_height();
   columns_ = width_ / font_.cell_width();
   cells_.resize(static_cast<std::size_t>(rows_));
@@ -140,16 +141,20 @@ void TextScreen::apply_font() {
   }
 }
 
+void TextScreen::forget_pictures() {
+  pictures_.clear();
+  numbers_.fill(0);
+}
+
 const Rgb* TextScreen::picture_of(std::uint8_t code) {
   const auto coverage = font_.glyph(code);
-  pictures_.resize(std::max(pictures_.size(), mixed_.size() * coverage.size()));
-  Rgb* const picture = &pictures_[code * coverage.size()];
-  if (!mixed_[code]) {
-    mixed_[code] = true;
-    std::transform(coverage.begin(), coverage.end(), picture,
+  std::uint16_t& number = numbers_[code];
+  if (number == 0) {
+    number = static_cast<std::uint16_t>(pictures_.size() / coverage.size() + 1);
+    std::transform(coverage.begin(), coverage.end(), std::back_inserter(pictures_),
                    [&](std::uint8_t c) { return inked(paper_, ink_, c); });
   }
-  return picture;
+  return &pictures_[(number - std::size_t{1}) * coverage.size()];
 }
 
 std::vector<TextCell> TextScreen::cells() const {

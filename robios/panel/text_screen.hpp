@@ -74,6 +74,7 @@ class TextScreen {
   void scroll(Canvas& canvas, int count);
   void apply_font();
   void blank(std::size_t first_row);
+  void forget_pictures();
   const Rgb* picture_of(std::uint8_t code);
 
   int width_;
@@ -92,9 +93,10 @@ class TextScreen {
   Rgb paper_{};
   std::vector<std::vector<TextCell>> cells_;  // always rows_ x columns_
   std::vector<TextCell> blank_;               // a row of them
-  // Glyphs in the present font and colours, mixed when first asked for: printing copies them.
+  // Glyphs in the present font and colours, mixed when first asked for: printing copies them. Those
+  // of most codes never are.
   std::vector<Rgb> pictures_;
-  std::array<bool, 256> mixed_{};
+  std::array<std::uint16_t, 256> numbers_{};  // of the codes' pictures, from 1; 0: not mixed yet
 };
 
 }  // namespace eyebridge::robios

@@ -100,6 +100,20 @@ TEST(SeveralRobots, EachHasTheStreamsOfCpp) {
   }
 }
 
+#if !defined(__SANITIZE_ADDRESS__)  // whose heap is another one
+TEST(SeveralRobots, OneMoreTakesLessThan64KilobytesOfHeap) {
+  const auto heap = [](const std::string& robots) {
+    const auto r = run_named("several_heap", {{"EYEBRIDGE_ROBOTS", robots}});
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    return std::stod("0" + r.out);
+  };
+  const double one = (heap("45") - heap("5")) / 40;
+  RecordProperty("heap_bytes_a_robot", static_cast<int>(one));
+  EXPECT_GT(one, 4 * 1024.0);
+  EXPECT_LE(one, 64 * 1024.0);
+}
+#endif
+
 TEST(SeveralRobots, ARobotWhoseProgramEndedKeepsItsLastCommand) {
   const auto r = run_named("several_follow", several("2"));
   EXPECT_EQ(r.exit_code, 0) << r.err;
