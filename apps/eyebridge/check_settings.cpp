@@ -77,13 +77,15 @@ void check_settings(const hal::Config& config) {
   files::named_robot(config.text("robot"), config.value("robot").where);
   files::read_error_rules(config.text("errors"), config.value("errors").where);
   check_keys(config.value("keys"));
-  static_cast<void>(hal::programs_wanted(config));
+  const bool several = hal::programs_wanted(config) > 1;
   std::unique_ptr<hal::Backend> backend;
   // The program opens it again, which is free for a world but not for a board.
   // Without the person: that camera would be opened, too. Without the report: this world's time may
   // pass, and who runs many programs would take what it says for theirs.
-  const hal::Config alone = config.with("drive", {{}, config.value("drive").where})
-                                .with("report", {{}, config.value("report").where});
+  // With one robot; errors may be those of another one.
+  hal::Config alone = config.with("drive", {{}, config.value("drive").where})
+                          .with("report", {{}, config.value("report").where});
+  if (several) alone = alone.with("errors", {{}, config.value("errors").where});
   if (!hal::opening_has_effects(config)) {
     backend = hal::open_backend({alone, log});
     hal::check_hand({config, log}, *backend);

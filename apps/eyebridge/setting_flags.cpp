@@ -15,6 +15,8 @@ std::string_view kind_name(hal::Setting::Kind kind) {
   switch (kind) {
     case Kind::Text:
       return "TEXT";
+    case Kind::NumberOrText:
+      return "NUMBER|TEXT";
     case Kind::Path:
       return "PATH";
     case Kind::Boolean:

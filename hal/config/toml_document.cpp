@@ -17,6 +17,8 @@ std::string_view expected_type(Setting::Kind kind) {
     case Setting::Kind::Text:
     case Setting::Kind::Path:
       return "a text in quotes";
+    case Setting::Kind::NumberOrText:
+      return "a whole number, or a text in quotes";
     case Setting::Kind::Boolean:
       return "true or false";
     case Setting::Kind::Integer:
@@ -35,8 +37,9 @@ std::string_view expected_type(Setting::Kind kind) {
 std::optional<std::string> text_of(const toml::node& node, Setting::Kind kind) {
   const bool is_number = kind == Setting::Kind::Number || kind == Setting::Kind::Duration;
   if (const auto* text = node.as_string()) {
-    if (kind == Setting::Kind::Text || kind == Setting::Kind::Path ||
-        kind == Setting::Kind::Duration || kind == Setting::Kind::Size) {
+    if (kind == Setting::Kind::Text || kind == Setting::Kind::NumberOrText ||
+        kind == Setting::Kind::Path || kind == Setting::Kind::Duration ||
+        kind == Setting::Kind::Size) {
       return text->get();
     }
   }
@@ -44,7 +47,8 @@ std::optional<std::string> text_of(const toml::node& node, Setting::Kind kind) {
     return flag->get() ? "true" : "false";
   }
   if (const auto* whole = node.as_integer();
-      whole != nullptr && (is_number || kind == Setting::Kind::Integer)) {
+      whole != nullptr &&
+      (is_number || kind == Setting::Kind::Integer || kind == Setting::Kind::NumberOrText)) {
     return fmt::format("{}", whole->get());
   }
   if (const auto* number = node.as_floating_point(); number != nullptr && is_number) {

@@ -94,6 +94,7 @@ void check_value(const Setting& setting, const ConfigValue& value) {
   if (value.text.empty() && setting.fallback.empty()) return;
   switch (setting.kind) {
     case Setting::Kind::Text:
+    case Setting::Kind::NumberOrText:
     case Setting::Kind::Path:
       if (value.text.empty()) {
         throw ConfigError(value.where, fmt::format("found nothing for '{}', expected {}",

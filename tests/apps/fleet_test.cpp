@@ -49,6 +49,27 @@ TEST_F(Scenario, EachRobotRunsWhatItsLineNames) {
   EXPECT_THAT(r.err, HasSubstr("eyebridge: 2 robots"));
 }
 
+TEST_F(Scenario, ErrorsMayBeThoseOfARobotThatTheCountMakes) {
+  folder_.write("psd.c",
+                "#include <eyebot.h>\n#include <stdio.h>\n"
+                "int main(void) {\n  int i, same = 1, first = PSDGet(1);\n"
+                "  for (i = 0; i < 50; i++) same &= PSDGet(1) == first;\n"
+                "  printf(\"%d %s\\n\", OSMachineID(), same ? \"steady\" : \"noisy\");\n"
+                "  return 0;\n}\n");
+  compile("psd.c -o psd");
+  const auto with = [&](const std::string& errors) {
+    return run_command({"run", "--fast", "--world", folder_.path() + "/room.wld", "--robots", "2",
+                        "--errors", errors, "psd"},
+                       folder_.path());
+  };
+  const auto second = with("robot:2 psd sigma=9");
+  EXPECT_EQ(second.exit_code, 0) << second.err;
+  EXPECT_THAT(second.out, AllOf(HasSubstr("1 steady\n"), HasSubstr("2 noisy\n")));
+  const auto third = with("robot:3 psd sigma=9");
+  EXPECT_EQ(third.exit_code, 2);
+  EXPECT_EQ(third.err, "eyebridge: --errors:1:1: found robot 3: expected 1 to 2\n");
+}
+
 TEST_F(Scenario, ARobotMayEnterLaterAndOnlyThatMayRunAProgram) {
   const auto r = run("S4 500 500 0\nS4 500 1000 0 prog late\nenters 2\n");
   EXPECT_EQ(r.exit_code, 0) << r.err;

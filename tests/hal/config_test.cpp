@@ -162,6 +162,16 @@ TEST_F(ConfigTest, RefusesTomlValuesOfTheWrongKind) {
   EXPECT_THAT(complaint("step = 'soon'"), HasSubstr("expected a duration such as"));
 }
 
+TEST_F(ConfigTest, TakesNumbersOfRobotsAndYearsInTomlWithAndWithoutQuotes) {
+  const auto text_of = [&](const std::string& toml, const char* key) {
+    return Config::load({{}, {}, {write("eyebridge.toml", toml)}}).text(key);
+  };
+  EXPECT_EQ(text_of("robots = 2", "robots"), "2");
+  EXPECT_EQ(text_of("robots = '2'", "robots"), "2");
+  EXPECT_EQ(text_of("robots = 'all'", "robots"), "all");
+  EXPECT_EQ(text_of("psd_numbers = 2015", "psd_numbers"), "2015");
+}
+
 TEST_F(ConfigTest, RefusesTextsOfTheWrongKind) {
   EXPECT_EQ(complaint({{{"seed", "1x"}}, {}, {}}), "--seed: found '1x', expected a whole number");
   EXPECT_EQ(complaint({{{"fast", "maybe"}}, {}, {}}),

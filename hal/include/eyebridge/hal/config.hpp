@@ -16,7 +16,8 @@ namespace eyebridge::hal {
 /// One thing that can be configured. The table of these is the only list of keys there is: flags,
 /// environment variables, `eyebridge.toml`, `eyebridge config` and the documentation follow it.
 struct Setting {
-  enum class Kind { Text, Path, Boolean, Integer, Number, Duration, Size };
+  /// A NumberOrText is a text that TOML may have as a whole number, too.
+  enum class Kind { Text, NumberOrText, Path, Boolean, Integer, Number, Duration, Size };
 
   std::string_view key;  ///< "world"; flag --world, variable EYEBRIDGE_WORLD, TOML key world.
   Kind kind;
