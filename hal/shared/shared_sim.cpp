@@ -87,6 +87,7 @@ SharedSim::SharedSim(files::Scenario scenario, const Config& config, Turns* turn
 StateHash SharedSim::hash() {
   StateHash hash;
   hash.add(world_->locked([](auto& simulation) { return simulation.state_hash(); }));
+  hash.add(world_->trace_value());
   return hash;
 }
 

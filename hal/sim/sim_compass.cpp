@@ -3,7 +3,7 @@
 namespace eyebridge::hal {
 
 Result<double> SimCompass::read() {
-  return world_.locked([&](auto& sim) { return sim.read_compass(robot_); });
+  return world_.sensed([&](auto& sim) { return sim.read_compass(robot_); });
 }
 
 }  // namespace eyebridge::hal

@@ -32,11 +32,11 @@ Result<void> SimDigital::setup(int line, LineMode mode) {
 
 Result<bool> SimDigital::read(int line) {
   return check_line(line).map(
-      [&] { return world_.locked([&](auto& sim) { return level(sim, index_of(line)); }); });
+      [&] { return world_.sensed([&](auto& sim) { return level(sim, index_of(line)); }); });
 }
 
 Result<std::uint16_t> SimDigital::read_all() {
-  return world_.locked([&](auto& sim) {
+  return world_.sensed([&](auto& sim) {
     unsigned bits = 0;
     for (std::size_t i = 0; i < lines_.size(); ++i) bits |= level(sim, i) ? 1U << i : 0U;
     return static_cast<std::uint16_t>(bits);

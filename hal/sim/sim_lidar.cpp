@@ -37,7 +37,7 @@ LidarShape SimLidar::shape() const {
 }
 
 Result<void> SimLidar::read(std::span<double> ranges) {
-  return world_.locked([&](auto& sim) {
+  return world_.sensed_all(ranges, [&](auto& sim) {
     return check_scan_size(ranges.size(), shape_.points).map([&] {
       sim.read_lidar(robot_, shape_.field_of_view, shape_.tilt, ranges);
     });

@@ -12,7 +12,7 @@ SimRangeSensor::SimRangeSensor(SimWorld& world, robot::RobotIndex robot, std::si
       })) {}
 
 Result<double> SimRangeSensor::read() {
-  return world_.locked([&](auto& sim) { return sim.read_range(robot_, index_); });
+  return world_.sensed([&](auto& sim) { return sim.read_range(robot_, index_); });
 }
 
 Result<int> SimRangeSensor::read_raw() {

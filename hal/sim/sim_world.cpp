@@ -109,6 +109,7 @@ void SimWorld::step() {
   const std::lock_guard lock(mutex_);
   simulation_.step();
   ++steps_;
+  if (steps_ % RunTrace::kStepsALook == 0) run_trace_.add(simulation_.world());
   if (!traced_.empty()) trace();
   if (report_) report_->step(simulation_);
 }

@@ -4,6 +4,7 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "eyebridge/hal/trace.hpp"
 #include "eyebridge/robot/simulation.hpp"
 #include "sim/run_report.hpp"
+#include "sim/run_trace.hpp"
 #include "sim/world_lock.hpp"
 
 namespace eyebridge::hal {
@@ -37,6 +39,29 @@ class SimWorld {
   auto locked(Body&& body) {
     const std::lock_guard lock(mutex_);
     return std::forward<Body>(body)(simulation_);
+  }
+
+  /// The same, where it is a sensor's answer to a program: what `body` gives is in trace_value().
+  template <class Body>
+  auto sensed(Body&& body) {
+    const std::lock_guard lock(mutex_);
+    const auto reading = std::forward<Body>(body)(simulation_);
+    run_trace_.add(reading);
+    return reading;
+  }
+  /// The same for many readings, which `body` writes unless it fails.
+  template <class Body>
+  Result<void> sensed_all(std::span<const double> readings, Body&& body) {
+    const std::lock_guard lock(mutex_);
+    const Result<void> done = std::forward<Body>(body)(simulation_);
+    if (!done) return done;
+    for (const double reading : readings) run_trace_.add(reading);
+    return done;
+  }
+  /// Of the run until now: RunTrace::value().
+  [[nodiscard]] std::uint64_t trace_value() {
+    const std::lock_guard lock(mutex_);
+    return run_trace_.value();
   }
 
   /// True while one of the others runs. For signal handlers, too.
@@ -83,6 +108,7 @@ class SimWorld {
   WorldLock mutex_;
   robot::Simulation simulation_;
   std::uint64_t steps_ = 0;
+  RunTrace run_trace_;
   /// A robot somebody wants to be told of.
   struct Traced {
     TraceSink* sink = nullptr;

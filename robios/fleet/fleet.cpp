@@ -198,7 +198,7 @@ int Fleet::run() {
   for (Robot* const robot : all) simulated = std::max(simulated, robot->now());
   fmt::print(
       stderr,
-      "eyebridge: {} robots, {:.2f} s on their clock in {:.2f} s ({:.0f}x), state {:016x}{}{}\n",
+      "eyebridge: {} robots, {:.2f} s on their clock in {:.2f} s ({:.0f}x), trace {:016x}{}{}\n",
       all.size(), to_seconds(simulated), wall.count(), to_seconds(simulated) / wall.count(),
       world_->hash().value(),
       config_.is_set("out") ? "; results in " + config_.path("out").string() : "",

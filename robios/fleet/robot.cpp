@@ -61,8 +61,7 @@ void Robot::run() {
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
-  leave(image_->main()(static_cast<int>(words.size()), argv.data(), environ));
-  __builtin_unreachable();  // g++ forgets what a virtual function promises
+  quit(image_->main()(static_cast<int>(words.size()), argv.data(), environ));
 }
 
 void Robot::run_process() {
@@ -74,8 +73,7 @@ void Robot::run_process() {
     end = {kCannotRun, error.what()};
   }
   if (!end.why.empty()) fail(end.why, end.code);
-  leave(end.code);
-  __builtin_unreachable();  // as in run()
+  quit(end.code);
 }
 
 Time Robot::now() const {
@@ -98,6 +96,15 @@ void Robot::make_process_end() noexcept {
 
 void* Robot::variable(const char* name) {
   return image_ != nullptr ? image_->variable(name) : nullptr;
+}
+
+void Robot::quit(int code) {
+  if (code != 0) {
+    std::fflush(stdout);  // what it printed before comes before
+    log().write(Severity::Warning, "the program ended with exit code " + std::to_string(code));
+  }
+  leave(code);
+  __builtin_unreachable();  // g++ forgets what a virtual function promises
 }
 
 void Robot::fail(const std::string& how, int code) {

@@ -35,6 +35,8 @@ class Robot : public Runner {
   [[noreturn]] void run();
 
   void* variable(const char* name) override;
+  /// The robot's program ends in the calling flow: leaves, and tells of a code other than 0.
+  [[noreturn]] void quit(int code);
   /// The robot's program crashed or hangs in the calling flow: tells so and leaves. Inside a call
   /// of ours it leaves without results.
   [[noreturn]] void fail(const std::string& how, int code);

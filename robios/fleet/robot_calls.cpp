@@ -28,7 +28,7 @@ eyebridge_robot_calls robot_calls(Strands* given) {
   strands = given;
   eyebridge_robot_calls calls{};
   calls.leave = [](int code) {
-    if (Robot* const robot = Robot::current()) robot->leave(code);
+    if (Robot* const robot = Robot::current()) robot->quit(code);
   };
   calls.abort = [] {
     if (Robot* const robot = Robot::current()) {

@@ -67,12 +67,12 @@ TEST(Soccer, FiveAgainstFivePlayTheSameTenMinutesEachTime) {
   const auto state_of = [](const std::string& messages) {
     return messages.substr(std::min(messages.find("eyebridge: 10 robots, 600."), messages.size()),
                            27) +
-           messages.substr(std::min(messages.find("state "), messages.size()), 22);
+           messages.substr(std::min(messages.find("trace "), messages.size()), 22);
   };
   const ProgramRun first = play();
   EXPECT_EQ(first.exit_code, 0) << first.err;
   EXPECT_THAT(first.out, HasSubstr("goal after "));
-  EXPECT_EQ(state_of(first.err), "eyebridge: 10 robots, 600.0state 9820c2e6e61432ee");
+  EXPECT_EQ(state_of(first.err), "eyebridge: 10 robots, 600.0trace bbb5e20ce002331c");
   const ProgramRun second = play();
   EXPECT_EQ(second.out, first.out);
   EXPECT_EQ(state_of(second.err), state_of(first.err));

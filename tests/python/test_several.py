@@ -56,7 +56,7 @@ SENSES = """
 
 
 def state_of(run):
-    return re.search("state [0-9a-f]{16}", run.err).group()
+    return re.search("trace [0-9a-f]{16}", run.err).group()
 
 
 class Several(ProgramTest):

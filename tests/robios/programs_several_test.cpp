@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "named_program.hpp"
-#include "one_busy_processor.hpp"
+#include "processors.hpp"
 
 namespace eyebridge {
 namespace {
@@ -37,9 +37,9 @@ std::vector<std::string> sorted_lines(const std::string& text) {
   return lines;
 }
 
-/// "state 0123456789abcdef" of the run's last message.
-std::string state_of(const std::string& messages) {
-  const std::size_t at = messages.find("state ");
+/// "trace 0123456789abcdef" of the run's last message.
+std::string trace_of(const std::string& messages) {
+  const std::size_t at = messages.find("trace ");
   return at == std::string::npos ? "" : messages.substr(at, 22);
 }
 
@@ -88,6 +88,17 @@ TEST(SeveralRobots, AnEndOfAnyKindIsThatRobotsOwn) {
   }
 }
 
+TEST(SeveralRobots, WhatWouldEndTheProcessEndsARobotAndNoChild) {
+  for (const auto& clock : testing::kClocks) {
+    const auto r = run_named("several_quits", several("5", clock));
+    EXPECT_EQ(r.exit_code, 4) << r.err;  // the first robot's
+    EXPECT_THAT(sorted_lines(r.out), ElementsAre("child 7", "robot 4 is left", "robot 5 is left"));
+    EXPECT_THAT(r.err, AllOf(HasSubstr("robot 1: warning: the program ended with exit code 4\n"),
+                             HasSubstr("robot 2: warning: the program ended with exit code 5\n"),
+                             HasSubstr("robot 3: warning: the program ended with exit code 6\n")));
+  }
+}
+
 TEST(SeveralRobots, EachHasTheStreamsOfCpp) {
   for (const auto& clock : testing::kClocks) {
     const auto r = run_named("several_streams", several("3", clock));
@@ -126,20 +137,37 @@ constexpr int kRuns = 3;  // each takes thirty times as long
 constexpr int kRuns = 25;
 #endif
 
-/// Fifty runs of `program`, half of them on one processor beside a busy thread: their one state.
-std::string state_of_fifty(const std::string& program) {
-  std::set<std::string> states;
-  for (int i = 0; i < kRuns; ++i) states.insert(state_of(run_named(program, several("5")).err));
-  const testing::OneBusyProcessor one;
-  for (int i = 0; i < kRuns; ++i) states.insert(state_of(run_named(program, several("5")).err));
-  EXPECT_EQ(states.size(), 1U);
-  return *states.begin();
+/// A hundred runs of `program`, on one and on all processors, quiet and busy: their one trace.
+std::string trace_of_a_hundred(const std::string& program) {
+  using testing::Processors;
+  std::set<std::string> traces;
+  for (const auto which : {Processors::Which::First, Processors::Which::All}) {
+    for (const auto load : {Processors::Load::None, Processors::Load::Busy}) {
+      const Processors processors(which, load);
+      for (int i = 0; i < kRuns; ++i) {
+        traces.insert(trace_of(run_named(program, several("5")).err));
+      }
+    }
+  }
+  EXPECT_EQ(traces.size(), 1U);
+  return *traces.begin();
 }
 
-// Whatever the build: these states are the same in debug, release and sanitized ones.
+// Whatever the build: these traces are the same in debug, release and sanitized ones.
 TEST(SeveralRobots, AHundredRunsAreOneRun) {
-  EXPECT_EQ(state_of_fifty("several"), "state 70e8614a484f999c");
-  EXPECT_EQ(state_of_fifty("several_crew"), "state 1a73961df545468c");
+  EXPECT_EQ(trace_of_a_hundred("several"), "trace 369d5710c6a9f9bf");
+  EXPECT_EQ(trace_of_a_hundred("several_crew"), "trace 5da57fe1bae04673");
+}
+
+TEST(SeveralRobots, WhoReadsSomethingElseHasAnotherTrace) {
+  const auto run = [](const std::string& errors) {
+    const auto r = run_named("senses", several("2", {{"EYEBRIDGE_ERRORS", errors}}));
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    return trace_of(r.err);
+  };
+  EXPECT_EQ(run("psd sigma=100"), run("psd sigma=100"));
+  EXPECT_NE(run("psd sigma=100"), run("perfect"));
+  EXPECT_NE(run("psd sigma=100"), run("psd sigma=101"));
 }
 
 TEST(SeveralRobots, ThreadsOfProgramsTakeTurns) {
@@ -151,7 +179,7 @@ TEST(SeveralRobots, ThreadsOfProgramsTakeTurns) {
             "2: took 5, late after 760 ms, 0\n"
             "3: took 5, late after 760 ms, 0\n")
       << r.err;
-  EXPECT_EQ(state_of(run_named("several_crew", several("3")).err), state_of(r.err));
+  EXPECT_EQ(trace_of(run_named("several_crew", several("3")).err), trace_of(r.err));
 }
 
 TEST(SeveralRobots, ThreadsOfProgramsWorkInRealTime) {

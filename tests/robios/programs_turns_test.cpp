@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "named_program.hpp"
-#include "one_busy_processor.hpp"
+#include "processors.hpp"
 
 namespace eyebridge {
 namespace {
@@ -106,17 +106,17 @@ constexpr int kTimes = 2;
 constexpr int kTimes = 10;
 #endif
 
-/// What `robots` robots that run `program` print, and the state of their world, in some runs, half of
-/// them on one busy processor.
+/// What `robots` robots that run `program` print, and the state of their world, in some runs, half
+/// of them on one busy processor.
 std::set<std::string> results_of(const std::string& program, const std::string& robots) {
   const testing::ScratchFolder folder;
   const std::string report = folder.path() + "/report";
   const std::string world = std::string(EYEBRIDGE_TEST_WORLDS) + "/rooms.wld";
   std::set<std::string> seen;
   const auto run = [&] {
-    const auto r = run_named(program, {{"EYEBRIDGE_REPORT", report},
-                                       {"EYEBRIDGE_ROBOTS", robots},
-                                       {"EYEBRIDGE_WORLD", world}});
+    const auto r = run_named(
+        program,
+        {{"EYEBRIDGE_REPORT", report}, {"EYEBRIDGE_ROBOTS", robots}, {"EYEBRIDGE_WORLD", world}});
     EXPECT_EQ(r.exit_code, 0) << r.err;
     // Those who end at once may print in any order.
     std::multiset<std::string> lines;
@@ -135,8 +135,8 @@ std::set<std::string> results_of(const std::string& program, const std::string& 
 TEST(ProgramTurns, RunsOfProcessesWithThreadsThatReadSensorsRepeat) {
   const std::set<std::string> seen = results_of("senses", "2");
   EXPECT_THAT(seen, SizeIs(1));
-  EXPECT_THAT(*seen.begin(), AllOf(HasSubstr("state_hash = "), HasSubstr("\n1: "),
-                                   HasSubstr("\n2: ")));
+  EXPECT_THAT(*seen.begin(),
+              AllOf(HasSubstr("state_hash = "), HasSubstr("\n1: "), HasSubstr("\n2: ")));
 }
 
 TEST(ProgramTurns, RunsOfOneWithThreadsThatReadSensorsRepeat) {

@@ -32,9 +32,9 @@ std::vector<std::string> sorted_lines(const std::string& text) {
   return lines;
 }
 
-/// "state 0123456789abcdef" of the run's last message.
+/// "trace 0123456789abcdef" of the run's last message.
 std::string state_of(const std::string& messages) {
-  const std::size_t at = messages.find("state ");
+  const std::size_t at = messages.find("trace ");
   return at == std::string::npos ? "" : messages.substr(at, 22);
 }
 
@@ -92,7 +92,7 @@ TEST(SeveralClassicRobots, ARunRepeatsToTheBit) {
   };
   for (const char* program : {"several_c", "several_tasks_c"}) {
     const std::string first = run(program);
-    ASSERT_THAT(first, HasSubstr("state "));
+    ASSERT_THAT(first, HasSubstr("trace "));
     for (int i = 0; i < 5; ++i) EXPECT_EQ(run(program), first);
   }
 }

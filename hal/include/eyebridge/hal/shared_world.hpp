@@ -76,7 +76,7 @@ class SharedWorld {
   virtual void note(const std::string& name, double value) = 0;
   /// The last program has ended: the run's report says so.
   virtual void end() noexcept = 0;
-  /// The state of everything that moves: the same for the same run.
+  /// Of everything that moved, and of all that sensors told programs: the same for the same run.
   [[nodiscard]] virtual StateHash hash() = 0;
   /// True while somebody reads or changes the world: asked by who may have been stopped in the
   /// middle of that. For signal handlers, too.

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#include "eyebridge/base/pose.hpp"
+#include "eyebridge/world/world.hpp"
+
+namespace eyebridge::hal {
+
+/// What happened in a run, in 64 bits: where all bodies were every kStepsALook steps, and what
+/// sensors answered to programs. Two runs that are not the same differ in it, also where they end
+/// alike. One thread.
+class RunTrace {
+ public:
+  static constexpr std::uint64_t kStepsALook = 10;
+
+  void add(double value) { mix(std::bit_cast<std::uint64_t>(value == 0.0 ? 0.0 : value)); }
+  void add(bool value) { mix(value ? 1 : 0); }
+  void add(std::uint16_t value) { mix(value); }
+  void add(Vec2 value) {
+    add(value.x);
+    add(value.y);
+  }
+  void add(const world::World& world) {
+    for (world::BodyId body = 0; body < world.body_count(); ++body) {
+      if (world.is_there(body)) add(world.position(body));
+    }
+  }
+  [[nodiscard]] std::uint64_t value() const { return hash_; }
+
+ private:
+  // One multiplication a number: programs in virtual time make a million of readings a second.
+  // The factor is 2^64 by the golden ratio.
+  void mix(std::uint64_t bits) {
+    hash_ = (hash_ ^ bits) * 0x9E3779B97F4A7C15U;
+    hash_ ^= hash_ >> 32U;
+  }
+
+  std::uint64_t hash_ = 0;
+};
+
+}  // namespace eyebridge::hal
