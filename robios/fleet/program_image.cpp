@@ -9,6 +9,7 @@
 #include <iterator>
 #include <map>
 #include <mutex>
+#include <string_view>
 #include <vector>
 
 #include <dlfcn.h>
@@ -37,6 +38,19 @@ Value* at(Bytes& file, std::uint64_t offset, std::uint64_t count = 1) {
 
 constexpr const char* kExpected =
     "; expected a program built with eyebridge-cc or eyebridge-c++, without -no-pie and -static";
+
+/// The C library keeps where these are in a program's words, once for all who call them; and of
+/// optarg and optind each robot would have a copy of its own that they do not know.
+void check_calls(const std::filesystem::path& program, const Bytes& file) {
+  using namespace std::string_view_literals;
+  const std::string_view text(file.data(), file.size());
+  for (const std::string_view name :
+       {"\0getopt\0"sv, "\0getopt_long\0"sv, "\0getopt_long_only\0"sv}) {
+    if (text.find(name) == std::string_view::npos) continue;
+    refuse(program, "found " + std::string(name.substr(1, name.size() - 2)) +
+                        "(), which several robots cannot call in one process");
+  }
+}
 
 /// Takes the mark off that it is a program. elf(5), and DT_FLAGS_1 of the System V gABI.
 void unmark(const std::filesystem::path& program, Bytes& file) {
@@ -92,6 +106,7 @@ const Bytes& contents(const std::filesystem::path& program) {
   Bytes file{std::istreambuf_iterator<char>(stream), {}};
   if (!stream) refuse(program, std::string("cannot be read: ") + std::strerror(errno));
   unmark(program, file);
+  check_calls(program, file);
   return known->emplace(program, std::move(file)).first->second;
 }
 

@@ -99,6 +99,15 @@ TEST(SeveralRobots, WhatWouldEndTheProcessEndsARobotAndNoChild) {
   }
 }
 
+TEST(SeveralRobots, EachReadsItsOwnOptions) {
+  const auto r = testing::run_program(
+      {{std::string(EYEBRIDGE_TEST_PROGRAMS) + "/several_options", "one", "--speed", "120", "-l"},
+       several("3", testing::kClocks[0]),
+       ""});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(sorted_lines(r.out), ElementsAre("1: 120 1 one", "2: 120 1 one", "3: 120 1 one"));
+}
+
 TEST(SeveralRobots, EachHasTheStreamsOfCpp) {
   for (const auto& clock : testing::kClocks) {
     const auto r = run_named("several_streams", several("3", clock));

@@ -1,4 +1,4 @@
-#define _ISOC11_SOURCE // for quick_exit()
+#define _ISOC11_SOURCE  // for quick_exit()
 // Robots that end in ways that would end the process, and one that has children.
 #include <stdio.h>
 #include <stdlib.h>
