@@ -53,7 +53,7 @@ class SimWorld {
   template <class Body>
   Result<void> sensed_all(std::span<const double> readings, Body&& body) {
     const std::lock_guard lock(mutex_);
-    const Result<void> done = std::forward<Body>(body)(simulation_);
+    Result<void> done = std::forward<Body>(body)(simulation_);
     if (!done) return done;
     for (const double reading : readings) run_trace_.add(reading);
     return done;

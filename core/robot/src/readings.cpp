@@ -69,7 +69,8 @@ void Simulation::read_ranges(RobotIndex robot, std::span<double> ranges) {
     const double* const most = layout.max_range.data();
     const double* const beyond = layout.out_of_range.data();
     for (std::size_t i = 0; i < ranges.size(); ++i) {
-      ranges[i] = either((ranges[i] >= least[i]) & (ranges[i] < most[i]), ranges[i], beyond[i]);
+      const double heard = either(ranges[i] >= least[i], ranges[i], beyond[i]);
+      ranges[i] = either(ranges[i] < most[i], heard, beyond[i]);
     }
     return;
   }

@@ -75,12 +75,7 @@ EYEBRIDGE_RAY_TARGET inline Floats floats_of(Get get) {
 
 /// from[index] in each lane.
 EYEBRIDGE_RAY_TARGET inline Floats picked(const float* from, FloatBits index) {
-#if defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 4
-  const Floats all = (Floats)(FloatBits{} - 1);
-  return __builtin_ia32_gathersiv8sf(all, from, index, all, sizeof(float));
-#else
   return floats_of([&](std::size_t i) { return from[index[i]]; });
-#endif
 }
 
 EYEBRIDGE_RAY_TARGET inline Floats load(const float* from) {
