@@ -56,8 +56,8 @@ Result<int> next_code(Session& session, bool take) {
 
 /// Ends the program when no code can come any more.
 Result<int> wait_for_code(Session& session) {
-  Result<int> code = robios::while_away(
-      [&] { return session.keys().wait_remote(robios::classic::wait_until); });
+  Result<int> code =
+      robios::while_away([&] { return session.keys().wait_remote(robios::classic::wait_until); });
   if (!code && code.error().code == Errc::Unsupported) session.abort_run(code.error());
   return code;
 }

@@ -28,8 +28,8 @@ int wait_for(const robios::Call& name, int mask) {
 }  // namespace
 
 Result<int> eyebridge::robios::classic::wait_for_key(Session& session, int mask) {
-  return or_end_waiting(
-      session, while_away([&] { return session.keys().wait(mask, classic::wait_until); }));
+  return or_end_waiting(session,
+                        while_away([&] { return session.keys().wait(mask, classic::wait_until); }));
 }
 
 int KEYGetBuf(char* buf) {
@@ -52,8 +52,8 @@ int KEYRead(void) {
 int KEYGetXY(int* x, int* y) {
   return doing("KEYGetXY", 1, [&](Session& session) -> Result<void> {
     if (x == nullptr || y == nullptr) return robios::null_pointer();
-    const auto touch = robios::while_away(
-        [&] { return session.keys().wait_touch(robios::classic::wait_until); });
+    const auto touch =
+        robios::while_away([&] { return session.keys().wait_touch(robios::classic::wait_until); });
     return or_end_waiting(session, touch).map([&](robios::TouchPoint point) {
       *x = point.x;
       *y = point.y;

@@ -22,8 +22,8 @@ void join_program_threads();
 void expect_virtual_time();
 
 /// Within a call: what it waits for may never come, or only when other threads of the program have
-/// done something, which go on while it sleeps. In virtual time the caller has its turn again at the
-/// end. Any thread.
+/// done something, which go on while it sleeps. In virtual time the caller has its turn again at
+/// the end. Any thread.
 class Away {
  public:
   Away() : was_away_(std::exchange(flow.is_away, true)) { show_in_call(flow.calls > 0); }

@@ -124,7 +124,7 @@ class ThreadTurns {
   std::atomic<int> entering_ = 0;  ///< Who waits for the lock: he goes on.
   std::list<Member> members_;      ///< In the order they were made.
   std::atomic<std::size_t> count_ = 0;
-  std::set<unsigned long> left_;   ///< Names of those who have, and were not waited for.
+  std::set<unsigned long> left_;  ///< Names of those who have, and were not waited for.
   std::uint64_t arrivals_ = 0;
   std::atomic<Clock*> clock_ = nullptr;
   std::atomic<bool> has_ended_ = false;

@@ -32,9 +32,8 @@ Result<int> poll_code(Session& session) {
 int IRTVGet(void) {
   return robios::guarded("IRTVGet", 0, [](Session& session) -> Result<int> {
     if (session.backend().remote() != nullptr) return poll_code(session);
-    Result<int> code = robios::while_away([&] {
-      return session.keys().wait_remote([&](Time until) { session.wait_until(until); });
-    });
+    Result<int> code = robios::while_away(
+        [&] { return session.keys().wait_remote([&](Time until) { session.wait_until(until); }); });
     if (!code && code.error().code == Errc::Unsupported) session.abort_run(code.error());
     return code;
   });

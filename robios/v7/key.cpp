@@ -31,9 +31,8 @@ Result<Value> or_end(Session& session, Result<Value> waited) {
 }
 
 Result<int> wait_for_key(Session& session, int mask) {
-  return or_end(session, while_away([&] {
-                  return session.keys().wait(mask, session_wait(session));
-                }));
+  return or_end(session,
+                while_away([&] { return session.keys().wait(mask, session_wait(session)); }));
 }
 
 }  // namespace
@@ -57,8 +56,7 @@ int KEYGetXY(int* x, int* y) {
     if (x == nullptr || y == nullptr) {
       return null_pointer();
     }
-    const auto touch = while_away(
-        [&] { return session.keys().wait_touch(session_wait(session)); });
+    const auto touch = while_away([&] { return session.keys().wait_touch(session_wait(session)); });
     return or_end(session, touch).map([&](TouchPoint point) {
       *x = point.x;
       *y = point.y;

@@ -74,8 +74,9 @@ char SERReceiveChar(int interface) {
                    [](hal::SerialPort& port, Session& session) -> Result<char> {
                      std::uint8_t byte = 0;
                      while (session.may_call("SERReceiveChar")) {
-                       const auto count = robios::while_away(
-                           [&] { return port.receive({&byte, 1}, kSerialSlice); });
+                       const auto count = robios::while_away([&] {
+                         return port.receive({&byte, 1}, kSerialSlice);
+                       });
                        if (!count) return tl::unexpected(count.error());
                        if (*count == 1) return static_cast<char>(byte);
                      }

@@ -1,5 +1,5 @@
-// Threads that read sensors, the camera and the radio, show and drive, each at times of its own; all
-// that they saw is printed in the order in which they did. What they count is thread_local: of
+// Threads that read sensors, the camera and the radio, show and drive, each at times of its own;
+// all that they saw is printed in the order in which they did. What they count is thread_local: of
 // several robots each has a process of its own.
 #include <cstdarg>
 #include <cstdio>
