@@ -85,6 +85,16 @@ void Session::wait_until(Time deadline) {
   }
 }
 
+std::optional<Time> Session::next_event() const {
+  const std::optional<Time> due = impl_->timers.next_due();
+  return due && impl_->limit ? std::min(*due, *impl_->limit) : due ? due : impl_->limit;
+}
+
+void Session::run_events() {
+  impl_->timers.run_due();
+  check_limit();
+}
+
 void Session::check_limit() {
   if (!impl_->limit || impl_->clock.now() < *impl_->limit) return;
   if (impl_->stage != Impl::Stage::Running || !impl_->claim_end()) return;

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -86,6 +87,12 @@ class Session {
   Time look_at_clock();
   /// Waits until `deadline` on the robot's clock; timers run meanwhile.
   void wait_until(Time deadline);
+
+  /// When something happens in virtual time that the program did not wait for: a timer, the time
+  /// limit.
+  [[nodiscard]] std::optional<Time> next_event() const;
+  /// Lets happen what is due.
+  void run_events();
 
   /// False once the run has ended: threads that still call must not start the motors again. Ends a
   /// forked process with a message: a robot has one program.

@@ -1,14 +1,11 @@
 // libc's sleeping on the robot's clock: a program that waits with usleep() while its motors run
 // must see the robot move as far as in real time. Libraries, and threads of theirs, sleep as ever.
 
-#include <algorithm>
-#include <array>
-#include <chrono>
-#include <optional>
+#include "sleep.hpp"
 
-#include <dlfcn.h>
-#include <poll.h>
-#include <sys/select.h>
+#include <algorithm>
+#include <chrono>
+
 #include <time.h>
 #include <unistd.h>
 
@@ -20,51 +17,21 @@
 namespace {
 
 using eyebridge::Time;
+using eyebridge::robios::duration_of;
 using eyebridge::robios::flow;
 using eyebridge::robios::InCall;
+using eyebridge::robios::next_of;
 using eyebridge::robios::Session;
+using eyebridge::robios::sleepers_session;
 using eyebridge::robios::take_looks;
-
-/// The session of the calling program, when its clock is not the wall clock; else null.
-Session* own_time() {
-  // In real time timers' functions run in a thread of ours.
-  const bool is_timers = flow.in_timer && flow.calls == 0;
-  if (flow.session == nullptr && !is_timers && eyebridge_is_in_program() == 0) return nullptr;
-  eyebridge_begin_time();
-  return Session::with_own_time();
-}
 
 /// True when the robot's clock did the waiting.
 bool waited(std::chrono::nanoseconds duration) {
-  Session* session = own_time();
+  Session* session = sleepers_session();
   if (session == nullptr) return false;
   const InCall in_call;
   session->wait_until(session->clock().now() + take_looks() + duration);
   return true;
-}
-
-/// The C library's own.
-template <class Function>
-Function* next(const char* name) {
-  return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
-}
-
-/// In virtual time: looks again and again for `patience` of the robot's time, until it sees
-/// something; nothing for others, who wait as ever.
-template <class Look>
-std::optional<int> watched(Time patience, Look look) {
-  constexpr Time kPause = std::chrono::milliseconds(1);
-  std::optional<Time> deadline;
-  for (Session* session = own_time(); session != nullptr && session->clock().is_virtual();
-       session = own_time()) {
-    const int seen = look();
-    const Time now = session->clock().now();
-    if (!deadline) deadline = now + take_looks() + patience;
-    if (seen != 0 || now >= *deadline) return seen;
-    const InCall in_call;
-    session->wait_until(std::min(*deadline, now + kPause));
-  }
-  return std::nullopt;
 }
 
 bool is_valid(const timespec& time) {
@@ -73,15 +40,31 @@ bool is_valid(const timespec& time) {
 
 }  // namespace
 
+namespace eyebridge::robios {
+
+Session* sleepers_session() {
+  // In real time timers' functions run in a thread of ours.
+  const bool is_timers = flow.in_timer && flow.calls == 0;
+  if (flow.session == nullptr && !is_timers && eyebridge_is_in_program() == 0) return nullptr;
+  eyebridge_begin_time();
+  return Session::with_own_time();
+}
+
+Time duration_of(const timespec& time) {
+  const auto seconds = std::min<long long>(time.tv_sec, MOST_SECONDS);
+  return std::chrono::seconds(seconds) + std::chrono::nanoseconds(time.tv_nsec);
+}
+
+}  // namespace eyebridge::robios
+
 extern "C" {
 
 int nanosleep(const timespec* wanted, timespec* left) {
-  if (wanted != nullptr && is_valid(*wanted) &&
-      waited(std::chrono::seconds(wanted->tv_sec) + std::chrono::nanoseconds(wanted->tv_nsec))) {
+  if (wanted != nullptr && is_valid(*wanted) && waited(duration_of(*wanted))) {
     if (left != nullptr) *left = {};
     return 0;
   }
-  static auto* const real = next<int(const timespec*, timespec*)>("nanosleep");
+  static auto* const real = next_of<int(const timespec*, timespec*)>("nanosleep");
   return real(wanted, left);  // as a cancellation point
 }
 
@@ -93,18 +76,19 @@ unsigned sleep(unsigned seconds) {
 
 int clock_nanosleep(clockid_t clock, int flags, const timespec* wanted, timespec* left) {
   // A moment: for programs in virtual time, whose clock it is on. (With a factor it is not.)
-  Session* const session = (flags & TIMER_ABSTIME) != 0 ? own_time() : nullptr;
+  Session* const session = (flags & TIMER_ABSTIME) != 0 ? sleepers_session() : nullptr;
   if (session != nullptr && session->clock().is_virtual() && is_valid(*wanted)) {
     const InCall in_call;
-    session->wait_until(eyebridge::Time(deadline_of(clock, wanted)));
+    const long long until = deadline_of(clock, wanted);
+    session->wait_until(Time(until >= 0 ? until : MOST_SECONDS * NANOSECONDS));
     return 0;
   }
-  if (flags == 0 && wanted != nullptr && is_valid(*wanted) && own_time() != nullptr) {
+  if (flags == 0 && wanted != nullptr && is_valid(*wanted) && sleepers_session() != nullptr) {
     nanosleep(wanted, left);
     return 0;
   }
   static auto* const real =
-      next<int(clockid_t, int, const timespec*, timespec*)>("clock_nanosleep");
+      next_of<int(clockid_t, int, const timespec*, timespec*)>("clock_nanosleep");
   return real(clock, flags, wanted, left);
 }
 
@@ -112,42 +96,6 @@ int usleep(useconds_t microseconds) {
   const timespec wanted{static_cast<time_t>(microseconds / 1'000'000),
                         static_cast<long>(microseconds % 1'000'000) * 1000};
   return nanosleep(&wanted, nullptr);
-}
-
-int select(int count, fd_set* to_read, fd_set* to_write, fd_set* to_except, timeval* most) {
-  using Select = int(int, fd_set*, fd_set*, fd_set*, timeval*);
-  if (most == nullptr || most->tv_sec < 0 || most->tv_usec < 0) {
-    return next<Select>("select")(count, to_read, to_write, to_except, most);
-  }
-  std::array<fd_set*, 3> sets{to_read, to_write, to_except};
-  std::array<fd_set, 3> wanted{};
-  for (std::size_t i = 0; i < sets.size(); ++i) {
-    if (sets[i] != nullptr) wanted[i] = *sets[i];
-  }
-  const auto look = [&] {
-    for (std::size_t i = 0; i < sets.size(); ++i) {
-      if (sets[i] != nullptr) *sets[i] = wanted[i];
-    }
-    timeval at_once{};
-    return next<Select>("select")(count, to_read, to_write, to_except, &at_once);
-  };
-  const Time patience =
-      std::chrono::seconds(most->tv_sec) + std::chrono::microseconds(most->tv_usec);
-  if (const std::optional<int> seen = watched(patience, look)) {
-    if (*seen == 0) *most = {};
-    return *seen;
-  }
-  return next<Select>("select")(count, to_read, to_write, to_except, most);
-}
-
-int poll(pollfd* files, nfds_t count, int most_ms) {
-  using Poll = int(pollfd*, nfds_t, int);
-  const auto look = [&] { return next<Poll>("poll")(files, count, 0); };
-  if (most_ms > 0) {
-    const std::optional<int> seen = watched(std::chrono::milliseconds(most_ms), look);
-    if (seen) return *seen;
-  }
-  return next<Poll>("poll")(files, count, most_ms);
 }
 
 }  // extern "C"

@@ -12,9 +12,10 @@
 
 /* -1: none. */
 static long long end_of(int operation, const struct timespec* timeout) {
-  if (timeout == NULL) return -1;
+  if (timeout == NULL) return NO_DEADLINE;
   if ((operation & FUTEX_CMD_MASK) == FUTEX_WAIT) {
-    return CALLS.now() + timeout->tv_sec * NANOSECONDS + timeout->tv_nsec;
+    const long long wait = deadline_of(CLOCK_MONOTONIC, timeout); /* which begins at 0 */
+    return wait < 0 ? wait : CALLS.now() + wait;
   }
   const int is_day = (operation & FUTEX_CLOCK_REALTIME) != 0;
   return deadline_of(is_day ? CLOCK_REALTIME : CLOCK_MONOTONIC, timeout);
@@ -27,6 +28,10 @@ static int has_changed(const void* word, long value) {
 static long wait_while(const uint32_t* word, uint32_t value, long long deadline) {
   if (__atomic_load_n(word, __ATOMIC_SEQ_CST) != value) {
     errno = EAGAIN;
+    return -1;
+  }
+  if (deadline == NO_TIME) {
+    errno = EINVAL;
     return -1;
   }
   if (!eyebridge_park(word, deadline, has_changed, (long)value, 0)) return 0;

@@ -50,6 +50,7 @@ static int lock_until(pthread_mutex_t* mutex, long long deadline) {
   for (;;) {
     const int error = try_lock(mutex);
     if (error != EBUSY) return error;
+    if (deadline == NO_TIME) return EINVAL;
     if (eyebridge_park(mutex, deadline, is_free, 0, 1)) return ETIMEDOUT;
   }
 }
@@ -136,6 +137,7 @@ static int was_signalled(const void* condition, long before) {
 
 /* Not by the functions' names, behind which a sanitizer may stand. */
 static int wait_for(pthread_cond_t* condition, pthread_mutex_t* mutex, long long deadline) {
+  if (deadline == NO_TIME) return EINVAL;
   const long before = __atomic_load_n(&signals, __ATOMIC_SEQ_CST);
   unlock(mutex);
   const int is_late = eyebridge_park(condition, deadline, was_signalled, before, 0);
@@ -185,6 +187,10 @@ EXPORTED int pthread_cond_broadcast(pthread_cond_t* condition) {
 static int take_until(sem_t* semaphore, long long deadline) {
   while (sem_trywait(semaphore) != 0) {
     if (errno != EAGAIN) return -1;
+    if (deadline == NO_TIME) {
+      errno = EINVAL;
+      return -1;
+    }
     const int is_late = eyebridge_park(semaphore, deadline, has_value, 0, 1);
     pthread_testcancel();
     if (is_late) {

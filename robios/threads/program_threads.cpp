@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdio>
+#include <optional>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -29,6 +30,15 @@ void tell() {
       fmt::format("a thread of the program has computed for {:g} s without a call with which its "
                   "time passes; the others go on without it",
                   ThreadTurns::kPatience_s));
+}
+
+std::optional<Time> next_event() {
+  Session* const session = Session::with_own_time();
+  return session != nullptr ? session->next_event() : std::nullopt;
+}
+
+void run_events() {
+  if (Session* const session = Session::with_own_time()) session->run_events();
 }
 
 void be(Member* member) {
@@ -86,12 +96,13 @@ int turns() {
   return Session::with_own_time() != nullptr ? EYEBRIDGE_IN_PROGRAM : EYEBRIDGE_NO_TURNS;
 }
 
+Time moment(long long deadline) { return deadline < 0 ? ThreadTurns::kNever : Time(deadline); }
 long long nanoseconds(Time time) { return time / std::chrono::nanoseconds(1); }
 
 }  // namespace
 
 ThreadTurns& program_threads() {
-  static auto* const threads = new ThreadTurns(look_at, tell);
+  static auto* const threads = new ThreadTurns(look_at, tell, {next_event, run_events});
   return *threads;
 }
 
@@ -123,14 +134,12 @@ __attribute__((visibility("hidden"))) eyebridge_robot_calls eyebridge_own_calls 
     return nanoseconds(flow.looked);
   };
   calls.park = [](const void* what, long long deadline) {
-    const auto until = deadline < 0 ? ThreadTurns::kNever : eyebridge::Time(deadline);
-    return program_threads().park(*flow.member, what, until) ? 1 : 0;
+    return program_threads().park(*flow.member, what, moment(deadline)) ? 1 : 0;
   };
   calls.park_unless = [](const void* what, long long deadline, int (*is_free)(const void*, long),
                          long value, int is_watched) {
-    const auto until = deadline < 0 ? ThreadTurns::kNever : eyebridge::Time(deadline);
-    return program_threads().park(*flow.member, what, until, {is_free, value, is_watched != 0}) ? 1
-                                                                                                : 0;
+    const ThreadTurns::Unless unless{is_free, value, is_watched != 0};
+    return program_threads().park(*flow.member, what, moment(deadline), unless) ? 1 : 0;
   };
   calls.wake = [](const void* what, int all) { program_threads().wake(what, all != 0); };
   return calls;
@@ -169,8 +178,17 @@ void eyebridge_release_turn(void) {
 
 void eyebridge_thread_cancelled(unsigned long thread) { program_threads().cancel(thread); }
 
-int eyebridge_thread_awaited(unsigned long thread) {
-  return program_threads().await_end(*flow.member, thread) ? 1 : 0;
+int eyebridge_thread_awaited(unsigned long thread, long long deadline) {
+  using enum ThreadTurns::Ended;
+  switch (program_threads().await_end(*flow.member, thread, moment(deadline))) {
+    case Yes:
+      return 1;
+    case Unknown:
+      return 0;
+    case Late:
+      break;
+  }
+  return -1;
 }
 
 }  // extern "C"

@@ -26,8 +26,9 @@ void eyebridge_release_turn(void);
 /* pthread_cancel() was called for it. */
 void eyebridge_thread_cancelled(unsigned long thread);
 /* Returns when the thread is about to end: in virtual time the caller's turn is over till then. 0
-   when it is none of them, and may go on for long. */
-int eyebridge_thread_awaited(unsigned long thread);
+   when it is none of them, and may go on for long; -1 when `deadline` (ns on the robot's clock; -1:
+   none) came first. */
+int eyebridge_thread_awaited(unsigned long thread, long long deadline);
 /* NOLINTEND(readability-identifier-naming) */
 
 #ifdef __cplusplus

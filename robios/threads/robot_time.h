@@ -15,11 +15,17 @@ static inline long long first_second_of(clockid_t clock) {
              : 0;
 }
 
+#define NO_DEADLINE (-1LL)
+#define NO_TIME (-2LL)            /* what is no time, as POSIX has it: EINVAL for who would wait */
+#define MOST_SECONDS 3153600000LL /* a hundred years; whoever waits longer waits for ever */
+
 /* `until` on `clock` as nanoseconds of the robot's time; 0 for what is over before it began. */
 static inline long long deadline_of(clockid_t clock, const struct timespec* until) {
-  const long long seconds = (long long)until->tv_sec - first_second_of(clock);
-  const long long robot = seconds * NANOSECONDS + until->tv_nsec;
-  return robot > 0 ? robot : 0;
+  if (until->tv_nsec < 0 || until->tv_nsec >= NANOSECONDS) return NO_TIME;
+  const long long first = first_second_of(clock);
+  if (until->tv_sec < first) return 0;
+  if (until->tv_sec - first > MOST_SECONDS) return NO_DEADLINE;
+  return ((long long)until->tv_sec - first) * NANOSECONDS + until->tv_nsec;
 }
 
 #endif

@@ -21,6 +21,7 @@ static int lock_until(pthread_rwlock_t* lock, try_function* attempt, long long d
     const long state = state_of(lock);
     const int error = attempt(lock);
     if (error != EBUSY) return error;
+    if (deadline == NO_TIME) return EINVAL;
     if (eyebridge_park(lock, deadline, has_changed, state, 0)) return ETIMEDOUT;
   }
 }

@@ -23,7 +23,8 @@ constexpr microseconds kLookSeldom(20'000);  // who is not next
 
 }  // namespace
 
-ThreadTurns::ThreadTurns(Look look, Tell tell) : look_(std::move(look)), tell_(std::move(tell)) {}
+ThreadTurns::ThreadTurns(Look look, Tell tell, Events events)
+    : look_(std::move(look)), tell_(std::move(tell)), events_(std::move(events)) {}
 ThreadTurns::~ThreadTurns() = default;
 
 void ThreadTurns::begin(Clock& clock) { clock_.store(&clock, std::memory_order_release); }
@@ -116,31 +117,39 @@ bool ThreadTurns::park(Member& me, const void* what, Time deadline, const Unless
   const InCall in_call;
   Lock lock = enter();
   if (unless.is_free != nullptr && unless.is_free(what, unless.value) != 0) return false;
-  me.what = what;
-  me.is_free = unless.is_free;
-  me.value = unless.value;
-  me.is_watched = unless.is_watched;
-  return park_in(me, lock, deadline);
+  return park_in(me, lock, what, deadline, unless);
 }
 
-bool ThreadTurns::park_in(Member& me, Lock& lock, Time deadline) {
-  if (has_ended_) return false;
-  me.deadline = std::max(deadline, now() + Time(1));
-  me.arrival = ++arrivals_;
-  me.was_woken = false;
-  me.was_passed = false;
-  me.is_left_alone = false;
-  me.computes_since.reset();
-  me.stage = Stage::Waiting;
-  await_turn(me, lock);
-  const bool is_late = !me.was_woken;
+bool ThreadTurns::park_in(Member& me, Lock& lock, const void* what, Time deadline,
+                          const Unless& unless) {
   // Whatever happens: what steps the world may throw.
   const struct Leaving {
     Member& me;
     ~Leaving() { me.stage = Stage::Out; }
   } leaving{me};
-  if (is_late) clock()->wait_until(me.deadline);
-  return is_late;
+  while (!has_ended_) {
+    me.what = what;
+    me.is_free = unless.is_free;
+    me.value = unless.value;
+    me.is_watched = unless.is_watched;
+    me.deadline = std::max(deadline, now() + Time(1));
+    me.arrival = ++arrivals_;
+    me.was_woken = false;
+    me.was_passed = false;
+    me.is_left_alone = false;
+    me.computes_since.reset();
+    me.stage = Stage::Waiting;
+    await_turn(me, lock);
+    if (me.was_woken) return false;
+    const std::optional<Time> event = std::exchange(me.event, std::nullopt);
+    clock()->wait_until(event.value_or(me.deadline));
+    if (!event) return true;
+    me.stage = Stage::Out;
+    events_.run();
+    lock = enter();
+    if (unless.is_free == nullptr || unless.is_free(what, unless.value) != 0) return false;
+  }
+  return false;
 }
 
 /// Gives way until it is the caller's turn. `lock` is released.
@@ -195,28 +204,21 @@ void ThreadTurns::come_back(Member& me) {
   const InCall in_call;
   Lock lock = enter();
   if (!me.was_passed || !have_begun()) return;
-  me.what = nullptr;
-  me.is_free = nullptr;
-  me.is_watched = false;
-  park_in(me, lock, now());
+  park_in(me, lock, nullptr, now(), {});
 }
 
-bool ThreadTurns::await_end(Member& me, unsigned long thread) {
+ThreadTurns::Ended ThreadTurns::await_end(Member& me, unsigned long thread, Time deadline) {
   const InCall in_call;
-  bool is_known = false;
-  while (have_begun()) {
+  for (bool is_late = false; have_begun();) {
     Lock lock = enter();
-    if (left_.erase(thread) != 0) return true;
+    if (left_.erase(thread) != 0) return Ended::Yes;
     const auto found =
         std::ranges::find_if(members_, [=](const Member& m) { return m.thread == thread; });
-    if (found == members_.end()) return is_known;
-    is_known = true;
-    me.what = &*found;
-    me.is_free = nullptr;
-    me.is_watched = false;
-    park_in(me, lock, kNever);
+    if (found == members_.end()) break;
+    if (is_late) return Ended::Late;
+    is_late = park_in(me, lock, &*found, deadline, {});
   }
-  return false;
+  return Ended::Unknown;
 }
 
 /// Who waits for what others than members have given, a signal's handler or another process: the
@@ -278,10 +280,19 @@ std::shared_ptr<WakeUp> ThreadTurns::pass_on() {
   if (entering_ != 0) return nullptr;  // after the looks: who sleeps at our own lock goes on
   wake_by_others();
   Member* const next = first_waiting();
-  if (next == nullptr || next->deadline == kNever) return nullptr;
+  if (next == nullptr) return nullptr;
+  if (next->deadline == kNever) {
+    if (all_wait()) next->event = events_.next();
+    if (!next->event) return nullptr;
+  }
   next->stage = Stage::Going;
   for (Member& member : members_) member.was_passed = member.stage == Stage::Out;
   return next->turn;
+}
+
+/// Nobody sleeps somewhere else, or computes on.
+bool ThreadTurns::all_wait() const {
+  return std::ranges::all_of(members_, [](const Member& m) { return m.stage == Stage::Waiting; });
 }
 
 void ThreadTurns::forget_gone() {

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "eyebridge/base/clock.hpp"
 #include "thread_state.hpp"
@@ -41,8 +42,17 @@ class ThreadTurns {
   /// Told once for each time that a thread has computed too long: time goes on without it.
   using Tell = std::function<void()>;
 
-  /// `look`: what a member does that is not here.
-  ThreadTurns(Look look, Tell tell);
+  /// What else happens on the clock, and may wake somebody: a timer's function.
+  struct Events {
+    std::function<std::optional<Time>()> next = [] { return std::nullopt; };
+    /// Lets happen what is due. A member calls it, in its turn.
+    std::function<void()> run = [] {};
+  };
+
+  /// `look`: what a member does that is not here. When all wait for each other for ever, time goes
+  /// on from event to event.
+  ThreadTurns(Look look, Tell tell, Events events);
+  ThreadTurns(Look look, Tell tell) : ThreadTurns(std::move(look), std::move(tell), Events()) {}
   ~ThreadTurns();
   ThreadTurns(const ThreadTurns&) = delete;
   ThreadTurns& operator=(const ThreadTurns&) = delete;
@@ -97,9 +107,10 @@ class ThreadTurns {
   /// The one with this name is cancelled: it waits no longer.
   void cancel(unsigned long thread);
 
-  /// For join(): parks until the member with this name has left, or may not come back; at once when
-  /// it has left already. False when nobody had this name, or there are no turns any more.
-  bool await_end(Member& me, unsigned long thread);
+  enum class Ended { Yes, Late, Unknown };
+  /// For join(): parks until the member with this name has left, once, or until `deadline` (Late).
+  /// Unknown when nobody had this name, or there are no turns any more.
+  Ended await_end(Member& me, unsigned long thread, Time deadline = kNever);
 
   [[nodiscard]] Time now() const { return clock()->now(); }
 
@@ -111,7 +122,8 @@ class ThreadTurns {
   [[nodiscard]] bool is_busy(Member& member);
   [[nodiscard]] Member* first_waiting();
   std::shared_ptr<WakeUp> pass_on();
-  bool park_in(Member& me, Lock& lock, Time deadline);
+  bool park_in(Member& me, Lock& lock, const void* what, Time deadline, const Unless& unless);
+  [[nodiscard]] bool all_wait() const;
   void wake_by_others();
   void await_turn(Member& me, Lock& lock);
   void wake_locked(const void* what, bool all);
@@ -120,6 +132,7 @@ class ThreadTurns {
 
   const Look look_;
   const Tell tell_;
+  const Events events_;
   std::mutex mutex_;
   std::atomic<int> entering_ = 0;  ///< Who waits for the lock: he goes on.
   std::list<Member> members_;      ///< In the order they were made.
@@ -149,6 +162,7 @@ struct TurnMember {
   long value = 0;              ///< For is_free.
   bool is_watched = false;     ///< is_free is asked later, too.
   const void* what = nullptr;  ///< At which it parked.
+  std::optional<Time> event;   ///< It is its turn for what happens then; it goes on waiting.
   std::uint64_t arrival = 0;
   bool was_woken = false;
   bool was_passed = false;               ///< Others went on while it slept somewhere else.

@@ -8,6 +8,7 @@
 
 #include "next.h"
 #include "program_threads.h"
+#include "robot_time.h"
 
 struct beginning {
   void* (*start)(void*);
@@ -46,17 +47,51 @@ EXPORTED int pthread_create(pthread_t* thread, const pthread_attr_t* attributes,
   return error;
 }
 
-EXPORTED int pthread_join(pthread_t thread, void** result) {
-  NEXT(int, pthread_join, (pthread_t, void**));
-  if (!TAKES_TURNS() || pthread_equal(thread, pthread_self())) {
-    return next_pthread_join(thread, result);
+/* One that takes no turns: it has to be looked after. */
+static int join_other_until(pthread_t thread, void** result, long long deadline) {
+  int error = 0;
+  while ((error = pthread_tryjoin_np(thread, result)) == EBUSY) {
+    if (CALLS.now() >= deadline) return ETIMEDOUT;
+    CALLS.park(NULL, CALLS.now() + NANOSECONDS / 1000);
   }
-  const int is_over = eyebridge_thread_awaited(thread);
+  return error;
+}
+
+typedef int join_function(pthread_t, void**);
+
+static int join_until(pthread_t thread, void** result, long long deadline, join_function* join) {
+  if (deadline == NO_TIME) return EINVAL;
+  const int is_over = eyebridge_thread_awaited(thread, deadline);
+  if (is_over < 0) return ETIMEDOUT;
+  if (!is_over && deadline != NO_DEADLINE) return join_other_until(thread, result, deadline);
   /* The kernel's part of its end may still be to come. */
   if (is_over) eyebridge_hold_turn();
-  const int error = next_pthread_join(thread, result);
+  const int error = join(thread, result);
   if (is_over) eyebridge_release_turn();
   return error;
+}
+
+static int is_awaited_in_turn(pthread_t thread) {
+  return TAKES_TURNS() && !pthread_equal(thread, pthread_self());
+}
+
+EXPORTED int pthread_join(pthread_t thread, void** result) {
+  NEXT(int, pthread_join, (pthread_t, void**));
+  return is_awaited_in_turn(thread) ? join_until(thread, result, NO_DEADLINE, next_pthread_join)
+                                    : next_pthread_join(thread, result);
+}
+
+EXPORTED int pthread_clockjoin_np(pthread_t thread, void** result, clockid_t clock,
+                                  const struct timespec* until) {
+  NEXT(int, pthread_clockjoin_np, (pthread_t, void**, clockid_t, const struct timespec*));
+  NEXT(int, pthread_join, (pthread_t, void**));
+  if (until == NULL) return pthread_join(thread, result);
+  if (!is_awaited_in_turn(thread)) return next_pthread_clockjoin_np(thread, result, clock, until);
+  return join_until(thread, result, deadline_of(clock, until), next_pthread_join);
+}
+
+EXPORTED int pthread_timedjoin_np(pthread_t thread, void** result, const struct timespec* until) {
+  return pthread_clockjoin_np(thread, result, CLOCK_REALTIME, until);
 }
 
 EXPORTED int pthread_cancel(pthread_t thread) {

@@ -77,6 +77,27 @@ TEST(ProgramTurns, ThreadsMayOutliveMainAndTheirVariablesThem) {
   EXPECT_EQ(cut.out, "joined, 0 left\n");
 }
 
+TEST(ProgramTurns, ThreadsOfC11AreThreads) {
+  const std::string what = ": 101 100 102, 946684800, late 1 at 2100\n";
+  const auto alone = run_named("c11_threads");
+  EXPECT_EQ(alone.out, "1" + what) << alone.err;
+  const auto two = run_named("c11_threads", {{"EYEBRIDGE_ROBOTS", "2"}});
+  EXPECT_EQ(two.exit_code, 0) << two.err;
+  EXPECT_EQ(two.out, "1" + what + "2" + what);
+}
+
+// The last wait ends with the run.
+TEST(ProgramTurns, WaitsEndAtTheirTimeOrWhereATimerEndsThem) {
+  const auto r = run_named("long_waits", {{"EYEBRIDGE_TIME_LIMIT", "4"}});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  EXPECT_EQ(r.out,
+            "ppoll 0, pselect 0, epoll_wait 0 at 300\n"
+            "given at 500\n"
+            "joined 1 at 1000, 0 at 1500\n"
+            "wrong 1 1 at 1500\n");
+}
+
 TEST(ProgramTurns, ThreadsCanBeCancelled) {
 #if !defined(__SANITIZE_ADDRESS__)  // it stumbles over threads of the system that are cancelled
   const auto alone = run_named("cancels");

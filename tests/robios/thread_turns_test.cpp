@@ -140,7 +140,9 @@ TEST(ThreadTurns, WaitForAnEnd) {
   Member& first = stage.add('a', milliseconds(10), 3);
   stage.add('b', milliseconds(10), 5);
   stage.turns.name(first, 77);
-  EXPECT_TRUE(stage.turns.await_end(*stage.me, 77));
+  EXPECT_EQ(stage.turns.await_end(*stage.me, 77, milliseconds(20)), ThreadTurns::Ended::Late);
+  EXPECT_EQ(stage.turns.await_end(*stage.me, 77), ThreadTurns::Ended::Yes);
+  EXPECT_EQ(stage.turns.await_end(*stage.me, 77), ThreadTurns::Ended::Unknown);
   EXPECT_EQ(stage.clock.now(), milliseconds(30));
   stage.text += '.';
   EXPECT_EQ(stage.run().substr(0, 7), "ababab.");
@@ -290,6 +292,26 @@ TEST(ThreadTurns, SeeWhatOthersGiveAndLetTheFirstOneHaveIt) {
   stage.turns.wait(*stage.me, milliseconds(10));
   what = 1;
   EXPECT_EQ(stage.run(), "ba");
+}
+
+// As a timer's function does.
+TEST(ThreadTurns, GoOnFromEventToEventWhereAllWaitForEver) {
+  PlainClock clock;
+  int what = 0;
+  ThreadTurns::Events events;
+  events.next = [&]() -> std::optional<Time> {
+    return what < 3 ? std::optional(Time(milliseconds(10 * (what + 1)))) : std::nullopt;
+  };
+  events.run = [&] { ++what; };
+  ThreadTurns turns([](Member&) { return ThreadState{}; }, [] {}, events);
+  Member& me = turns.adopt(1);
+  turns.begin(clock);
+  EXPECT_FALSE(turns.park(me, &what, ThreadTurns::kNever, {is_value, 3, false}));
+  EXPECT_EQ(clock.now(), milliseconds(30));
+  // Where somebody waits for a moment, he lets them happen himself.
+  what = 0;
+  EXPECT_TRUE(turns.park(me, &what, milliseconds(35), {is_value, 3, false}));
+  EXPECT_EQ(what, 0);
 }
 
 TEST(ThreadTurns, LetEverybodyGoAtTheEnd) {
