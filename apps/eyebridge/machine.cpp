@@ -8,11 +8,13 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <thread>
 
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <unistd.h>
 
+#include "eyebridge/base/thread_priority.hpp"
 #include "machine/cameras.hpp"
 #include "machine/can_state.hpp"
 #include "machine/serial_ports.hpp"
@@ -55,6 +57,18 @@ Finding pseudo_terminals() {
   return {"PTY", false, works, reason, "mount devpts on /dev/pts"};
 }
 
+/// What the thread that steps a world in real time would be granted.
+Finding real_time_priority() {
+  ThreadPriority granted;
+  std::thread([&granted] { granted = raise_priority(); }).join();
+  return {"real-time", false, granted.kind == ThreadPriority::Kind::RealTime,
+          granted.str() + ": worlds in real time are " +
+              (granted.kind == ThreadPriority::Kind::RealTime ? "not late where others compute"
+                                                              : "late where others compute"),
+          "echo \"$USER - rtprio 1\" | sudo tee /etc/security/limits.d/eyebridge.conf, and log in "
+          "again"};
+}
+
 /// Without ModemManager and its like nothing disturbs a board.
 Finding udev_rule(const fs::path& root) {
   constexpr const char* kWhat = "udev rule";
@@ -87,6 +101,7 @@ std::vector<Finding> examine_machine(const fs::path& root) {
       library("EGL", {"libEGL.so.1"}, "renders camera pictures where there is no OSMesa",
               "libegl1"),
       pseudo_terminals(),
+      real_time_priority(),
   };
   const auto add = [&out](std::vector<Finding> findings) {
     for (Finding& finding : findings) out.push_back(std::move(finding));

@@ -1,6 +1,7 @@
 #include "clock/real_time_clock.hpp"
 
 #include <algorithm>
+#include <future>
 #include <utility>
 
 #include <pthread.h>
@@ -13,6 +14,8 @@ namespace {
 // Short enough not to be felt when time slips, long enough for what a desktop's scheduler does.
 constexpr std::chrono::duration<double, std::nano> kLongestWallLag{100e6};
 constexpr int kFewestLagSteps = 10;
+// A world that is too slow even so would leave the others no processor.
+constexpr std::uint64_t kMostUrgentOverruns = 3;
 
 Time longest_lag(Time step, double factor) {
   const auto lag = std::chrono::duration_cast<Time>(kLongestWallLag * factor);
@@ -29,7 +32,12 @@ RealTimeClock::RealTimeClock(Time step, double factor, std::function<void()> ste
       longest_lag_(longest_lag(step, factor)),
       anchor_wall_(Wall::now()),
       begun_(start == Start::AtOnce) {
-  thread_ = std::thread([this] { run(); });
+  std::promise<ThreadPriority> granted;
+  thread_ = std::thread([this, &granted] {
+    granted.set_value(raise_priority());
+    run();
+  });
+  priority_ = granted.get_future().get();
   // By this name robios knows that it is none of the program's own threads.
   pthread_setname_np(thread_.native_handle(), "eb:world");
 }
@@ -133,7 +141,7 @@ void RealTimeClock::run() {
     }
     if (scaled() - world_time_ > longest_lag_) {
       anchor(due);
-      ++overruns_;
+      if (++overruns_ == kMostUrgentOverruns) restore_priority(priority_);
     }
     lock.unlock();
     step_world_();

@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "eyebridge/base/clock.hpp"
+#include "eyebridge/base/thread_priority.hpp"
 #include "eyebridge/hal/time_control.hpp"
 
 namespace eyebridge::hal {
@@ -48,7 +49,9 @@ class RealTimeClock final : public Clock, public TimeControl {
   Result<void> set_factor(double factor) override;
 
   /// How often time slipped because the world fell too far behind.
-  [[nodiscard]] std::uint64_t overruns() const;
+  [[nodiscard]] std::uint64_t overruns() const override;
+  /// What the system granted the thread that steps the world, which must not be late.
+  [[nodiscard]] const ThreadPriority& priority() const { return priority_; }
 
  private:
   using Wall = std::chrono::steady_clock;
@@ -80,6 +83,7 @@ class RealTimeClock final : public Clock, public TimeControl {
   bool begun_;
   bool paused_ = false;
   bool ending_ = false;
+  ThreadPriority priority_;
   std::thread thread_;
 };
 

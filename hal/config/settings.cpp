@@ -45,8 +45,9 @@ constexpr auto kSettings = std::to_array<Setting>({
     {"step", Kind::Duration, "10ms", "of the simulation", 0.0001, 1.0},
     {"time_limit", Kind::Duration, "", "the run ends after this long on the robot's clock"},
     {"hang_limit", Kind::Duration, "60s",
-     "one of several programs that computes this long without a call is ended (virtual time)", 0.1,
-     1e6},
+     "one of several programs that computes or waits this long without a call is ended (virtual "
+     "time)",
+     0.1, 1e6},
     {"stall_timeout", Kind::Duration, "2s", "a movement stalled this long has failed"},
     {"cost_scale", Kind::Number, "1", "factor on the time that API calls cost", 0.0, 1000.0},
     {"keys", Kind::Text, "", "key presses: KEY1@2s,KEY4@10s,IRTV_5@12s; unset: the terminal"},

@@ -81,6 +81,7 @@ SharedSim::SharedSim(files::Scenario scenario, const Config& config, Turns* turn
   wall_ = std::make_shared<RealTimeClock>(
       step_, config.number("factor"), [world = world_] { world->step(); },
       RealTimeClock::Start::Later);
+  log.write(Severity::Info, "the world's thread has " + wall_->priority().str());
   view_ = std::make_shared<SimEnvironment>(*world_, wall_);
 }
 

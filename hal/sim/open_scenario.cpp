@@ -42,7 +42,7 @@ struct WorldTime {
   std::shared_ptr<TimeControl> control;
 };
 
-WorldTime make_time(const Config& config, Time step, SimWorld& world) {
+WorldTime make_time(const Config& config, Time step, SimWorld& world, LogSink& log) {
   if (config.boolean("fast")) {
     auto gate = std::make_shared<TimeGate>(step);
     auto clock = std::make_shared<LockstepClock>(step, [&world, gate] {
@@ -53,6 +53,7 @@ WorldTime make_time(const Config& config, Time step, SimWorld& world) {
   }
   auto clock =
       std::make_shared<RealTimeClock>(step, config.number("factor"), [&world] { world.step(); });
+  log.write(Severity::Info, "the world's thread has " + clock->priority().str());
   return {clock, clock};
 }
 
@@ -81,7 +82,7 @@ std::unique_ptr<Backend> open_scenario(files::Scenario scenario, const SourceLoc
     throw ConfigError(where, error.what());
   }
   begin_report(context.config, *world);
-  WorldTime time = make_time(context.config, from_seconds(settings.step), *world);
+  WorldTime time = make_time(context.config, from_seconds(settings.step), *world, context.log);
   auto environment = std::make_shared<SimEnvironment>(*world, std::move(time.control));
   return std::make_unique<SimBackend>(std::move(world), std::move(time.clock),
                                       std::move(environment), 0,

@@ -29,6 +29,7 @@ class ChildProcess {
   [[nodiscard]] bool ends_within(double seconds) const;
   /// Does nothing once it has ended. Any thread.
   void signal(int signal) const;
+  [[nodiscard]] pid_t pid() const { return pid_; }
   /// Waits for its end; its status as of waitpid(). Once.
   int wait();
   /// Lets the system forget it, if it has ended: for who cannot wait for wait(), whose status may

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <functional>
+#include <semaphore>
 #include <utility>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include "crash_handler.hpp"
+#include "eyebridge/base/deaf_thread.hpp"
 #include "eyebridge/hal/environment.hpp"
 #include "fleet_scheduler.hpp"
 #include "generation.hpp"
@@ -25,11 +28,6 @@ namespace {
 
 Fleet* the_fleet = nullptr;  // For signals, which know no objects.
 
-/// When the time limit of all is over.
-bool comes_too_late(Time time, const hal::Config& config) {
-  return config.is_set("time_limit") && time >= from_seconds(config.number("time_limit"));
-}
-
 }  // namespace
 
 Fleet::Fleet(hal::Config config, const std::vector<std::string>& words,
@@ -37,7 +35,7 @@ Fleet::Fleet(hal::Config config, const std::vector<std::string>& words,
     : config_(std::move(config)),
       log_(lowest_severity(config_)),
       scheduler_(config_.boolean("fast") ? in_lockstep(config_.number("hang_limit"))
-                                         : in_real_time()),
+                                         : in_real_time(config_.number("hang_limit"))),
       scenario_(config_.is_set("world") ? config_.path("world") : "the empty room") {
   calls = robot_calls(scheduler_->strands());
   windows_ = open_session_windows(config_, log_);
@@ -46,6 +44,10 @@ Fleet::Fleet(hal::Config config, const std::vector<std::string>& words,
 }
 
 Fleet::~Fleet() = default;
+
+bool Fleet::comes_too_late(Time time, const hal::Config& config) {
+  return config.is_set("time_limit") && time >= from_seconds(config.number("time_limit"));
+}
 
 void Fleet::add_robots(const std::vector<std::string>& words) {
   std::vector<hal::SharedRobot> all = world_->robots();
@@ -170,9 +172,9 @@ std::vector<Robot*> Fleet::robots() const {
 }
 
 int Fleet::run() {
-  handle_crashes();
+  handle_crashes(!config_.boolean("fast"));
   the_fleet = this;
-  watch_signals([](int) { the_fleet->stop(); }, [] { the_fleet->scheduler_->look(); });
+  watch_signals([](int) { the_fleet->stop(); }, [] { the_fleet->look(); });
   const std::vector<Robot*> robots_at_start = robots();
   door_.emplace([this](const Words& words) { return answer(words); });
   if (!door_->is_open()) {
@@ -223,6 +225,35 @@ void Fleet::end() {
   for (Robot* const robot : robots()) robot->end_session();
   for (Robot* const robot : robots()) robot->make_process_end();
   world_->end();
+}
+
+void Fleet::look() {
+  if (Robot* const robot = broken_robot()) end_without(*robot);
+  scheduler_->look();
+}
+
+void Fleet::end_without(Robot& broken) {
+  // Whoever comes to what is locked for ever stays there; the next one may not come to it.
+  static std::counting_semaphore<> done(0);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(3);
+  bool have_ended = true;
+  const auto try_to = [&](std::function<void()> act) {
+    deaf_thread([act = std::move(act)] {
+      act();
+      done.release();
+    }).detach();
+    const auto soon = std::chrono::steady_clock::now() + std::chrono::milliseconds(500);
+    have_ended = done.try_acquire_until(std::min(soon, end)) && have_ended;
+  };
+  for (Robot* const robot : robots()) {
+    if (robot != &broken) try_to([robot] { robot->end_session(); });
+  }
+  try_to([this] { world_->end(); });
+  for (Robot* const robot : robots()) try_to([robot] { robot->make_process_end(); });
+  log_.write(Severity::Error, have_ended ? "the run is ended; the results of the others are written"
+                                         : "the run is ended; results are missing");
+  std::fflush(stdout);
+  _exit(exit_code());
 }
 
 int Fleet::exit_code() const {

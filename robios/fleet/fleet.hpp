@@ -50,9 +50,11 @@ class Fleet final : public Crew {
   struct InLockstep;
   struct InRealTime;
 
-  /// `hang_limit`: s of processor time without a call.
+  /// `hang_limit`: s without a call.
   static std::unique_ptr<Scheduler> in_lockstep(double hang_limit);
-  static std::unique_ptr<Scheduler> in_real_time();
+  static std::unique_ptr<Scheduler> in_real_time(double hang_limit);
+  /// When the time limit of all is over.
+  static bool comes_too_late(Time time, const hal::Config& config);
 
   void add_robots(const std::vector<std::string>& words);
   /// Gives robot `index` its program and session; null for one without a program.
@@ -71,6 +73,10 @@ class Fleet final : public Crew {
   bool let_next_in();
   /// Those with a program, for a look at them: one more may come meanwhile.
   [[nodiscard]] std::vector<Robot*> robots() const;
+  /// Ten times a second, in a thread of ours.
+  void look();
+  /// Ends the run, and the process, where the others can no longer go on.
+  [[noreturn]] void end_without(Robot& broken);
   [[nodiscard]] int exit_code() const;
 
   const hal::Config config_;

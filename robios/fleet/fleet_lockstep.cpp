@@ -3,29 +3,30 @@
 #include <atomic>
 #include <cstdint>
 #include <cstdio>
-#include <ctime>
 #include <utility>
 
 #include <fmt/format.h>
 #include <pthread.h>
+#include <unistd.h>
 
 #include "arrivals.hpp"
 #include "crash_handler.hpp"
 #include "eyebridge/hal/environment.hpp"
 #include "fiber_robot.hpp"
 #include "fleet_scheduler.hpp"
+#include "hold_up.hpp"
+#include "library_locks.hpp"
+#include "thread_state.hpp"
+#include "thread_wait.hpp"
 #include "watchdog.hpp"
 
 namespace eyebridge::robios {
-namespace {
-
-double processor_time() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-}  // namespace
-
 struct Fleet::InLockstep final : Scheduler {
   explicit InLockstep(double hang_limit)
-      : watchdog([this] { return progress(); }, tell, [this] { interrupt(); }, hang_limit) {}
+      : watchdog([this] { return progress(); }, [this](double seconds) { tell(seconds); },
+                 [this] { interrupt(); }, hang_limit),
+        waiting([this] { return progress(); }, [this](double seconds) { tell(seconds); }, [] {},
+                hang_limit) {}
 
   hal::Turns* turns() override { return &lockstep; }
   Strands* strands() override { return &threads; }
@@ -48,8 +49,11 @@ struct Fleet::InLockstep final : Scheduler {
   void run(Fleet& fleet, const std::vector<Robot*>& /*robots*/) override {
     const CrashStack stack;
     thread = pthread_self();
+    tid = gettid();
+    running = &fleet;
     time = &fleet.world_->environment().time();
     lockstep.run(fleet.world_->step_length(), [this, &fleet] { between_rounds(fleet); });
+    running = nullptr;  // who waits for a person from now on holds up nobody
     arrivals.close();
     for (Robot* const robot : fleet.robots()) robot->end_stuck();
   }
@@ -72,8 +76,20 @@ struct Fleet::InLockstep final : Scheduler {
     return arrivals.ask([&fleet, index] { return fleet.leave(index); });
   }
   void look() override {
+    if (running == nullptr || library_locks::are_in_doubt()) return;
     ProgramProcess* const process = awaited;
-    watchdog.look(processor_time() + (process != nullptr ? process->processor_time() : 0.0));
+    const ThreadState state = look_at_thread(tid);
+    double processor_s = state.processor_s;
+    bool sleeps = state.kind == ThreadState::Kind::Sleeps;
+    if (process != nullptr) {
+      processor_s += process->processor_time();
+      sleeps = look_at_process(process->pid()).kind == ThreadState::Kind::Sleeps;
+    }
+    constexpr double kPeriod_s = 0.1;
+    hold_up.look(processor_s, sleeps, kPeriod_s);
+    // A process of its own may wait for a person at its own windows: that is only told of.
+    watchdog.look(hold_up.processor_s() + (process != nullptr ? 0.0 : hold_up.waited_s()));
+    waiting.look(process != nullptr ? hold_up.waited_s() : 0.0);
   }
   std::uint64_t progress() {
     // While a person lets time stand still nobody hangs.
@@ -81,18 +97,45 @@ struct Fleet::InLockstep final : Scheduler {
     if (control != nullptr && control->is_paused()) ++paused_looks;
     return lockstep.switches() + rounds + paused_looks;
   }
+  /// What all wait for; a robot that computes waits for nothing.
+  [[nodiscard]] ThreadWait present_wait() const {
+    if (!hold_up.is_waiting()) return {};
+    ProgramProcess* const process = awaited;
+    const int pid = process != nullptr ? process->pid() : getpid();
+    return look_at_wait(pid, process != nullptr ? pid : tid);
+  }
   void interrupt() {
+    const ThreadWait wait = present_wait();
+    if (wait.is_at_terminal) return;  // for a person
     if (ProgramProcess* const process = awaited) {
       process->kill_hanging();
-    } else {
-      interrupt_robot(thread);
+      return;
+    }
+    interrupt_robot(thread);
+    constexpr int kMostLooks = 50;
+    looks_outside = is_outside_program() ? looks_outside + 1 : 0;
+    if (looks_outside == kMostLooks) end_run(wait);
+  }
+  void end_run(const ThreadWait& wait) {
+    for (Robot* const robot : running.load()->robots()) {
+      if (robot->index() != lockstep.whose_turn()) continue;
+      fmt::print(stderr,
+                 "eyebridge: robot {}: error: the program has made no call for too long, and does "
+                 "not come back from {}: all robots end\n",
+                 robot->index() + 1, wait.call.empty() ? "the C library" : wait.call);
+      robot->break_off(124);
+      running.load()->end_without(*robot);
     }
   }
-  static void tell(double seconds) {
-    fmt::print(stderr,
-               "eyebridge: warning: a program has computed for {} s without a call with which its "
-               "time passes; all robots wait for it\n",
-               seconds);
+  void tell(double seconds) {
+    const ThreadWait wait = present_wait();
+    fmt::print(
+        stderr, "eyebridge: robot {}: warning: the program has {}; all robots wait for it\n",
+        lockstep.whose_turn() + 1,
+        wait.call.empty()
+            ? fmt::format("computed for {:g} s without a call with which its time passes", seconds)
+            : fmt::format("waited for {:g} s in {}{}", seconds, wait.call,
+                          wait.is_at_terminal ? " at the terminal" : ""));
   }
 
   Lockstep lockstep;
@@ -102,8 +145,13 @@ struct Fleet::InLockstep final : Scheduler {
   AwaitedProcess awaited = nullptr;
   std::atomic<hal::TimeControl*> time = nullptr;  ///< Of the world, which runs.
   std::uint64_t paused_looks = 0;
+  HoldUp hold_up;
   Watchdog watchdog;
+  Watchdog waiting;
+  int looks_outside = 0;
   pthread_t thread{};
+  int tid = 0;
+  std::atomic<Fleet*> running = nullptr;
 };
 
 std::unique_ptr<Fleet::Scheduler> Fleet::in_lockstep(double hang_limit) {

@@ -89,6 +89,7 @@ void Lockstep::begin_turn(Strand& strand, Time limit) {
   places_[at_].limit = limit;
   // One thread writes.
   switches_.store(switches_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+  whose_.store(strand.robot, std::memory_order_relaxed);
   running_ = &strand;
 }
 

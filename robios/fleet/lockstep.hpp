@@ -75,6 +75,8 @@ class Lockstep final : public hal::Turns {
 
   /// Changes whenever another strand runs. Any thread.
   [[nodiscard]] std::uint64_t switches() const { return switches_.load(std::memory_order_relaxed); }
+  /// The robot whose strand ran last. Any thread.
+  [[nodiscard]] std::size_t whose_turn() const { return whose_.load(std::memory_order_relaxed); }
 
  private:
   /// When a robot goes on, in a table that the processor reads ahead.
@@ -104,6 +106,7 @@ class Lockstep final : public hal::Turns {
   std::size_t expected_ = 0;
   Time soonest_ = kNever;  ///< When somebody goes on; in a round, of those before at_.
   std::atomic<std::uint64_t> switches_ = 0;
+  std::atomic<std::size_t> whose_ = 0;
 };
 
 }  // namespace eyebridge::robios

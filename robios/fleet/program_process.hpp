@@ -53,6 +53,8 @@ class ProgramProcess {
   void kill_hanging() noexcept;
   /// Of the processor, seconds so far. Any thread.
   [[nodiscard]] double processor_time() const;
+  /// Its number.
+  [[nodiscard]] int pid() const { return process_->pid(); }
 
   [[nodiscard]] Clock& clock() { return robot_->clock(); }
   [[nodiscard]] LogSink& log() { return log_; }

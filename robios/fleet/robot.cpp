@@ -116,6 +116,10 @@ void Robot::fail(const std::string& how, int code) {
   __builtin_unreachable();
 }
 
+void Robot::break_off(int code) {
+  if (!ended_.exchange(true)) exit_code_ = code;
+}
+
 void Robot::end_stuck() {
   if (ended_) return;
   log().write(Severity::Error,
@@ -124,8 +128,9 @@ void Robot::end_stuck() {
   end(1);
 }
 
-void Robot::remove() {
-  if (end(0)) {
+void Robot::remove(int code, const std::string& why) {
+  if (end(code)) {
+    if (!why.empty()) log().write(Severity::Warning, why);
     if (process_ != nullptr) process_->ask_to_end();
     forget();
   }

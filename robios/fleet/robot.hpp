@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -40,11 +41,14 @@ class Robot : public Runner {
   /// The robot's program crashed or hangs in the calling flow: tells so and leaves. Inside a call
   /// of ours it leaves without results.
   [[noreturn]] void fail(const std::string& how, int code);
+  /// Its program ended where it will let no session end: that is what it ends with. Any thread.
+  void break_off(int code);
   /// All flows of the robot wait for ever: tells so and ends it, from outside of them.
   void end_stuck();
-  /// A person takes it out of the run: ends it from outside of its flows, which go no further.
-  /// Returns when its process has ended, too, if it has one.
-  void remove();
+  /// Ends it from outside of its flows, which go no further: a person takes it out of the run, or,
+  /// with `why`, told as a warning, it has to end. Returns when its process has ended, too, if it
+  /// has one.
+  void remove(int code = 0, const std::string& why = "");
   /// Its panel's screen; null where a process has it.
   [[nodiscard]] const Screen* screen() const;
   /// False when the calling flow was stopped while it had locked what others need. For signal
@@ -58,6 +62,8 @@ class Robot : public Runner {
   /// only begins to end; make_process_end() waits for it. Any thread.
   void end_session() noexcept;
   void make_process_end() noexcept;
+  /// Changes while the program calls; where it has a process of its own nobody counts. Any thread.
+  [[nodiscard]] std::uint64_t calls() const { return session_ != nullptr ? session_->calls() : 0; }
   [[nodiscard]] bool has_ended() const { return ended_; }
   [[nodiscard]] int exit_code() const { return exit_code_; }
 

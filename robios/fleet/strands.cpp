@@ -130,6 +130,10 @@ bool Strands::park(const void* what, Time deadline) {
   if (queue->second.empty()) waiting_.erase(queue);
   // Nobody else has moved the clock to where the wait ended.
   Session::here()->clock().wait_until(deadline);
+  if (flow.calls == 0) {  // else a library's lock, which is given back first
+    const InCall in_call;
+    Session::here()->check_limit();
+  }
   return true;
 }
 

@@ -44,7 +44,9 @@ void ThreadRobot::start() {
       &thread, &attributes,
       [](void* robot) -> void* {
         const CrashStack stack;
-        static_cast<ThreadRobot*>(robot)->run();
+        auto& me = *static_cast<ThreadRobot*>(robot);
+        me.tid_ = gettid();
+        me.run();
       },
       this);
   pthread_attr_destroy(&attributes);

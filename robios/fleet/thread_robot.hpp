@@ -65,6 +65,11 @@ class ThreadRobot final : public Robot {
     start();
   }
 
+  /// Its program's thread, as gettid(2) has it; 0 before. Any thread.
+  [[nodiscard]] int tid() const { return tid_; }
+  /// It has made its first call, or came late.
+  [[nodiscard]] bool has_arrived() const { return has_arrived_; }
+
   [[noreturn]] void leave(int code) override;
   [[noreturn]] void hold_thread() override;
   void arrive() override;
@@ -76,6 +81,7 @@ class ThreadRobot final : public Robot {
   Barrier& barrier_;
   hal::SharedWorld& world_;
   std::atomic<bool> has_arrived_ = false;
+  std::atomic<int> tid_ = 0;
 };
 
 }  // namespace eyebridge::robios

@@ -7,12 +7,12 @@
 
 namespace eyebridge::robios {
 
-/// Notices a program that computes on without any call: in virtual time all others wait for it.
+/// Notices a program that goes on without any call: in virtual time all others wait for it.
 /// Looked after every so often, by one thread.
 class Watchdog {
  public:
   /// `progress` changes whenever something goes on; `tell` is called once for each hang, after five
-  /// seconds of processor time without it (or half of `limit_s`), `interrupt` again and again after
+  /// seconds without it (or half of `limit_s`), `interrupt` again and again after
   /// `limit_s` seconds.
   Watchdog(std::function<std::uint64_t()> progress, std::function<void(double)> tell,
            std::function<void()> interrupt, double limit_s)
@@ -22,16 +22,17 @@ class Watchdog {
         limit_s_(limit_s),
         patience_s_(std::min(5.0, limit_s / 2)) {}
 
-  /// `processor_s`: processor time of the process so far, seconds.
-  void look(double processor_s) {
+  /// `spent_s`: what the program has spent so far, seconds, of the processor's time or, where that
+  /// holds up others, of waiting (HoldUp).
+  void look(double spent_s) {
     const std::uint64_t progress = progress_();
     if (progress != seen_) {
       seen_ = progress;
-      since_s_ = processor_s;
+      since_s_ = spent_s;
       has_told_ = false;
       return;
     }
-    const double stuck_s = processor_s - since_s_;
+    const double stuck_s = spent_s - since_s_;
     if (stuck_s >= patience_s_ && !has_told_) {
       has_told_ = true;
       tell_(patience_s_);

@@ -46,19 +46,20 @@ RadioMessages& Session::messages() { return impl_->messages; }
 LogSink& Session::log() { return impl_->log; }
 
 void Session::charge(const Call& call) {
+  if (impl_->is_virtual && impl_->turn_clock) join_program_threads();
+  // Two threads may count one call: that there was one is all that anybody asks.
+  if (!Timers::is_calling()) {
+    impl_->calls.store(impl_->calls.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+  }
   if (impl_->is_virtual) {
-    if (impl_->turn_clock) join_program_threads();
-    // Two threads may count one call: that there was one is all that anybody asks.
-    if (!Timers::is_calling()) {
-      impl_->calls.store(impl_->calls.load(std::memory_order_relaxed) + 1,
-                         std::memory_order_relaxed);
-    }
     const double cost = static_cast<double>(call.cost.count()) * impl_->cost_scale;
     impl_->clock.spend(Time(static_cast<Time::rep>(cost)) + take_looks());
     if (impl_->timers.any()) impl_->timers.run_due();
   }
   if (impl_->limit) check_limit();
 }
+
+std::uint64_t Session::calls() const { return impl_->calls.load(std::memory_order_relaxed); }
 
 Time Session::look_at_clock() {
   // Others go on, too, while one does nothing but look.
@@ -215,6 +216,15 @@ void Session::abandon() noexcept {
   });
 }
 
+// Who runs several tells of all together.
+void Session::tell_of_overruns() {
+  hal::Environment* const world = impl_->backend->environment();
+  if (!impl_->name.empty() || world == nullptr || world->time().overruns() == 0) return;
+  impl_->log.write(
+      Severity::Warning,
+      fmt::format("the computer was too slow {} times: time slipped", world->time().overruns()));
+}
+
 void Session::end() noexcept {
   if (impl_->stage == Impl::Stage::Forked) return;
   std::call_once(impl_->ended, [this] {
@@ -235,6 +245,7 @@ void Session::end() noexcept {
       host_ending();
     }
     impl_->backend->trace_to(nullptr);
+    tell_of_overruns();
     try {
       impl_->finish();
     } catch (const std::exception& error) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -82,6 +83,10 @@ class Session {
 
   /// Charges what `call` costs on a real robot, and runs the timers that came due meanwhile.
   void charge(const Call& call);
+  /// How many calls it has charged: changes while the program calls. Any thread.
+  [[nodiscard]] std::uint64_t calls() const;
+  /// Ends the program when its time limit has come.
+  void check_limit();
   /// What the program sees on the C library's clocks. The look is charged later, with others: it
   /// may come from anywhere, as from what counts memory.
   Time look_at_clock();
@@ -153,8 +158,8 @@ class Session {
   ~Session();
   static Session& only();
   OwnPart& own_part(std::type_index type, std::unique_ptr<OwnPart> (*make)(Session&));
-  void check_limit();
   void look_around();
+  void tell_of_overruns();
   void go_on_without_calls();
   static void watch_forks();
 

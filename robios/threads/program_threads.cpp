@@ -134,7 +134,10 @@ __attribute__((visibility("hidden"))) eyebridge_robot_calls eyebridge_own_calls 
     return nanoseconds(flow.looked);
   };
   calls.park = [](const void* what, long long deadline) {
-    return program_threads().park(*flow.member, what, moment(deadline)) ? 1 : 0;
+    if (!program_threads().park(*flow.member, what, moment(deadline))) return 0;
+    const InCall in_call;
+    if (Session* const session = Session::with_own_time()) session->check_limit();
+    return 1;
   };
   calls.park_unless = [](const void* what, long long deadline, int (*is_free)(const void*, long),
                          long value, int is_watched) {

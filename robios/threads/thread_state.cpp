@@ -31,17 +31,31 @@ ThreadState read_thread_state(const char* text) {
           static_cast<double>(user + kernel) / ticks_per_second};
 }
 
-ThreadState look_at_thread(int tid) {
-  std::array<char, 64> path{};
-  std::snprintf(path.data(), path.size(), "/proc/self/task/%d/stat", tid);
+namespace {
+
+ThreadState look_at(const char* path) {
   // Not kept open: a program may close all files.
-  const UniqueFd file(::open(path.data(), O_RDONLY | O_CLOEXEC));
+  const UniqueFd file(::open(path, O_RDONLY | O_CLOEXEC));
   if (!file.valid()) {
     return {errno == ENOENT ? ThreadState::Kind::Gone : ThreadState::Kind::Sleeps};
   }
   std::array<char, 1024> text{};
   const ssize_t length = ::read(file.get(), text.data(), text.size() - 1);
   return read_thread_state(length > 0 ? text.data() : "");
+}
+
+}  // namespace
+
+ThreadState look_at_thread(int tid) {
+  std::array<char, 64> path{};
+  std::snprintf(path.data(), path.size(), "/proc/self/task/%d/stat", tid);
+  return look_at(path.data());
+}
+
+ThreadState look_at_process(int pid) {
+  std::array<char, 64> path{};
+  std::snprintf(path.data(), path.size(), "/proc/%d/task/%d/stat", pid, pid);
+  return look_at(path.data());
 }
 
 }  // namespace eyebridge::robios

@@ -17,5 +17,7 @@ ThreadState read_thread_state(const char* text);
 /// A look at the thread `tid` of this process, as gettid(2) has it; some 10 microseconds. One that
 /// cannot be looked at, as the process has no more files, sleeps.
 ThreadState look_at_thread(int tid);
+/// The same for the main thread of process `pid`.
+ThreadState look_at_process(int pid);
 
 }  // namespace eyebridge::robios

@@ -23,7 +23,8 @@ TEST(DoctorDevices, AMachineWithoutDevicesIsToldSo) {
   const ProgramRun r = doctor_of(machine);
   EXPECT_THAT(r.out,
               AllOf(ContainsRegex("serial boards +none"), ContainsRegex("udev rule +none"),
-                    ContainsRegex("CAN interfaces +none"), ContainsRegex("V4L2 cameras +none")));
+                    ContainsRegex("CAN interfaces +none"), ContainsRegex("V4L2 cameras +none"),
+                    ContainsRegex("real-time +(ok +real-time priority 1|none +(nice|ordinary))")));
 }
 
 TEST(DoctorDevices, EverythingAboutABoardIsSaid) {

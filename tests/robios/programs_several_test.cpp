@@ -203,8 +203,9 @@ TEST(SeveralRobots, OneThatHangsIsToldOfAndEnded) {
   const auto r = run_named("several_hang", several("3", {{"EYEBRIDGE_HANG_LIMIT", "1s"}}));
   EXPECT_EQ(r.exit_code, 124) << r.err;
   EXPECT_EQ(r.out, "1 at 10100\n3 at 10100\n");
-  EXPECT_THAT(r.err, AllOf(HasSubstr("warning: a program has computed for 0.5 s without a call"),
-                           HasSubstr("robot 2: error: the program has made no call for too long")));
+  EXPECT_THAT(
+      r.err, AllOf(HasSubstr("robot 2: warning: the program has computed for 0.5 s without a call"),
+                   HasSubstr("robot 2: error: the program has made no call for too long")));
 }
 
 TEST(SeveralRobots, OneWhoseThreadsWaitForEachOtherIsTold) {

@@ -10,6 +10,8 @@
 namespace eyebridge {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::run_named;
@@ -18,7 +20,8 @@ TEST(ProgramThreads, EachMayUseFamiliesOfItsOwn) {
   for (const auto& clock : testing::kClocks) {
     const auto r = run_named("families", clock);
     EXPECT_EQ(r.exit_code, 0) << r.err;
-    EXPECT_EQ(r.err, "");
+    // A busy computer is told of.
+    EXPECT_THAT(r.err, AnyOf("", AllOf(HasSubstr("too slow"), Not(HasSubstr("error")))));
     EXPECT_THAT(r.out, HasSubstr("heard 100\n"));
     EXPECT_THAT(r.out, HasSubstr("all done\n"));
   }

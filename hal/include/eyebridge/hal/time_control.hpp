@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
 
 #include "eyebridge/base/result.hpp"
@@ -26,6 +27,9 @@ class TimeControl {
   [[nodiscard]] virtual double factor() const = 0;
   /// From now on. OutOfRange unless `factor` > 0, and for kFastest where time is real.
   virtual Result<void> set_factor(double factor) = 0;
+
+  /// How often real time slipped because the computer was too slow; 0 in virtual time.
+  [[nodiscard]] virtual std::uint64_t overruns() const { return 0; }
 };
 
 }  // namespace eyebridge::hal
