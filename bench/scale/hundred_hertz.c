@@ -1,8 +1,12 @@
 // A program that asks where it is and waits, 100 times a second: hundred_hertz SECONDS [threads].
 // `./test scale` times how fast many of them run in virtual time; with "threads" the loop is in a
-// thread that the program makes.
+// thread that the program makes; with "heap N" robot N says, instead, how many bytes of heap are in
+// use when all have printed something.
+#include <malloc.h>
 #include <pthread.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include <eyebot.h>
@@ -19,7 +23,18 @@ static void* work(void* unused) {
   return NULL;
 }
 
+static void tell_heap(int robot) {
+  LCDPrintf("robot %d\n", OSMachineID());
+  OSWait(100);
+  if (OSMachineID() == robot) printf("%zu\n", mallinfo2().uordblks);
+  OSWait(100);
+}
+
 int main(int argc, char** argv) {
+  if (argc > 2 && strcmp(argv[1], "heap") == 0) {
+    tell_heap(atoi(argv[2]));
+    return 0;
+  }
   rounds = 100 * (argc > 1 ? atoi(argv[1]) : 60);
   if (argc < 3) {
     work(NULL);

@@ -12,16 +12,21 @@ RUNS = 3
 
 
 def run(build, world, robots, words):
-    """Times real time of one run, and its peak of resident memory in MB."""
+    """Times real time of one run, its peak of resident memory in MB, and what the programs said."""
     command = [f"{build}/bin/eyebridge", "run", "--fast", "--robots", str(robots), "--world", world,
                f"{build}/bench/hundred_hertz", *words]
-    process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
-    messages = process.stderr.read()
+    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    said, messages = process.stdout.read(), process.stderr.read()
     _, status, used = os.wait4(process.pid, 0)
     done = re.search(r"([0-9.]+) s on their clock in ([0-9.]+) s", messages)
     if status != 0 or done is None:
         sys.exit(f"programs.py: {' '.join(command)} failed:\n{messages}")
-    return float(done[1]) / (used.ru_utime + used.ru_stime), used.ru_maxrss / 1024
+    return float(done[1]) / (used.ru_utime + used.ru_stime), used.ru_maxrss / 1024, said
+
+
+def heap(build, world, robots):
+    """Bytes of heap in use when so many robots have printed something."""
+    return int(run(build, world, robots, ["heap", str(robots)])[2])
 
 
 def main(build):
@@ -38,6 +43,8 @@ def main(build):
                 memory = max(result[1] for result in results)
                 each = 1024 * (memory - alone) / (robots - 2)
                 print(f"{robots:>9} {kind:>8} {speed:>12.0f} {goal:>7} {memory:>6.0f} {each:>9.0f}")
+        each = (heap(build, world, 1000) - heap(build, world, 10)) / 990 / 1024
+        print(f"heap that one more robot takes: {each:.1f} kB (wanted: at most 64)")
 
 
 if __name__ == "__main__":

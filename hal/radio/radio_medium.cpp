@@ -87,7 +87,20 @@ bool RadioMedium::reaches(const Member* sender, const Member& receiver) {
 std::optional<RadioMessage> RadioMedium::take(int id, Time now) {
   const std::lock_guard lock(mutex_);
   const auto member = members_.find(id);
-  return member == members_.end() ? std::nullopt : member->second.inbox.take(now);
+  if (member == members_.end()) return std::nullopt;
+  std::optional<RadioMessage> message = member->second.inbox.take(now);
+  if (message) {
+    trace_.add(static_cast<std::uint64_t>(id));
+    trace_.add(static_cast<std::uint64_t>(message->sender));
+    trace_.add(static_cast<std::uint64_t>(now.count()));
+    for (const char c : message->text) trace_.add_byte(static_cast<std::uint8_t>(c));
+  }
+  return message;
+}
+
+std::uint64_t RadioMedium::trace_value() {
+  const std::lock_guard lock(mutex_);
+  return trace_.value();
 }
 
 std::vector<int> RadioMedium::robots() {

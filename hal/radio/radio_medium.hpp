@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "eyebridge/base/hash.hpp"
 #include "eyebridge/base/pose.hpp"
 #include "radio/radio_inbox.hpp"
 
@@ -33,6 +34,8 @@ class RadioMedium {
   /// To all others when `receiver` is kEveryone.
   void send(int receiver, const RadioMessage& message, Time now);
   std::optional<RadioMessage> take(int id, Time now);
+  /// Of all that was received until now: who, when, what.
+  [[nodiscard]] std::uint64_t trace_value();
   /// Who listens, ascending.
   std::vector<int> robots();
 
@@ -45,6 +48,7 @@ class RadioMedium {
   static bool reaches(const Member* sender, const Member& receiver);
 
   std::mutex mutex_;
+  StateHash trace_;
   std::map<int, Member> members_;
 };
 

@@ -30,10 +30,11 @@ using Message = std::vector<std::uint8_t>;
 
 enum class MessageKind : std::uint8_t { Request = 'q', Reply = 'r', Welcome = 'w', Trace = 't' };
 
-inline constexpr int kSeatVersion = 3;
+inline constexpr int kSeatVersion = 4;
 
 /// A call of one of the robot's devices; of its "view" and its "world"; or of its "seat": "hello",
-/// "now", which only lets time pass, "trace" (1: from now on, 0: no more) and "stop".
+/// "arrive" (Backend::arrive()), "now", which only lets time pass, "trace" (1: from now on, 0: no
+/// more) and "stop".
 struct SeatRequest {
   Time time{0};  ///< In virtual time: where the program's clock is, or wants to be.
   std::string device;

@@ -50,8 +50,8 @@ class KeptTrace final : public TraceSink {
 }  // namespace
 
 struct SeatDesk::Impl {
-  Impl(Backend& given, const Time* limit, int socket)
-      : robot(given), limit_of_clock(limit), stream(socket) {}
+  Impl(Backend& given, const Time* limit, int socket, std::function<void()> to_arrive)
+      : robot(given), limit_of_clock(limit), arrive(std::move(to_arrive)), stream(socket) {}
 
   [[nodiscard]] Time limit() const { return limit_of_clock != nullptr ? *limit_of_clock : now(); }
   [[nodiscard]] Time now() const { return robot.clock().now(); }
@@ -60,6 +60,7 @@ struct SeatDesk::Impl {
 
   Backend& robot;
   const Time* const limit_of_clock;
+  const std::function<void()> arrive;
   KeptTrace trace;
   MessageStream stream;
   SeatRequest request;
@@ -93,14 +94,16 @@ Result<Values> SeatDesk::Impl::carry_out() {
     robot.trace_to(request.request == Values{1.0} ? &trace : nullptr);
   } else if (request.name == "stop") {
     robot.stop();
+  } else if (request.name == "arrive") {
+    if (arrive) arrive();
   } else if (request.name != "now") {
     return fail(Errc::Unsupported, fmt::format("a seat has no {}", request.name));
   }
   return Values{};
 }
 
-SeatDesk::SeatDesk(Backend& robot, const Time* limit, int socket)
-    : impl_(std::make_unique<Impl>(robot, limit, socket)) {}
+SeatDesk::SeatDesk(Backend& robot, const Time* limit, int socket, std::function<void()> arrive)
+    : impl_(std::make_unique<Impl>(robot, limit, socket, std::move(arrive))) {}
 
 SeatDesk::~SeatDesk() { impl_->robot.trace_to(nullptr); }
 
@@ -123,6 +126,7 @@ Result<void> SeatDesk::answer() {
   if (me.robot.clock().is_virtual()) me.robot.clock().wait_until(request.time);
   Result<Values> values = Values{};
   if (request.device == "seat" && request.name == "hello") {
+    if (me.arrive && !me.robot.clock().is_virtual()) me.arrive();
     if (request.request == Values{kSeatVersion}) return me.stream.send(me.welcome());
     values = fail(Errc::Unsupported,
                   "the program has libeyebridge of another version than the robots' world");

@@ -23,8 +23,8 @@ class SeatLine {
  public:
   explicit SeatLine(UniqueFd socket) : socket_(std::move(socket)), stream_(socket_.get()) {}
 
-  /// The first question. Returns when all robots are there. Fails with Disconnected, Corrupt, and
-  /// as the seat says.
+  /// The first question. In real time it returns when all robots are there. Fails with
+  /// Disconnected, Corrupt, and as the seat says.
   Result<SeatWelcome> hello();
   /// Asks the seat. Fails as the device does there, with Disconnected, and with Corrupt for an
   /// answer that is none.

@@ -50,6 +50,10 @@ class SeatRobot final : public PassingBackend {
   }
 
   Clock& clock() override { return *clock_; }
+  void arrive() override {
+    // In real time the seat did not welcome it before.
+    if (welcome_.is_virtual) static_cast<void>(line_->ask({"seat", 1, "arrive", true, {}}));
+  }
   [[nodiscard]] int robot_id() const override { return welcome_.robot_id; }
   [[nodiscard]] RadioConditions radio_conditions() const override { return welcome_.radio; }
   WorldControl* world() override { return welcome_.has_world ? &world_ : nullptr; }

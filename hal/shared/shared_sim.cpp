@@ -89,6 +89,7 @@ StateHash SharedSim::hash() {
   StateHash hash;
   hash.add(world_->locked([](auto& simulation) { return simulation.state_hash(); }));
   hash.add(world_->trace_value());
+  hash.add(air_->trace_value());
   return hash;
 }
 

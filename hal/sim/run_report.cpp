@@ -27,11 +27,11 @@ RunReport::RunReport(const std::filesystem::path& path)
   }
 }
 
-void RunReport::step(const robot::Simulation& simulation) {
+void RunReport::step(const robot::Simulation& simulation, std::uint64_t trace) {
   tally_.add_step(simulation);
   if (simulation.time() < next_) return;
   next_ = simulation.time() + kPeriod;
-  write(simulation, false);
+  write(simulation, trace, false);
 }
 
 void RunReport::note(const std::string& name, double value) {
@@ -42,15 +42,16 @@ void RunReport::note(const std::string& name, double value) {
 
 // No text is shorter than the one before, so that one write replaces that one whole. A disk that is
 // full must not stop a robot: whoever reads the report finds none.
-void RunReport::write(const robot::Simulation& simulation, bool ended) noexcept {
+void RunReport::write(const robot::Simulation& simulation, std::uint64_t trace,
+                      bool ended) noexcept {
   std::array<char, 512 + kMostNotes*(kLongestName + 24)> text{};
   char* end = text.data();
   const auto left = [&] { return static_cast<std::size_t>(text.data() + text.size() - end); };
   end = fmt::format_to_n(end, left(),
                          "time = {:18.6f}\ndistance = {:18.6f}\ncollisions = {:18}\n"
-                         "state_hash = \"{:016x}\"\nended = {:5}\n",
+                         "state_hash = \"{:016x}\"\ntrace_hash = \"{:016x}\"\nended = {:5}\n",
                          simulation.time(), tally_.distance(), tally_.collisions(),
-                         simulation.state_hash(), ended)
+                         simulation.state_hash(), trace, ended)
             .out;
   if (simulation.robot_count() > 0) {
     const Pose pose = simulation.pose(0);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -11,9 +12,9 @@ namespace eyebridge::hal {
 
 /// What has come of a run so far, as a small text that is always whole (`--report`): lines
 /// "key = value" of `time` (s), `distance` (m, of all robots), `collisions`, `state_hash` (of
-/// everything that moves), `ended` (the program did, by itself or by a signal), `end_x`, `end_y`
-/// (m) and `end_theta` (rad: where robot 1 is in the world, when there is one), and what note()
-/// was told.
+/// everything that moves, as it is), `trace_hash` (RunTrace), `ended` (the program did, by itself
+/// or by a signal), `end_x`, `end_y` (m) and `end_theta` (rad: where robot 1 is in the world, when
+/// there is one), and what note() was told.
 ///
 /// Written over once a second of the robot's time, so that a program that crashes or is killed
 /// leaves one, too. One thread at a time.
@@ -23,7 +24,7 @@ class RunReport {
   explicit RunReport(const std::filesystem::path& path);
 
   /// After every step.
-  void step(const robot::Simulation& simulation);
+  void step(const robot::Simulation& simulation, std::uint64_t trace);
   void collision(const robot::CollisionEvent& event) { tally_.add_collision(event); }
   /// A number that whoever drives the robots knows of the run, `value` finite, as a line of its own
   /// from the next time on that the report is written. `name`: a word, none of those above; the
@@ -31,10 +32,12 @@ class RunReport {
   void note(const std::string& name, double value);
   static constexpr std::size_t kMostNotes = 8;
   /// When the program ends.
-  void end(const robot::Simulation& simulation) noexcept { write(simulation, true); }
+  void end(const robot::Simulation& simulation, std::uint64_t trace) noexcept {
+    write(simulation, trace, true);
+  }
 
  private:
-  void write(const robot::Simulation& simulation, bool ended) noexcept;
+  void write(const robot::Simulation& simulation, std::uint64_t trace, bool ended) noexcept;
 
   UniqueFd file_;
   robot::Tally tally_;

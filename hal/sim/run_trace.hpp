@@ -4,6 +4,8 @@
 #include <cstdint>
 
 #include "eyebridge/base/pose.hpp"
+#include "eyebridge/camera/view.hpp"
+#include "eyebridge/hal/drive.hpp"
 #include "eyebridge/world/world.hpp"
 
 namespace eyebridge::hal {
@@ -18,9 +20,34 @@ class RunTrace {
   void add(double value) { mix(std::bit_cast<std::uint64_t>(value == 0.0 ? 0.0 : value)); }
   void add(bool value) { mix(value ? 1 : 0); }
   void add(std::uint16_t value) { mix(value); }
+  void add(std::int32_t value) { mix(static_cast<std::uint32_t>(value)); }
   void add(Vec2 value) {
     add(value.x);
     add(value.y);
+  }
+  void add(const Pose& value) {
+    add(value.position());
+    add(value.theta);
+  }
+  void add(const Twist& value) { add(Vec2{value.linear, value.angular}); }
+  void add(const DriveStatus& value) {
+    mix(static_cast<std::uint64_t>(value.progress));
+    add(value.remaining);
+    mix(value.stalled_left ? 1U : 0U);
+    mix(value.stalled_right ? 1U : 0U);
+  }
+  void add(const camera::Eye& value) {
+    add(Pose{value.x, value.y, value.heading});
+    add(Vec2{value.z, value.pitch});
+  }
+  /// What a picture suffers: the picture itself follows from that, the eye and the world.
+  void add(const camera::ImageNoise& value) {
+    const robot::CameraError& error = value.error;
+    for (const double amount : {error.salt_and_pepper, error.sigma, error.coloured, error.blur,
+                                error.exposure, error.exposure_sigma}) {
+      add(amount);
+    }
+    mix(value.seed);
   }
   void add(const world::World& world) {
     for (world::BodyId body = 0; body < world.body_count(); ++body) {

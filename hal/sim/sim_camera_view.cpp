@@ -9,7 +9,7 @@ world::Scene SimCameraView::scene() const {
 }
 
 camera::Eye SimCameraView::eye() const {
-  return world_.locked([&](auto& sim) { return camera::eye_of(sim, robot_); });
+  return world_.sensed([&](auto& sim) { return camera::eye_of(sim, robot_); });
 }
 
 std::uint32_t SimCameraView::carrier() const {
@@ -17,7 +17,7 @@ std::uint32_t SimCameraView::carrier() const {
 }
 
 camera::ImageNoise SimCameraView::noise() const {
-  return world_.locked([&](auto& sim) { return camera::noise_of(sim, robot_); });
+  return world_.sensed([&](auto& sim) { return camera::noise_of(sim, robot_); });
 }
 
 std::string SimCameraView::texture_directory() const { return world_.directory(); }

@@ -29,7 +29,7 @@ Result<void> SimDrive::start(const DriveGoal& goal) {
 }
 
 Result<DriveStatus> SimDrive::status() {
-  return world_.locked([&](auto& sim) {
+  return world_.sensed([&](auto& sim) {
     const unsigned stalled = sim.stalled(robot_);
     return DriveStatus{progress_of(sim.drive_state(robot_)), sim.remaining(robot_),
                        (stalled & robot::kStallLeft) != 0, (stalled & robot::kStallRight) != 0};
@@ -37,11 +37,11 @@ Result<DriveStatus> SimDrive::status() {
 }
 
 Result<Twist> SimDrive::measured_twist() {
-  return world_.locked([&](auto& sim) { return sim.measured_twist(robot_); });
+  return world_.sensed([&](auto& sim) { return sim.measured_twist(robot_); });
 }
 
 Result<Pose> SimDrive::odometry() {
-  return world_.locked([&](auto& sim) { return sim.odometry(robot_); });
+  return world_.sensed([&](auto& sim) { return sim.odometry(robot_); });
 }
 
 Result<void> SimDrive::set_odometry(const Pose& pose) {

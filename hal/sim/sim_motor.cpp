@@ -29,7 +29,7 @@ SimEncoder::SimEncoder(SimWorld& world, robot::RobotIndex robot, unsigned index)
     : SimDevice(world, robot), index_(index) {}
 
 Result<int> SimEncoder::read() {
-  return world_.locked([&](auto& sim) {
+  return world_.sensed([&](auto& sim) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(sim.encoder_ticks(robot_, index_)));
   });
 }

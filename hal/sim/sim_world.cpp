@@ -111,7 +111,7 @@ void SimWorld::step() {
   ++steps_;
   if (steps_ % RunTrace::kStepsALook == 0) run_trace_.add(simulation_.world());
   if (!traced_.empty()) trace();
-  if (report_) report_->step(simulation_);
+  if (report_) report_->step(simulation_, run_trace_.value());
 }
 
 void SimWorld::report_to(RunReport report) {
@@ -126,7 +126,7 @@ void SimWorld::note(const std::string& name, double value) {
 
 void SimWorld::end_report() noexcept {
   const std::lock_guard lock(mutex_);
-  if (report_) report_->end(simulation_);
+  if (report_) report_->end(simulation_, run_trace_.value());
 }
 
 void SimWorld::trace_to(TraceSink* sink, robot::RobotIndex robot) {

@@ -13,6 +13,7 @@ class TapBackend final : public Backend {
       : inner_(std::move(inner)), tap_(make_tap(*inner_)) {}
 
   Clock& clock() override { return inner_->clock(); }
+  void arrive() override { inner_->arrive(); }
   [[nodiscard]] int robot_id() const override { return inner_->robot_id(); }
 
   Drive* drive() override { return wrap(drives_, "drive", 1, inner_->drive()); }

@@ -18,26 +18,39 @@ class FiberRobot final : public Robot {
         strands_(strands),
         awaited_(awaited) {}
 
+  /// It comes when others run already, and nobody waits for it.
+  void be_late() { has_come_ = true; }
+
   [[noreturn]] void leave(int code) override {
     end(code);
+    come();
     strands_.forget(index());
     lockstep_.drop_robot();
   }
   [[noreturn]] void hold_thread() override { lockstep_.drop_strand(); }
-  void arrive() override {}  // virtual time begins for all at once
+  void arrive() override {
+    come();
+    clock().wait_until(lockstep_.meet());
+  }
 
  protected:
   [[nodiscard]] const Time* limit() const override { return &lockstep_.limit_of(index()); }
   AwaitedProcess* awaited() override { return &awaited_; }
   void forget() override {
+    come();
     strands_.forget(index());
     lockstep_.drop(index());
   }
 
  private:
+  void come() {
+    if (!std::exchange(has_come_, true)) lockstep_.count_in(now());
+  }
+
   Lockstep& lockstep_;
   Strands& strands_;
   AwaitedProcess& awaited_;
+  bool has_come_ = false;  ///< To where all wait for each other.
 };
 
 }  // namespace eyebridge::robios

@@ -30,7 +30,9 @@ struct Fleet::InLockstep final : Scheduler {
 
   hal::Turns* turns() override { return &lockstep; }
   Strands* strands() override { return &threads; }
-  void expect(std::size_t /*programs*/, std::size_t newcomers) override {
+  void expect(std::size_t programs, std::size_t newcomers) override {
+    programs_at_start = programs;
+    lockstep.gather(programs);
     lockstep.expect(newcomers);
   }
   std::unique_ptr<Robot> make(std::size_t index, RobotProgram program,
@@ -45,7 +47,7 @@ struct Fleet::InLockstep final : Scheduler {
         },
         start);
   }
-  void start_late(Robot& /*robot*/) override {}
+  void start_late(Robot& robot) override { static_cast<FiberRobot&>(robot).be_late(); }
   void run(Fleet& fleet, const std::vector<Robot*>& /*robots*/) override {
     const CrashStack stack;
     thread = pthread_self();
@@ -60,6 +62,7 @@ struct Fleet::InLockstep final : Scheduler {
   void between_rounds(Fleet& fleet) {
     fleet.world_->step();
     rounds.fetch_add(1, std::memory_order_relaxed);
+    if (lockstep.missing() > 0) tell_of_missing(fleet);
     for (auto next = fleet.next_entry(); next && *next <= fleet.world_->now();
          next = fleet.next_entry()) {
       fleet.let_next_in();
@@ -127,6 +130,15 @@ struct Fleet::InLockstep final : Scheduler {
       running.load()->end_without(*robot);
     }
   }
+  void tell_of_missing(Fleet& fleet) {
+    constexpr Time kPatience = std::chrono::seconds(60);
+    if (fleet.world_->now() < kPatience || std::exchange(has_told, true)) return;
+    fleet.log_.write(
+        Severity::Warning,
+        fmt::format("{} of {} robots have made no call in the first {} s of their "
+                    "time: all wait for them",
+                    lockstep.missing(), programs_at_start, kPatience / std::chrono::seconds(1)));
+  }
   void tell(double seconds) {
     const ThreadWait wait = present_wait();
     fmt::print(
@@ -143,6 +155,8 @@ struct Fleet::InLockstep final : Scheduler {
   Arrivals arrivals;
   std::atomic<std::uint64_t> rounds = 0;  ///< While all sleep, or are still to come.
   AwaitedProcess awaited = nullptr;
+  std::size_t programs_at_start = 0;
+  bool has_told = false;                          ///< Of those who are missing.
   std::atomic<hal::TimeControl*> time = nullptr;  ///< Of the world, which runs.
   std::uint64_t paused_looks = 0;
   HoldUp hold_up;

@@ -37,6 +37,10 @@ void Lockstep::run(Time step_length, const std::function<void()>& step) {
       while (turns_[at_].next < round_end_) take_turn();
       soonest_ = std::min(soonest_, turns_[at_].next);
     }
+    if (any_waits_ && (missing_ == 0 || soonest_ == kNever)) {
+      let_all_go(round_end_ - step_length);
+      continue;
+    }
     // Strands that wait for each other only: who could wake them has ended.
     while (soonest_ >= round_end_) {
       if (expected_ == 0 && (alive_ == 0 || soonest_ == kNever)) return;
@@ -150,6 +154,32 @@ void Lockstep::wake(Strand& strand, Time now) {
 bool Lockstep::is_last_strand() const {
   const auto is_there = [](const auto& strand) { return !strand->has_ended; };
   return std::ranges::count_if(places_[running_->robot].strands, is_there) == 1;
+}
+
+void Lockstep::count_in(Time now) {
+  met_ = std::max(met_, now);
+  if (missing_ > 0) --missing_;
+}
+
+Time Lockstep::meet() {
+  if (have_met_) return met_;
+  any_waits_ = true;
+  running_->waits_for_all = true;
+  park();
+  return met_;
+}
+
+void Lockstep::let_all_go(Time now) {
+  have_met_ = true;
+  any_waits_ = false;
+  met_ = std::max(met_, now);
+  for (std::size_t robot = 0; robot < places_.size(); ++robot) {
+    for (const auto& strand : places_[robot].strands) {
+      if (!std::exchange(strand->waits_for_all, false)) continue;
+      strand->wake = met_;
+      turns_[robot].next = std::min(turns_[robot].next, met_);
+    }
+  }
 }
 
 void Lockstep::drop_robot() {

@@ -29,6 +29,7 @@ class Lockstep final : public hal::Turns {
     const std::size_t robot;
     Time wake;  ///< When it goes on; kNever: when somebody wakes it.
     bool has_ended = false;
+    bool waits_for_all = false;  ///< It has met().
     Fiber fiber;
   };
 
@@ -43,6 +44,14 @@ class Lockstep final : public hal::Turns {
   void drop(std::size_t robot);
   /// So many robots are still to be added by `step`: run() goes on for them.
   void expect(std::size_t robots) { expected_ = robots; }
+  /// So many robots are waited for, where all meet(); before run().
+  void gather(std::size_t robots) { missing_ = robots; }
+  [[nodiscard]] std::size_t missing() const { return missing_; }
+  /// One of these has come there, or will never come, at this time on its clock.
+  void count_in(Time now);
+  /// Lays the calling strand down until all are there, or nobody can come any more: the time of the
+  /// last one, at which all go on in the order of their numbers. At once when that was before.
+  Time meet();
   /// Another flow of the calling strand's robot, from now on; `body` must not return but
   /// drop_strand().
   Strand& add_strand(std::function<void()> body);
@@ -96,6 +105,7 @@ class Lockstep final : public hal::Turns {
   void begin_turn(Strand& strand, Time limit);
   Strand* next_in_round();
   void tidy(std::size_t robot);
+  void let_all_go(Time now);
 
   Time round_end_{0};         ///< The first moment after this round.
   std::size_t at_ = 0;        ///< In a round: whose turn it is.
@@ -104,7 +114,11 @@ class Lockstep final : public hal::Turns {
   Strand* running_ = nullptr;
   std::size_t alive_ = 0;
   std::size_t expected_ = 0;
-  Time soonest_ = kNever;  ///< When somebody goes on; in a round, of those before at_.
+  std::size_t missing_ = 0;
+  Time met_{0};             ///< When the last one came, so far.
+  bool have_met_ = false;   ///< All.
+  bool any_waits_ = false;  ///< For all.
+  Time soonest_ = kNever;   ///< When somebody goes on; in a round, of those before at_.
   std::atomic<std::uint64_t> switches_ = 0;
   std::atomic<std::size_t> whose_ = 0;
 };

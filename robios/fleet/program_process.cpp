@@ -99,17 +99,14 @@ ProgramProcess::End ProgramProcess::run(const std::function<void()>& arrive, con
 
 std::string ProgramProcess::serve(const std::function<void()>& arrive, const Time* limit,
                                   AwaitedProcess* awaited) {
-  hal::SeatDesk desk(*robot_, limit, line_.get());
+  hal::SeatDesk desk(*robot_, limit, line_.get(), arrive);
   const auto next = [&] {
     const Awaiting all_wait(awaited, this);
     return desk.receive();
   };
-  for (bool has_arrived = false;;) {
+  for (;;) {
     Result<void> done = next();
-    if (done) {
-      if (!std::exchange(has_arrived, true)) arrive();
-      done = desk.answer();
-    }
+    if (done) done = desk.answer();
     if (done) continue;
     const Error& error = done.error();
     if (error.code == Errc::Corrupt) return error.what + "; its program is ended, the others go on";

@@ -40,7 +40,7 @@ class ProgramProcess {
   /// Starts the process; its interpreter starts while others do. Twice does nothing. Throws
   /// ConfigError when the system refuses.
   void start();
-  /// Lets it drive its robot until its end; `arrive` is called when it asks for the first time.
+  /// Lets it drive its robot until its end; `arrive` is called when it makes its first call.
   /// `limit` as SeatDesk takes it. `awaited`, when not null, is this while the process is waited
   /// for.
   End run(const std::function<void()>& arrive, const Time* limit, AwaitedProcess* awaited);

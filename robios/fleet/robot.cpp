@@ -76,9 +76,9 @@ void Robot::run_process() {
   quit(end.code);
 }
 
-Time Robot::now() const {
-  return process_ != nullptr ? process_->clock().now() : session_->clock().now();
-}
+Clock& Robot::clock() const { return process_ != nullptr ? process_->clock() : session_->clock(); }
+
+Time Robot::now() const { return clock().now(); }
 
 LogSink& Robot::log() const { return process_ != nullptr ? process_->log() : session_->log(); }
 

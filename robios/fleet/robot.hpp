@@ -71,6 +71,7 @@ class Robot : public Runner {
   static Robot* current();
 
  protected:
+  [[nodiscard]] Clock& clock() const;
   /// In virtual time: up to where its clock may go by itself, lent; and who is told that all wait
   /// for its process. Null in real time.
   [[nodiscard]] virtual const Time* limit() const { return nullptr; }

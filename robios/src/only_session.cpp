@@ -41,7 +41,7 @@ bool Session::has_begun() { return here() != nullptr || the_session != nullptr; 
 
 Session* Session::with_own_time() {
   Session* session = here() != nullptr ? here() : the_session.load();
-  if (session == nullptr || session->impl_->stage != Impl::Stage::Running) return nullptr;
+  if (session == nullptr || !session->impl_->is_running()) return nullptr;
   const bool wall = !session->impl_->is_virtual && session->config().number("factor") == 1.0;
   return wall ? nullptr : session;
 }

@@ -82,7 +82,7 @@ void Session::wait_until(Time deadline) {
     if (impl_->timers.any()) impl_->timers.run_due();
     if (impl_->limit) check_limit();
     if (until >= deadline || impl_->clock.now() >= deadline) return;
-    if (impl_->stage != Impl::Stage::Running) return;
+    if (!impl_->is_running()) return;
   }
 }
 
@@ -98,7 +98,7 @@ void Session::run_events() {
 
 void Session::check_limit() {
   if (!impl_->limit || impl_->clock.now() < *impl_->limit) return;
-  if (impl_->stage != Impl::Stage::Running || !impl_->claim_end()) return;
+  if (!impl_->is_running() || !impl_->claim_end()) return;
   impl_->log.write(Severity::Info,
                    fmt::format("the time limit of {} s is reached", to_seconds(*impl_->limit)));
   leave(0);
@@ -106,7 +106,7 @@ void Session::check_limit() {
 
 // Programs that wait for something else than the robot, or have only threads of ours left.
 void Session::look_around() {
-  if (impl_->stage != Impl::Stage::Running) return;
+  if (!impl_->is_running()) return;
   if (impl_->clock.is_virtual()) {
     if (impl_->name.empty()) go_on_without_calls();  // else others tell what hangs
   } else {
@@ -129,7 +129,7 @@ void Session::go_on_without_calls() {
   if (processor - impl_->processor_seen < CLOCKS_PER_SEC) return;
   for (int i = 0; i < kTimersAtOnce && impl_->calls == calls; ++i) {
     const std::optional<Time> due = impl_->timers.next_due();
-    if (!due || impl_->stage != Impl::Stage::Running) return;
+    if (!due || !impl_->is_running()) return;
     impl_->clock.wait_until(*due);
     impl_->timers.run_due();
     check_limit();
@@ -148,7 +148,12 @@ bool Session::may_call(std::string_view call) const {
   }
   if (stage == Impl::Stage::Running) return true;
   if (stage == Impl::Stage::Beginning) {
-    impl_->runner->arrive();
+    if (impl_->runner != nullptr) {
+      impl_->runner->arrive();
+    } else {
+      const InCall in_call;
+      impl_->backend->arrive();
+    }
     auto beginning = Impl::Stage::Beginning;
     return impl_->stage.compare_exchange_strong(beginning, Impl::Stage::Running) || may_call(call);
   }

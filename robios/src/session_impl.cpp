@@ -56,7 +56,6 @@ Session::Impl::Impl(SessionStart* start, hal::Config configuration)
       backend(hal::open_backend(context_of(config, log, start))),
       clock(shared_clock(backend->clock(), start, turn_clock)),
       is_virtual(clock.is_virtual()),
-      stage(runner != nullptr && !is_virtual ? Stage::Beginning : Stage::Running),
       cost_scale(config.number("cost_scale")),
       timers(clock),
       screen(make_screen(config)),

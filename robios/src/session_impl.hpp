@@ -32,6 +32,7 @@ namespace eyebridge::robios {
 
 /// What a session has. The order is that in which the parts need each other.
 struct Session::Impl {
+  /// Beginning: until the program's first call. Its time passes then, too, when it is virtual.
   enum class Stage { Beginning, Running, Ended, Forked };
 
   /// The session of a process's only robot.
@@ -42,6 +43,10 @@ struct Session::Impl {
   /// Opens the robot's windows, if it has any: when everything else is there, before the program
   /// goes on.
   void open_windows();
+  [[nodiscard]] bool is_running() const {
+    const Stage now = stage;
+    return now == Stage::Running || (now == Stage::Beginning && is_virtual);
+  }
   /// exit() must be called by one thread only. True when that is the caller, now or before.
   bool claim_end();
   /// Throws std::runtime_error when something could not be written.
@@ -58,7 +63,7 @@ struct Session::Impl {
   std::optional<TurnClock> turn_clock;  ///< Of an only robot in virtual time.
   Clock& clock;
   const bool is_virtual;
-  std::atomic<Stage> stage;
+  std::atomic<Stage> stage = Stage::Beginning;
   double cost_scale;
   std::optional<Time> limit;
   std::atomic<std::uint64_t> calls = 0;  ///< Of the program, but for its timers'.

@@ -70,6 +70,41 @@ TEST_F(Scenario, ErrorsMayBeThoseOfARobotThatTheCountMakes) {
   EXPECT_EQ(third.err, "eyebridge: --errors:1:1: found robot 3: expected 1 to 2\n");
 }
 
+// EyeSim 1 to 4's own file: one type of robot, which stands at each start of its world.
+TEST_F(Scenario, AParameterFilePlacesSeveralAtTheStartsOfItsWorld) {
+  folder_.write("where.c",
+                "#include <eyebot.h>\n#include <stdio.h>\n"
+                "int main(void) {\n"
+                "  int x, y, z, phi;\n"
+                "  OSWait(100 * OSMachineID());\n"
+                "  SIMGetRobot(0, &x, &y, &z, &phi);\n"
+                "  printf(\"%d: %d %d %d\\n\", OSMachineID(), x, y, phi);\n"
+                "  return 0;\n}\n");
+  compile("where.c -o where");
+  folder_.write("starts.wld", std::string(kFleetRoom) +
+                                  "position 500 500 90\nposition 1500 500 180\n"
+                                  "position 2500 2500 0\n");
+  folder_.write("starts.maz", " _ _ _\n|S|  S|\n|_ _|S|\n");
+  const auto in = [&](const std::string& ground, const std::string& robots) {
+    folder_.write("fleet.p", "name Rookie\ndiameter 100\n" + ground + "\nerror perfect\n");
+    return run_command({"run", "--fast", "--world", "fleet.p", "--robots", robots, "where"},
+                       folder_.path());
+  };
+  const std::string three = "1: 500 500 90\n2: 1500 500 180\n3: 2500 2500 0\n";
+  for (const char* robots : {"3", "all"}) {
+    const auto r = in("world starts.wld", robots);
+    EXPECT_EQ(r.out, three) << r.err;
+    EXPECT_EQ(r.exit_code, 0);
+    EXPECT_THAT(r.err, HasSubstr("eyebridge: 3 robots"));
+  }
+  EXPECT_THAT(in("world starts.wld", "4").out, HasSubstr(three + "4: "));
+  EXPECT_EQ(in("world starts.wld", "1").out, "1: 500 500 90\n");
+  EXPECT_THAT(in("maze starts.maz", "all").err, HasSubstr("eyebridge: 3 robots"));
+  const auto many = in("world starts.wld", "9999");
+  EXPECT_EQ(many.exit_code, 2);
+  EXPECT_THAT(many.err, HasSubstr("--robots: found 9999 robots, but this world has room for"));
+}
+
 TEST_F(Scenario, ARobotMayEnterLaterAndOnlyThatMayRunAProgram) {
   const auto r = run("S4 500 500 0\nS4 500 1000 0 prog late\nenters 2\n");
   EXPECT_EQ(r.exit_code, 0) << r.err;

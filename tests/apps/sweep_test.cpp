@@ -245,6 +245,7 @@ TEST_F(Sweep, ARunTellsOfItselfInAReport) {
   const std::string report = testing::file_text(folder_.path() + "/r.txt");
   EXPECT_THAT(report, ::testing::MatchesRegex("time = +60\\.[0-9]+\ndistance = +0\\.[0-9]+\n"
                                               "collisions = +1\nstate_hash = \"[0-9a-f]+\"\n"
+                                              "trace_hash = \"[0-9a-f]{16}\"\n"
                                               "ended = true \n"
                                               "end_x = +[0-9.]+\nend_y = +[0-9.]+\n"
                                               "end_theta = +[-0-9.]+\n"));

@@ -322,6 +322,21 @@ class Several(ProgramTest):
         self.assertEqual((run.returncode, run.out), (1, "good\n"), run.err)
         self.assertIn("robot 1: error: found 3 bytes that are no question", run.err)
 
+    def test_nobody_moves_before_all_have_made_a_call(self):
+        self.write("late.py", """
+            from eye import *
+            import sys, time
+            time.sleep(float(sys.argv[1]))
+            at = OSGetCount()
+            VWSetSpeed(200, 0)
+            OSWait(500)
+            print(OSMachineID(), "at", at, "drove", VWGetPosition()[0] // 10 * 10, flush=True)
+            """)
+        for programs in (("late.py 0.7", "late.py 0", PROGRAMS / "gathers"), ("late.py 0.1", "late.py 0", f"{PROGRAMS}/gathers 700")):
+            run = self.run_scenario(*programs)
+            self.assertEqual(run.returncode, 0, run.err)
+            self.assertEqual(sorted(run.out.splitlines()), [f"{number} at 700 drove 80" for number in (1, 2, 3)], run.err)
+
     def test_a_program_that_never_calls(self):
         self.write("quiet.py", "print('quiet', flush=True)\n")
         self.write("prog.py", DRIVES)

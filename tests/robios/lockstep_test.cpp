@@ -31,6 +31,23 @@ struct Players {
         },
         start);
   }
+  /// One that comes after so long to where all meet, as a small letter, and has two turns then.
+  void gather(char name, Time before) {
+    ++robots;
+    lockstep.add(
+        [this, name, before] {
+          if (before > Time(0)) lockstep.park(before);
+          text += name;
+          lockstep.count_in(before);
+          const Time met = lockstep.meet();
+          const auto capital = static_cast<char>(name - 'a' + 'A');
+          text += capital;
+          lockstep.park(met + kStep);
+          text += capital;
+          lockstep.drop_robot();
+        },
+        Time(0));
+  }
   std::string run() {
     lockstep.run(kStep, [this] { text += '|'; });
     return text;
@@ -128,6 +145,32 @@ TEST(Lockstep, MixesARobotsFlowsWithItsNeighbours) {
       Time(0));
   players.add('c', kStep, 3);
   EXPECT_EQ(players.run(), "a12c|a12c|a1c|");
+}
+
+TEST(Lockstep, LetsAllGoInOrderOnceTheLastOneHasCome) {
+  Players players;
+  players.lockstep.gather(3);
+  players.gather('a', Time(0));
+  players.gather('b', milliseconds(15));
+  players.gather('c', milliseconds(3));
+  EXPECT_EQ(players.run(), "ac|bABC|ABC");
+}
+
+TEST(Lockstep, WaitsForNobodyWhoHasEndedOrCanNeverCome) {
+  Players players;
+  players.lockstep.gather(3);
+  players.gather('a', Time(0));
+  players.robots++;
+  players.lockstep.add(
+      [&] {
+        players.lockstep.park(milliseconds(15));
+        players.lockstep.count_in(milliseconds(15));
+        players.lockstep.drop_robot();
+      },
+      Time(0));
+  players.robots++;
+  players.lockstep.add([&] { players.lockstep.park(); }, Time(0));
+  EXPECT_EQ(players.run(), "a|A|A");
 }
 
 TEST(Lockstep, EndsWhenAllWaitForEachOther) {

@@ -1,6 +1,5 @@
 // Several robots that run programs in one process.
 #include <algorithm>
-#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -9,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "named_program.hpp"
-#include "processors.hpp"
 
 namespace eyebridge {
 namespace {
@@ -138,45 +136,6 @@ TEST(SeveralRobots, ARobotWhoseProgramEndedKeepsItsLastCommand) {
   const auto r = run_named("several_follow", several("2"));
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_EQ(r.out, "1 said gone at 1500; went on 200 mm\n") << r.err;
-}
-
-#if defined(__SANITIZE_ADDRESS__)
-constexpr int kRuns = 3;  // each takes thirty times as long
-#else
-constexpr int kRuns = 25;
-#endif
-
-/// A hundred runs of `program`, on one and on all processors, quiet and busy: their one trace.
-std::string trace_of_a_hundred(const std::string& program) {
-  using testing::Processors;
-  std::set<std::string> traces;
-  for (const auto which : {Processors::Which::First, Processors::Which::All}) {
-    for (const auto load : {Processors::Load::None, Processors::Load::Busy}) {
-      const Processors processors(which, load);
-      for (int i = 0; i < kRuns; ++i) {
-        traces.insert(trace_of(run_named(program, several("5")).err));
-      }
-    }
-  }
-  EXPECT_EQ(traces.size(), 1U);
-  return *traces.begin();
-}
-
-// Whatever the build: these traces are the same in debug, release and sanitized ones.
-TEST(SeveralRobots, AHundredRunsAreOneRun) {
-  EXPECT_EQ(trace_of_a_hundred("several"), "trace 369d5710c6a9f9bf");
-  EXPECT_EQ(trace_of_a_hundred("several_crew"), "trace 5da57fe1bae04673");
-}
-
-TEST(SeveralRobots, WhoReadsSomethingElseHasAnotherTrace) {
-  const auto run = [](const std::string& errors) {
-    const auto r = run_named("senses", several("2", {{"EYEBRIDGE_ERRORS", errors}}));
-    EXPECT_EQ(r.exit_code, 0) << r.err;
-    return trace_of(r.err);
-  };
-  EXPECT_EQ(run("psd sigma=100"), run("psd sigma=100"));
-  EXPECT_NE(run("psd sigma=100"), run("perfect"));
-  EXPECT_NE(run("psd sigma=100"), run("psd sigma=101"));
 }
 
 TEST(SeveralRobots, ThreadsOfProgramsTakeTurns) {

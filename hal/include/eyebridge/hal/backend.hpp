@@ -46,6 +46,8 @@ class Backend {
 
   /// The time this robot's program lives in; starts at 0. Owned by the backend.
   virtual Clock& clock() = 0;
+  /// The program makes its first call: returns when those of all robots of its world have.
+  virtual void arrive() {}
   /// Number of this robot in its world, from 1 (1 on real hardware).
   [[nodiscard]] virtual int robot_id() const = 0;
 

@@ -17,6 +17,7 @@ class PassingBackend : public Backend {
   explicit PassingBackend(std::unique_ptr<Backend> inner) : inner_(std::move(inner)) {}
 
   Clock& clock() override { return inner_->clock(); }
+  void arrive() override { inner_->arrive(); }
   [[nodiscard]] int robot_id() const override { return inner_->robot_id(); }
   Drive* drive() override { return inner_->drive(); }
   RangeSensor* range_sensor(int id) override { return inner_->range_sensor(id); }

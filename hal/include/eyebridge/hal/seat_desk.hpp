@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "eyebridge/base/clock.hpp"
@@ -14,8 +15,9 @@ class SeatDesk {
  public:
   /// `robot` is lent. `limit`, lent: in virtual time the program's clock may move by itself up to
   /// there, which changes (Turns::limit_of()); null: it has to ask each time.
-  /// `socket` is the line, lent.
-  SeatDesk(Backend& robot, const Time* limit, int socket);
+  /// `socket` is the line, lent. `arrive`: Backend::arrive() of the program, in real time before it
+  /// is welcomed.
+  SeatDesk(Backend& robot, const Time* limit, int socket, std::function<void()> arrive = {});
   /// Traces nothing any more.
   ~SeatDesk();
   SeatDesk(const SeatDesk&) = delete;

@@ -1,0 +1,100 @@
+// The trace of a run is the same whatever else the computer does, and tells runs apart in which
+// anything else was seen.
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "named_program.hpp"
+#include "processors.hpp"
+
+namespace eyebridge {
+namespace {
+
+using testing::Processors;
+using testing::run_named;
+
+/// "trace 0123456789abcdef" of the last message of a run of robots in worlds/rooms.wld; "" without.
+std::string trace_of(const std::string& program, const std::string& robots,
+                     const std::string& errors = "") {
+  const auto r = run_named(program, {{"EYEBRIDGE_ERRORS", errors},
+                                     {"EYEBRIDGE_ROBOTS", robots},
+                                     {"EYEBRIDGE_WORLD", EYEBRIDGE_TEST_WORLDS "/rooms.wld"}});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  const std::size_t at = r.err.find("trace ");
+  return at == std::string::npos ? "" : r.err.substr(at, 22);
+}
+
+/// The same of a robot that is alone, by its report.
+std::string trace_alone(const std::string& program) {
+  const testing::ScratchFolder folder;
+  const std::string report = folder.path() + "/report";
+  const auto r = run_named(program, {{"EYEBRIDGE_REPORT", report},
+                                     {"EYEBRIDGE_WORLD", EYEBRIDGE_TEST_WORLDS "/rooms.wld"}});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  const std::string text = testing::file_text(report);
+  const std::size_t at = text.find("trace_hash = \"");
+  return at == std::string::npos ? "" : "trace " + text.substr(at + 14, 16);
+}
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr int kRuns = 3;  // each takes thirty times as long
+#else
+constexpr int kRuns = 25;
+#endif
+
+using Loads = std::vector<Processors::Load>;
+
+/// The one trace of as many runs on one processor and on all, each under these loads: another
+/// process that keeps all of them busy, or none.
+std::string of_runs(int runs, const Loads& loads, const std::function<std::string()>& trace) {
+  std::set<std::string> traces;
+  for (const auto which : {Processors::Which::First, Processors::Which::All}) {
+    for (const auto load : loads) {
+      const Processors processors(which, load);
+      for (int i = 0; i < runs; ++i) traces.insert(trace());
+    }
+  }
+  EXPECT_EQ(traces.size(), 1U);
+  return *traces.begin();
+}
+
+std::string of_a_hundred(const std::function<std::string()>& trace) {
+  return of_runs(kRuns, {Processors::Load::None, Processors::Load::Busy}, trace);
+}
+
+// Whatever the build: these are the same in debug, release and sanitized ones.
+TEST(Trace, OfAHundredRunsIsOne) {
+  EXPECT_EQ(of_a_hundred([] { return trace_of("several", "5"); }), "trace b7f71f73afb859c3");
+}
+
+TEST(Trace, OfAHundredRunsWithThreadsIsOne) {
+  EXPECT_EQ(of_a_hundred([] { return trace_of("several_crew", "5"); }), "trace a4c07766c2878682");
+}
+
+TEST(Trace, OfAHundredRunsWithThreadsOfTheSystemIsOne) {
+  EXPECT_EQ(of_a_hundred([] { return trace_alone("several_crew"); }), "trace d8b95c23623905d6");
+}
+
+// Not under load: each switch between processes would wait for the busy one's turn.
+TEST(Trace, OfRunsInProcessesWithThreadsIsOne) {
+  EXPECT_EQ(of_runs(kRuns / 2, {Processors::Load::None},
+                    [] { return trace_of("several_crew_apart", "2"); }),
+            "trace c60f84906ebd8967");
+}
+
+TEST(Trace, IsAnotherOneWhereAnythingElseWasSeen) {
+  const std::string perfect = trace_of("senses", "2");
+  EXPECT_EQ(trace_of("senses", "2", "perfect"), perfect);
+  std::set<std::string> traces{perfect};
+  for (const char* errors : {"psd sigma=100", "psd sigma=101", "robot:2 psd sigma=100",
+                             "encoder miss=5%", "camera sigma=4", "radio loss=50%"}) {
+    EXPECT_TRUE(traces.insert(trace_of("senses", "2", errors)).second) << errors;
+  }
+}
+
+}  // namespace
+}  // namespace eyebridge
