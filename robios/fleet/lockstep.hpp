@@ -116,17 +116,11 @@ class Lockstep final : public hal::Turns {
   std::size_t expected_ = 0;
   Time soonest_ = kNever;  ///< When somebody goes on; in a round, of those before at_.
   std::atomic<std::uint64_t> switches_ = 0;
-  std::size_t missing_ = 0;
-  Time met_{0};             ///< When the last one came, so far.
-  bool have_met_ = false;   ///< All.
-  bool any_waits_ = false;  ///< For all.
-  Time soonest_ = kNever;   ///< When somebody goes on; in a round, of those before at_.
-  std::atomic<std::uint64_t> switches_ = 0;
-  std::size_t missing_ = 0;
-  Time met_{0};             ///< When the last one came, so far.
-  bool have_met_ = false;   ///< All.
-  bool any_waits_ = false;  ///< For all.
   std::atomic<std::size_t> whose_ = 0;
+  std::size_t missing_ = 0;
+  Time met_{0};             ///< When the last one came, so far.
+  bool have_met_ = false;   ///< All.
+  bool any_waits_ = false;  ///< For all.
 };
 
 }  // namespace eyebridge::robios
