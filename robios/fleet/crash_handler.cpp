@@ -70,13 +70,7 @@ void say(const char* text) {
   if (last_signal == kHang) {
     robot.fail("the program has made no call for too long and is ended; the others go on", code);
   }
-  std::string where;
-  if (last_signal == SIGSEGV || last_signal == SIGBUS) {
-    where = fmt::format(" at address {}", last_address);
-  }
-  robot.fail(fmt::format("the program crashed: {}{}; it ends, the others go on",
-                         strsignal(last_signal), where),
-             code);
+  robot.crash(last_signal, last_address);
 }
 
 /// Lets the interrupted flow go on in give_up(), with the stack from `top` down.
@@ -147,6 +141,10 @@ void on_crash(int signal, siginfo_t* info, void* given) {
   if (goes_on) return;
   const bool is_safe = robot != nullptr && flow.stack_mark != nullptr && !robot->has_ended() &&
                        robot->may_be_stopped();
+  if (is_safe && flow.calls == 0 && signal != kHang &&
+      robot->signals().divert(signal, *info, context)) {
+    return;
+  }
   if (is_safe && redirect(context, flow.stack_mark)) {
     last_signal = signal;
     last_address = info->si_addr;

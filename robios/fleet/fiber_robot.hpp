@@ -21,12 +21,6 @@ class FiberRobot final : public Robot {
   /// It comes when others run already, and nobody waits for it.
   void be_late() { has_come_ = true; }
 
-  [[noreturn]] void leave(int code) override {
-    end(code);
-    come();
-    strands_.forget(index());
-    lockstep_.drop_robot();
-  }
   [[noreturn]] void hold_thread() override { lockstep_.drop_strand(); }
   void arrive() override {
     come();
@@ -34,6 +28,12 @@ class FiberRobot final : public Robot {
   }
 
  protected:
+  [[noreturn]] void drop(int code) override {
+    end(code);
+    come();
+    strands_.forget(index());
+    lockstep_.drop_robot();
+  }
   [[nodiscard]] const Time* limit() const override { return &lockstep_.limit_of(index()); }
   AwaitedProcess* awaited() override { return &awaited_; }
   void forget() override {

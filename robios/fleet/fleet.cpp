@@ -198,8 +198,7 @@ int Fleet::run() {
   Time simulated{0};
   const std::vector<Robot*> all = robots();
   for (Robot* const robot : all) simulated = std::max(simulated, robot->now());
-  fmt::print(
-      stderr,
+  const std::string told = fmt::format(
       "eyebridge: {} robots, {:.2f} s on their clock in {:.2f} s ({:.0f}x), trace {:016x}{}{}\n",
       all.size(), to_seconds(simulated), wall.count(), to_seconds(simulated) / wall.count(),
       world_->hash().value(),
@@ -207,6 +206,7 @@ int Fleet::run() {
       world_->overruns() == 0
           ? ""
           : fmt::format("; the computer was too slow {} times", world_->overruns()));
+  dprintf(STDERR_FILENO, "%s", told.c_str());  // as StderrLog does
   if (windows_ != nullptr) {
     std::fflush(nullptr);  // whoever reads the programs' output does not wait for the person
     windows_->finish("All programs have ended");

@@ -36,10 +36,16 @@ EXPORTED int pthread_create(pthread_t* thread, const pthread_attr_t* attributes,
   void* robot = CALLS.robot != NULL ? CALLS.robot() : NULL;
   if (robot == NULL) return next_pthread_create(thread, attributes, start, argument);
   struct beginning* beginning = malloc(sizeof *beginning);
-  if (beginning == NULL) return EAGAIN;
+  if (beginning == NULL) {
+    CALLS.forget_thread(robot);
+    return EAGAIN;
+  }
   *beginning = (struct beginning){start, argument, robot};
   const int error = next_pthread_create(thread, attributes, begin, beginning);
-  if (error != 0) free(beginning);
+  if (error != 0) {
+    free(beginning);
+    CALLS.forget_thread(robot);
+  }
   return error;
 }
 
@@ -61,7 +67,7 @@ EXPORTED int pthread_detach(pthread_t thread) {
 
 EXPORTED void pthread_exit(void* result) {
   NEXT(void, pthread_exit, (void*));
-  if (TAKES_TURNS()) CALLS.finish(result);
+  if (CALLS.finish != NULL && (CALLS.robot != NULL || TAKES_TURNS())) CALLS.finish(result);
   next_pthread_exit(result);
   for (;;) pause();
 }

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <atomic>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <string>
 
-#include "eyebridge/base/config_error.hpp"
+#include "program_file.hpp"
+
+struct link_map;
 
 namespace eyebridge::robios {
 
@@ -18,13 +22,13 @@ class ProgramImage {
  public:
   using Main = int (*)(int argc, char** argv, char** environment);
 
-  /// Throws ConfigError, at `program`, for what is no program for this machine, none that can be
-  /// loaded more than once (not PIE, no main that is visible, thread_local variables), or cannot
-  /// be read.
+  /// Throws ConfigError, at `program`, for what ProgramFile refuses, for a program with libraries
+  /// of its own, and for one without a main that is visible.
   static std::unique_ptr<ProgramImage> load(const std::filesystem::path& program);
-  /// True when load() would find nothing wrong with the file.
-  static bool can_load(const std::filesystem::path& program);
-  /// The same, but one for all who ask for this program: EyeSim's robots share their variables.
+  /// True when load(), or load_shared(), would find nothing wrong with the file.
+  static bool can_load(const std::filesystem::path& program, bool is_shared);
+  /// The same, but one for all who ask for this program: EyeSim's robots share their variables. It
+  /// may have libraries of its own.
   static std::shared_ptr<ProgramImage> load_shared(const std::filesystem::path& program);
   ProgramImage(const ProgramImage&) = delete;
   ProgramImage& operator=(const ProgramImage&) = delete;
@@ -32,12 +36,33 @@ class ProgramImage {
   [[nodiscard]] Main main() const { return main_; }
   /// Where the image has its copy of a library's variable; null when it has none.
   [[nodiscard]] void* variable(const std::string& name) const;
+  /// That of any copy in which `address` lies; null when it lies in none. Also while one is being
+  /// loaded.
+  static const link_map* around(const void* address);
+  [[nodiscard]] bool contains(const void* address) const { return around(address) == map_; }
+
+  /// One of those that use it uses it no more; true for the last one, who is to finish() it.
+  bool leave() { return --users_ == 0; }
+  /// Calls its exit handlers, destroys its objects. A second call goes on where a handler did not
+  /// return. In the robot's flow.
+  void finish(bool is_quick, int status);
 
  private:
-  ProgramImage() = default;
+  explicit ProgramImage(const ProgramFile::Ends& ends) : ends_(ends) {}
+  static std::unique_ptr<ProgramImage> load(const std::filesystem::path& program,
+                                            const ProgramFile& file);
+  bool share();
+  /// visit(name, address, size) of each copy that it has of a library's variable.
+  template <class Visit>
+  void visit_copies(Visit visit) const;
+  /// What points into itself, as std::cout, still points into the library's.
+  void complete_copies();
 
-  void* handle_ = nullptr;  ///< Never closed: exit handlers and threads may still need it.
+  void* handle_ = nullptr;  ///< Never closed: threads may still need it.
+  const link_map* map_ = nullptr;
   Main main_ = nullptr;
+  ProgramFile::Ends ends_;  ///< What is still to be called.
+  std::atomic<std::size_t> users_ = 1;
 };
 
 }  // namespace eyebridge::robios

@@ -3,16 +3,19 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <exception>
 #include <utility>
 
 #include <fmt/format.h>
+#include <signal.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
 #include "flow.hpp"
 #include "robot_programs.hpp"
+#include "threads/turn_calls.h"
 
 namespace eyebridge::robios {
 namespace {
@@ -21,12 +24,15 @@ constexpr int kCannotRun = 126;  // as shells say it
 
 }  // namespace
 
+Robot::Robot(std::size_t index, RobotProgram program)
+    : index_(index), program_(std::move(program)), process_id_(getpid()) {}
+
 void Robot::begin(const hal::Config& config, const hal::Seat& seat,
                   const std::filesystem::path& out) {
   world_ = seat.world;
   const std::filesystem::path own_out =
       out.empty() ? out : out / fmt::format("robot-{}", index_ + 1);
-  if (needs_process(program_.file)) {
+  if (needs_process(program_.file, config.boolean("shared_globals"))) {
     process_ = std::make_unique<ProgramProcess>(program_, config, seat, own_out);
     return;
   }
@@ -53,6 +59,7 @@ void Robot::run() {
     // Runs constructors: the robot's first code.
     image_ = session_->config().boolean("shared_globals") ? ProgramImage::load_shared(program_.file)
                                                           : ProgramImage::load(program_.file);
+    uses_image_ = true;
   } catch (const ConfigError& error) {
     fail(error.what(), kCannotRun);
   }
@@ -61,7 +68,8 @@ void Robot::run() {
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
-  quit(image_->main()(static_cast<int>(words.size()), argv.data(), environ));
+  exit(image_->main()(static_cast<int>(words.size()), argv.data(), environ), EYEBRIDGE_EXIT);
+  __builtin_unreachable();  // g++ forgets what a virtual function promises
 }
 
 void Robot::run_process() {
@@ -73,7 +81,61 @@ void Robot::run_process() {
     end = {kCannotRun, error.what()};
   }
   if (!end.why.empty()) fail(end.why, end.code);
-  quit(end.code);
+  tell(end.code);
+  drop(end.code);
+  __builtin_unreachable();  // as in run()
+}
+
+void Robot::leave(int code) {
+  if (flow.calls == 0) exit(code, EYEBRIDGE_EXIT);
+  session_->end();
+  {
+    const OutOfCall program;
+    finish_image(false, code);
+  }
+  drop(code);
+  __builtin_unreachable();
+}
+
+void Robot::exit(int code, int how) {
+  code &= 0xff;  // what a process would end with
+  if (!has_ended() && how != EYEBRIDGE_AT_ONCE) finish_image(how == EYEBRIDGE_QUICK_EXIT, code);
+  if (getpid() != process_id_) {  // a child of fork(): the robot is its parent's
+    if (how == EYEBRIDGE_EXIT)
+      std::fflush(stdout);  // not the robots' results, which are the parent's
+    _exit(code);
+  }
+  tell(code);
+  drop(code);
+  __builtin_unreachable();
+}
+
+void Robot::tell(int code) {
+  if (code == 0 || has_ended() || has_told_.exchange(true)) return;
+  std::fflush(stdout);  // what it printed before comes before
+  log().write(Severity::Warning, fmt::format("the program ended with exit code {}", code));
+}
+
+/// True when nobody else uses its image.
+bool Robot::leave_image() { return uses_image_.exchange(false) && image_->leave(); }
+
+void Robot::finish_image(bool is_quick, int code) {
+  if (leave_image()) finishes_image_ = true;
+  if (finishes_image_) image_->finish(is_quick, code);
+}
+
+void Robot::drop_thread() {
+  if (--threads_ == 0) exit(0, EYEBRIDGE_EXIT);
+}
+
+void* Robot::state(std::size_t size) {
+  std::call_once(has_state_, [&] { state_ = std::make_unique<std::byte[]>(size); });
+  return state_.get();
+}
+
+bool Robot::runs(const void* address) const {
+  // In a constructor the image is still to come.
+  return process_ == nullptr && ProgramImage::around(address) != nullptr;
 }
 
 Clock& Robot::clock() const { return process_ != nullptr ? process_->clock() : session_->clock(); }
@@ -98,22 +160,21 @@ void* Robot::variable(const char* name) {
   return image_ != nullptr ? image_->variable(name) : nullptr;
 }
 
-void Robot::quit(int code) {
-  if (code != 0) {
-    std::fflush(stdout);  // what it printed before comes before
-    log().write(Severity::Warning, "the program ended with exit code " + std::to_string(code));
-  }
-  leave(code);
-  __builtin_unreachable();  // g++ forgets what a virtual function promises
-}
-
 void Robot::fail(const std::string& how, int code) {
   is_abandoned_ = flow.calls > 0;
   flow.calls = 0;
   std::fflush(stdout);  // what it printed before comes before
   log().write(Severity::Error, is_abandoned_ ? how + " (inside a RoBIOS call)" : how);
-  leave(code);
+  drop(code);
   __builtin_unreachable();
+}
+
+void Robot::crash(int signal, const void* address) {
+  std::string where;
+  if (signal == SIGSEGV || signal == SIGBUS) where = fmt::format(" at address {}", address);
+  fail(
+      fmt::format("the program crashed: {}{}; it ends, the others go on", strsignal(signal), where),
+      128 + signal);
 }
 
 void Robot::break_off(int code) {
@@ -158,6 +219,7 @@ Robot* Robot::current() {
 bool Robot::end(int code) {
   if (ended_.exchange(true)) return false;
   exit_code_ = code;
+  leave_image();
   if (process_ != nullptr) return true;  // it has ended there
   if (is_abandoned_) {
     session_->abandon();

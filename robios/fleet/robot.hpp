@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <utility>
 
 #include "program_image.hpp"
 #include "program_process.hpp"
+#include "program_signals.hpp"
 #include "robot_program.hpp"
 #include "session.hpp"
 #include "session_start.hpp"
@@ -21,7 +23,7 @@ namespace eyebridge::robios {
 /// Who schedules robots derives from it: a fiber's robot or a thread's.
 class Robot : public Runner {
  public:
-  Robot(std::size_t index, RobotProgram program) : index_(index), program_(std::move(program)) {}
+  Robot(std::size_t index, RobotProgram program);
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
 
@@ -36,11 +38,25 @@ class Robot : public Runner {
   [[noreturn]] void run();
 
   void* variable(const char* name) override;
-  /// The robot's program ends in the calling flow: leaves, and tells of a code other than 0.
-  [[noreturn]] void quit(int code);
+  /// Ends it at its time limit, or because it cannot go on: its exit handlers find that its session
+  /// has ended. Outside of any call: as exit().
+  [[noreturn]] void leave(int code) final;
+  /// Its program ends by itself: calls its exit handlers, as EYEBRIDGE_EXIT and the others say
+  /// (threads/turn_calls.h), tells of an exit code that is not 0, and leaves. In the robot's flow.
+  [[noreturn]] void exit(int code, int how);
+  /// In real time: one more thread of the program; and one less: the robot exits with its last one.
+  void add_thread() { ++threads_; }
+  void drop_thread();
+  /// `size` bytes, always the same, that are zero at first. Any thread.
+  void* state(std::size_t size);
+  [[nodiscard]] ProgramSignals& signals() { return signals_; }
+  /// True when `address` lies in its program.
+  [[nodiscard]] bool runs(const void* address) const;
   /// The robot's program crashed or hangs in the calling flow: tells so and leaves. Inside a call
   /// of ours it leaves without results.
   [[noreturn]] void fail(const std::string& how, int code);
+  /// The same for a signal, which was about `address`.
+  [[noreturn]] void crash(int signal, const void* address);
   /// Its program ended where it will let no session end: that is what it ends with. Any thread.
   void break_off(int code);
   /// All flows of the robot wait for ever: tells so and ends it, from outside of them.
@@ -77,6 +93,8 @@ class Robot : public Runner {
   [[nodiscard]] virtual const Time* limit() const { return nullptr; }
   virtual AwaitedProcess* awaited() { return nullptr; }
 
+  /// Ends the session, if that has not been done, and the calling flow.
+  [[noreturn]] virtual void drop(int code) = 0;
   /// The program has been ended from outside; whoever schedules robots forgets it.
   virtual void forget() = 0;
   /// Ends the session; false when another flow of the robot has done so before.
@@ -85,6 +103,9 @@ class Robot : public Runner {
  private:
   [[nodiscard]] LogSink& log() const;
   [[noreturn]] void run_process();
+  void tell(int code);
+  bool leave_image();
+  void finish_image(bool is_quick, int code);
 
   const std::size_t index_;
   const RobotProgram program_;
@@ -93,6 +114,14 @@ class Robot : public Runner {
   Session* session_ = nullptr;               ///< Null where a process has it.
   std::unique_ptr<ProgramProcess> process_;  ///< Else null.
   std::atomic<bool> ended_ = false;
+  std::atomic<bool> uses_image_ = false;
+  std::atomic<bool> finishes_image_ = false;  ///< It is, or was, the last one to use it.
+  std::atomic<bool> has_told_ = false;        ///< Of its exit code.
+  std::atomic<int> threads_ = 1;              ///< Of the program, in real time.
+  std::once_flag has_state_;
+  std::unique_ptr<std::byte[]> state_;
+  ProgramSignals signals_;
+  const int process_id_;
   bool is_abandoned_ = false;  ///< The calling flow will never leave its call.
   int exit_code_ = 0;
 };

@@ -1,9 +1,17 @@
 #include "robot_calls.hpp"
 
+#include <cstdio>
+#include <memory>
+
+#include <pthread.h>
+#include <signal.h>
+
 #include "crash_handler.hpp"
+#include "exit_handlers.hpp"
 #include "flow.hpp"
 #include "robot.hpp"
 #include "session.hpp"
+#include "signals.hpp"
 
 namespace eyebridge::robios {
 namespace {
@@ -20,6 +28,59 @@ int turns() {
   return strands->any() ? EYEBRIDGE_IN_LIBRARY : EYEBRIDGE_NO_TURNS;
 }
 
+int at_exit(int how, void* function, void* argument, const void* address) {
+  if (Robot::current() == nullptr) return 0;
+  using Kind = ExitHandlers::Kind;
+  const Kind kind = how == EYEBRIDGE_WITH_STATUS  ? Kind::ExitWithStatus
+                    : how == EYEBRIDGE_QUICK_EXIT ? Kind::QuickExit
+                                                  : Kind::Exit;
+  return ExitHandlers::add(kind, function, argument, address) ? 1 : 0;
+}
+
+int raise_in_program(int signal) {
+  if (signal < 1 || signal >= NSIG) return 0;
+  Robot& robot = *Robot::current();
+  if (robot.signals().raise(signal)) return 1;
+  if (ProgramSignals::is_harmless(signal)) return 0;
+  robot.crash(signal, nullptr);
+}
+
+/// Before fork(): else the child, too, would write what other robots have printed.
+void write_out() { std::fflush(stdout); }
+
+/// In the child of fork(): the run, and its robots, are the parent's.
+void leave_run() {
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) ::signal(signal, SIG_DFL);
+  leave_signals_alone();
+  if (Session* const session = Session::here()) session->note_fork();
+}
+
+// In real time.
+
+/// What a new thread is given.
+struct Beginning {
+  Session* session;
+  bool is_programs;  ///< Not of a library.
+};
+
+thread_local bool is_created = false;  // not a robot's main thread
+
+/// Of a program's thread, to its end.
+struct ProgramThread {
+  ProgramThread() = default;
+  ProgramThread(const ProgramThread&) = delete;
+  ProgramThread& operator=(const ProgramThread&) = delete;
+  ~ProgramThread() { Robot::current()->drop_thread(); }
+};
+
+void* expect_thread() {
+  Session* const session = Session::here();
+  if (session == nullptr) return nullptr;
+  const bool is_programs = flow.calls == 0;
+  if (is_programs) Robot::current()->add_thread();
+  return new Beginning{session, is_programs};
+}
+
 long long now() { return Session::here()->clock().now() / std::chrono::nanoseconds(1); }
 
 }  // namespace
@@ -27,20 +88,47 @@ long long now() { return Session::here()->clock().now() / std::chrono::nanosecon
 eyebridge_robot_calls robot_calls(Strands* given) {
   strands = given;
   eyebridge_robot_calls calls{};
-  calls.leave = [](int code) {
-    if (Robot* const robot = Robot::current()) robot->quit(code);
+  pthread_atfork(write_out, nullptr, leave_run);
+  calls.leave = [](int code, int how) {
+    if (Robot* const robot = Robot::current()) robot->exit(code, how);
   };
+  calls.is_program = [](const void* address) {
+    const Robot* const robot = Robot::current();
+    return robot != nullptr && robot->runs(address) ? 1 : 0;
+  };
+  calls.state = [](unsigned long size) -> void* {
+    Robot* const robot = Robot::current();
+    return robot != nullptr ? robot->state(size) : nullptr;
+  };
+  calls.at_exit = at_exit;
+  calls.set_signal = [](int signal, const struct sigaction* action, struct sigaction* before) {
+    return Robot::current()->signals().set(signal, action, before) ? 1 : 0;
+  };
+  calls.raise = raise_in_program;
   calls.abort = [] {
     if (Robot* const robot = Robot::current()) {
       robot->fail("the program called abort(); it ends, the others go on", 134);
     }
   };
   if (given == nullptr) {
-    calls.robot = []() -> void* { return Session::here(); };
-    calls.begin_thread = [](void* robot) {
+    calls.robot = expect_thread;
+    calls.begin_thread = [](void* thread) {
       static thread_local const CrashStack stack;
-      Session::set_here(static_cast<Session*>(robot));
+      const std::unique_ptr<Beginning> beginning(static_cast<Beginning*>(thread));
+      Session::set_here(beginning->session);
       flow.stack_mark = __builtin_frame_address(0);
+      is_created = true;
+      if (beginning->is_programs) static thread_local const ProgramThread counted;
+    };
+    calls.forget_thread = [](void* thread) {
+      const std::unique_ptr<Beginning> beginning(static_cast<Beginning*>(thread));
+      if (beginning->is_programs) Robot::current()->drop_thread();
+    };
+    calls.finish = [](void* /*result*/) {
+      Robot* const robot = Robot::current();
+      if (robot == nullptr || is_created || flow.stack_mark == nullptr) return;
+      robot->drop_thread();
+      robot->hold_thread();  // its main(), in which nothing may be thrown
     };
     return calls;
   }

@@ -53,9 +53,9 @@ std::string trouble_with(const fs::path& program) {
 
 bool is_script(const fs::path& program) { return is_python(program) || begins_with(program, "#!"); }
 
-bool needs_process(const fs::path& program) {
+bool needs_process(const fs::path& program, bool is_shared) {
   return is_script(program) ||
-         (begins_with(program, "\177ELF") && !ProgramImage::can_load(program));
+         (begins_with(program, "\177ELF") && !ProgramImage::can_load(program, is_shared));
 }
 
 std::vector<RobotProgram> programs_of(const std::vector<hal::SharedRobot>& robots,

@@ -21,8 +21,8 @@ std::vector<RobotProgram> programs_of(const std::vector<hal::SharedRobot>& robot
 bool is_script(const std::filesystem::path& program);
 
 /// True for a program that cannot be loaded into this process: a script, or a binary that
-/// ProgramImage refuses. It runs in a process of its own.
-bool needs_process(const std::filesystem::path& program);
+/// ProgramImage refuses. It runs in a process of its own. `is_shared`: all have its variables.
+bool needs_process(const std::filesystem::path& program, bool is_shared);
 
 /// Why `program` cannot be run, in words; "" when nothing speaks against it.
 std::string trouble_with(const std::filesystem::path& program);

@@ -8,6 +8,7 @@
 
 #include "flow.hpp"
 #include "robot.hpp"
+#include "threads/turn_calls.h"
 
 namespace eyebridge::robios {
 
@@ -37,7 +38,7 @@ unsigned long Strands::self() const {
 void Strands::finish(void* result) {
   specifics_.destroy();
   forget_strand(lockstep_.current());
-  if (lockstep_.is_last_strand()) Session::here()->leave(0);
+  if (lockstep_.is_last_strand()) Robot::current()->exit(0, EYEBRIDGE_EXIT);
   const auto me = threads_.find(self());
   if (me != threads_.end()) {
     note_end(me->second, result);

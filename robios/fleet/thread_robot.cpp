@@ -59,7 +59,7 @@ void ThreadRobot::arrive() {
   barrier_.arrive([this] { world_.begin_time(); });
 }
 
-void ThreadRobot::leave(int code) {
+void ThreadRobot::drop(int code) {
   if (end(code)) forget();
   hold_thread();
 }

@@ -70,11 +70,11 @@ class ThreadRobot final : public Robot {
   /// It has made its first call, or came late.
   [[nodiscard]] bool has_arrived() const { return has_arrived_; }
 
-  [[noreturn]] void leave(int code) override;
   [[noreturn]] void hold_thread() override;
   void arrive() override;
 
  protected:
+  [[noreturn]] void drop(int code) override;
   void forget() override;
 
  private:

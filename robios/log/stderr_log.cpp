@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "eyebridge/base/config_error.hpp"
 
@@ -20,8 +21,9 @@ void StderrLog::write(Severity severity, std::string_view message) {
   // Info speaks for itself; what went wrong says how bad it is.
   const bool plain = severity == Severity::Info;
   const std::string_view name = plain ? "" : kNames[static_cast<std::size_t>(severity)];
-  std::fprintf(stderr, "eyebridge: %s%.*s%s%.*s\n", who_.c_str(), static_cast<int>(name.size()),
-               name.data(), plain ? "" : ": ", static_cast<int>(message.size()), message.data());
+  // Not by stderr: after wide characters of a program it takes no others.
+  dprintf(STDERR_FILENO, "eyebridge: %s%.*s%s%.*s\n", who_.c_str(), static_cast<int>(name.size()),
+          name.data(), plain ? "" : ": ", static_cast<int>(message.size()), message.data());
 }
 
 Severity lowest_severity(const hal::Config& config) {

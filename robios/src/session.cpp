@@ -161,6 +161,8 @@ bool Session::may_call(std::string_view call) const {
   return false;
 }
 
+void Session::note_fork() { impl_->stage = Impl::Stage::Forked; }
+
 void* Session::variable(const char* name) const {
   return impl_->runner != nullptr ? impl_->runner->variable(name) : nullptr;
 }

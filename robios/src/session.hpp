@@ -103,6 +103,9 @@ class Session {
   /// forked process with a message: a robot has one program.
   [[nodiscard]] bool may_call(std::string_view call) const;
 
+  /// The process is a child of fork(): this robot is its parent's.
+  void note_fork();
+
   /// What this robot has of a family's: made at the first use, of this session where its
   /// constructor takes one; never destroyed before the session.
   template <class Value>

@@ -16,11 +16,33 @@ enum {
            thread of the process, but what it locks another robot's thread may have locked */
 };
 
+/* How a program ends by itself, and which exit handlers are called then. */
+enum {
+  EYEBRIDGE_EXIT = 0,       /* return from main(), exit() */
+  EYEBRIDGE_QUICK_EXIT = 1, /* quick_exit() */
+  EYEBRIDGE_AT_ONCE = 2,    /* _exit(): none */
+  EYEBRIDGE_WITH_STATUS =
+      3 /* of at_exit alone: as EYEBRIDGE_EXIT, and the handler is on_exit()'s */
+};
+
+struct sigaction;
+
 /* What is asked when somebody calls the C library. */
 struct eyebridge_robot_calls {
   /* End the caller's robot; return when the caller is no robot's program. */
-  void (*leave)(int code);
+  void (*leave)(int code, int how);
   void (*abort)(void);
+  /* 1 when the caller's robot has a program and the address lies in one. */
+  int (*is_program)(const void* address);
+  /* `size` bytes of the caller's robot, all zero at first; null when it is none's. */
+  void* (*state)(unsigned long size);
+  /* 1 when `address` lies in a robot's program, in which `function` will be called at its end. */
+  int (*at_exit)(int how, void* function, void* argument, const void* address);
+  /* sigaction() of the caller's robot: 1 when the signal is its own; 0 when the process's handler
+     is to be set, too. */
+  int (*set_signal)(int signal, const struct sigaction* action, struct sigaction* before);
+  /* raise() in its program: 1 when that has been done. */
+  int (*raise)(int signal);
   /* Whether the caller's threads take turns, in virtual time: EYEBRIDGE_… below. The following are
    * asked then only. */
   int (*turns)(void);
@@ -33,7 +55,8 @@ struct eyebridge_robot_calls {
   unsigned long (*create)(void* (*start)(void*), void* argument);
   /* The number of the calling thread; 0 when it is no created one. */
   unsigned long (*self)(void);
-  /* Ends the calling thread. Does not return. */
+  /* Ends the calling thread. Does not return; but in real time, where it is none that has main().
+   */
   void (*finish)(void* result);
   /* 0, or the error code of pthread_join(). */
   int (*join)(unsigned long thread, void** result);
@@ -68,6 +91,8 @@ struct eyebridge_robot_calls {
    */
   void* (*robot)(void);
   void (*begin_thread)(void* robot);
+  /* The new thread could not be made. */
+  void (*forget_thread)(void* robot);
 };
 
 /* The launcher's: set by the library before the first program runs; all null before. */

@@ -1,0 +1,210 @@
+#include "program_file.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <mutex>
+#include <string_view>
+#include <system_error>
+
+#include <dlfcn.h>
+#include <elf.h>
+#include <link.h>
+
+#include "generation.hpp"
+
+namespace eyebridge::robios {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Bytes = std::vector<char>;
+
+[[noreturn]] void refuse(const fs::path& program, const std::string& why) {
+  throw ConfigError({program.string()}, why);
+}
+
+template <class Value>
+Value* at(Bytes& file, std::uint64_t offset, std::uint64_t count = 1) {
+  if (offset > file.size() || count > (file.size() - offset) / sizeof(Value)) return nullptr;
+  return reinterpret_cast<Value*>(file.data() + offset);
+}
+
+constexpr const char* kExpected =
+    "; expected a program built with eyebridge-cc or eyebridge-c++, without -no-pie and -static";
+
+/// What the dynamic section says.
+struct Dynamic {
+  std::uint64_t names = 0;  ///< The address of the table of names.
+  std::vector<std::uint64_t> libraries;
+  std::vector<std::uint64_t> folders;  ///< Where to look for them, "a:b".
+};
+
+/// Takes the mark off that it is a program, and what would be called too late. elf(5), and
+/// DT_FLAGS_1 of the System V gABI.
+void change(ElfW(Dyn) & entry, Dynamic& dynamic, ProgramFile::Ends& ends) {
+  if (entry.d_tag == DT_FLAGS_1) {
+    entry.d_un.d_val &= ~static_cast<ElfW(Xword)>(DF_1_PIE);
+  } else if (entry.d_tag == DT_FINI_ARRAY) {
+    ends.functions = entry.d_un.d_ptr;
+  } else if (entry.d_tag == DT_FINI_ARRAYSZ) {
+    ends.count = std::exchange(entry.d_un.d_val, 0) / sizeof(ElfW(Addr));
+  } else if (entry.d_tag == DT_FINI) {
+    ends.last = std::exchange(entry.d_un.d_ptr, 0);
+    entry.d_tag = DT_DEBUG;  // means nothing in a library
+  } else if (entry.d_tag == DT_STRTAB) {
+    dynamic.names = entry.d_un.d_ptr;
+  } else if (entry.d_tag == DT_NEEDED) {
+    dynamic.libraries.push_back(entry.d_un.d_val);
+  } else if (entry.d_tag == DT_RPATH || entry.d_tag == DT_RUNPATH) {
+    dynamic.folders.push_back(entry.d_un.d_val);
+  }
+}
+
+/// The C library keeps where these are in a program's words, once for all who call them; and of
+/// optarg and optind each robot would have a copy of its own that they do not know.
+void check_calls(const fs::path& program, const Bytes& file) {
+  using namespace std::string_view_literals;
+  const std::string_view text(file.data(), file.size());
+  for (const std::string_view name :
+       {"\0getopt\0"sv, "\0getopt_long\0"sv, "\0getopt_long_only\0"sv}) {
+    if (text.find(name) == std::string_view::npos) continue;
+    refuse(program, "found " + std::string(name.substr(1, name.size() - 2)) +
+                        "(), which several robots cannot call in one process");
+  }
+}
+
+bool is_loaded(const std::string& library) {
+  void* const handle = dlopen(library.c_str(), RTLD_LAZY | RTLD_NOLOAD);
+  if (handle != nullptr) dlclose(handle);
+  return handle != nullptr;
+}
+
+/// The system's libraries keep nothing for a program, or guard it.
+bool is_systems(const fs::path& folder) {
+  std::error_code ignored;  // a folder that is not there holds no library
+  const std::string real = fs::weakly_canonical(folder, ignored).string();
+  return real.starts_with("/usr/") || real.starts_with("/lib");
+}
+
+/// Where the dynamic linker looks first: ld.so(8).
+std::vector<fs::path> first_folders(const fs::path& program, std::string_view list) {
+  std::vector<fs::path> folders;
+  while (!list.empty()) {
+    const std::size_t end = std::min(list.find(':'), list.size());
+    std::string folder(list.substr(0, end));
+    list.remove_prefix(std::min(end + 1, list.size()));
+    for (const std::string_view origin : {"$ORIGIN", "${ORIGIN}"}) {
+      const std::size_t place = folder.find(origin);
+      if (place == std::string::npos) continue;
+      folder.replace(place, origin.size(), fs::absolute(program).parent_path().string());
+    }
+    folders.emplace_back(folder);
+  }
+  return folders;
+}
+
+/// The first library that is neither the system's nor in use already, as ours are.
+std::string own_library(const fs::path& program, const std::vector<std::string>& libraries,
+                        const std::string& run_path) {
+  const char* const path = std::getenv("LD_LIBRARY_PATH");
+  std::vector<fs::path> folders = first_folders(program, run_path);
+  std::ranges::copy(first_folders(program, path != nullptr ? path : ""),
+                    std::back_inserter(folders));
+  std::erase_if(folders, is_systems);
+  for (const std::string& library : libraries) {
+    if (is_loaded(library)) continue;
+    const bool has_folder = library.find('/') != std::string::npos;
+    std::error_code ignored;  // a folder that may not be searched holds nothing for us
+    const auto is_here = [&](const fs::path& folder) {
+      return fs::exists(folder / library, ignored);
+    };
+    if (has_folder ? !is_systems(library) : std::ranges::any_of(folders, is_here)) return library;
+  }
+  return "";
+}
+
+void prepare(const fs::path& program, ProgramFile& file) {
+  Bytes& bytes = file.bytes;
+  const auto* header = at<ElfW(Ehdr)>(bytes, 0);
+  if (header == nullptr || std::memcmp(header->e_ident, ELFMAG, SELFMAG) != 0) {
+    refuse(program,
+           std::string("found a file that is no program, as several robots need one") + kExpected);
+  }
+  if (header->e_ident[EI_CLASS] != ELFCLASS64 || header->e_machine != EM_X86_64) {
+#if defined(__x86_64__)
+    refuse(program, "found a program for another kind of machine, expected one for x86-64");
+#endif
+  }
+  if (header->e_type != ET_DYN) {
+    refuse(program, std::string("found a program for a fixed address") + kExpected);
+  }
+  const auto* segments = at<ElfW(Phdr)>(bytes, header->e_phoff, header->e_phnum);
+  if (segments == nullptr) refuse(program, "the program's file is cut off");
+  bool is_dynamic = false;
+  Dynamic dynamic;
+  for (std::size_t i = 0; i < header->e_phnum; ++i) {
+    if (segments[i].p_type == PT_TLS) {
+      refuse(program,
+             "found a program with thread_local variables, which several robots cannot have; "
+             "expected global or static ones: each robot has its own");
+    }
+    if (segments[i].p_type != PT_DYNAMIC) continue;
+    const std::size_t count = segments[i].p_filesz / sizeof(ElfW(Dyn));
+    auto* entries = at<ElfW(Dyn)>(bytes, segments[i].p_offset, count);
+    if (entries == nullptr) refuse(program, "the program's file is cut off");
+    is_dynamic = true;
+    for (std::size_t k = 0; k < count && entries[k].d_tag != DT_NULL; ++k) {
+      change(entries[k], dynamic, file.ends);
+    }
+  }
+  if (!is_dynamic) refuse(program, std::string("found a static program") + kExpected);
+
+  const auto text_at = [&](std::uint64_t name) -> std::string {
+    for (std::size_t i = 0; i < header->e_phnum; ++i) {
+      const ElfW(Phdr)& segment = segments[i];
+      const std::uint64_t address = dynamic.names + name;
+      if (segment.p_type != PT_LOAD || address < segment.p_vaddr ||
+          address - segment.p_vaddr >= segment.p_filesz) {
+        continue;
+      }
+      const std::uint64_t start = address - segment.p_vaddr + segment.p_offset;
+      if (start >= bytes.size()) break;
+      return {bytes.data() + start, strnlen(bytes.data() + start, bytes.size() - start)};
+    }
+    return "";
+  };
+  std::vector<std::string> libraries;
+  std::ranges::transform(dynamic.libraries, std::back_inserter(libraries), text_at);
+  std::string folders;
+  for (const std::uint64_t list : dynamic.folders) folders += text_at(list) + ":";
+  file.own_library = own_library(program, libraries, folders);
+}
+
+}  // namespace
+
+const ProgramFile& ProgramFile::of(const fs::path& program) {
+  static std::mutex mutex;
+  static auto* const known = new std::map<fs::path, ProgramFile>;
+  const std::lock_guard lock(mutex);
+  const auto found = known->find(program);
+  if (found != known->end()) return found->second;
+  if (is_of_other_generation(program)) {
+    refuse(program,
+           "found a program for another generation of RoBIOS than the first robot's; expected all "
+           "programs of a world to be of one");
+  }
+  std::ifstream stream(program, std::ios::binary);
+  ProgramFile file;
+  file.bytes.assign(std::istreambuf_iterator<char>(stream), {});
+  if (!stream) refuse(program, std::string("cannot be read: ") + std::strerror(errno));
+  prepare(program, file);
+  check_calls(program, file.bytes);
+  return known->emplace(program, std::move(file)).first->second;
+}
+
+}  // namespace eyebridge::robios

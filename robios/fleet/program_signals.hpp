@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <memory>
+
+#include <signal.h>
+
+namespace eyebridge::robios {
+
+/// The signal handlers that one robot's program has set. Any thread.
+///
+/// What a crash raises, and what ends the run (Ctrl-C), never gets past here; of other signals from
+/// outside of the process the handler that was set last counts, whoever's it is.
+class ProgramSignals {
+ public:
+  /// As sigaction(): true when the signal is the robot's alone.
+  bool set(int signal, const struct sigaction* action, struct sigaction* before);
+  /// raise() in the program: calls its handler. False when it has none: then the program ends, but
+  /// where is_harmless().
+  bool raise(int signal);
+  /// True when a signal without a handler ends no program.
+  static bool is_harmless(int signal);
+
+  /// In the handler of a crash: lets the interrupted flow go on in the program's handler, on its
+  /// own stack. False when it has none, or no stack.
+  bool divert(int signal, const siginfo_t& info, ucontext_t& context);
+
+ private:
+  using Table = std::array<struct sigaction, NSIG>;
+  /// The program's handler of a signal; SIG_DFL at first. A handler that is for one time is gone
+  /// then.
+  struct sigaction take(int signal);
+
+  std::atomic<Table*> table_ = nullptr;  ///< Of those few that set one; never destroyed.
+};
+
+}  // namespace eyebridge::robios
