@@ -91,7 +91,7 @@ struct Leaving {
 
 bool is_time_virtual = false;
 
-int turns() {
+int process_turns() {
   if (!eyebridge_is_in_program() || !program_threads().have_begun()) return EYEBRIDGE_NO_TURNS;
   return Session::with_own_time() != nullptr ? EYEBRIDGE_IN_PROGRAM : EYEBRIDGE_NO_TURNS;
 }
@@ -122,7 +122,7 @@ extern "C" {
 /// What locks.c and clocks.c of the library ask.
 __attribute__((visibility("hidden"))) eyebridge_robot_calls eyebridge_own_calls = [] {
   eyebridge_robot_calls calls{};
-  calls.turns = turns;
+  calls.turns = process_turns;
   calls.now = [] { return nanoseconds(program_threads().now()); };
   calls.read_clock = []() -> long long {
     if (eyebridge_is_in_program() == 0) return -1;
