@@ -40,10 +40,8 @@ class Fan {
                    std::uint8_t* near) const;
   void look_avx2(const BodyMap::Rows& rows, std::span<const std::uint32_t> starts,
                  std::uint8_t* near) const;
-  void look_at_scalar(const BodyMap::Rows& rows, std::span<const std::uint32_t> starts,
-                      std::size_t& size);
-  void look_at_avx2(const BodyMap::Rows& rows, std::span<const std::uint32_t> starts,
-                    std::size_t& size);
+  void look_at_scalar(const BodyMap::Rows& rows, std::span<const std::uint32_t> starts);
+  void look_at_avx2(const BodyMap::Rows& rows, std::span<const std::uint32_t> starts);
   template <class Meets>
   [[nodiscard]] std::uint64_t word_scalar(std::size_t octet, Meets meets) const;
   template <class Meets>

@@ -2,19 +2,10 @@
 // defined EYEBRIDGE_OF(name), what a member function of that name is called there, and what
 // ray_lanes.ipp asks for.
 
+#include "disc_lanes.ipp"
 #include "wall_lanes.ipp"
 
 namespace {
-
-/// So few are all looked at, wherever they are.
-constexpr std::size_t kFewDiscs = 24;
-
-/// Registers that are looked at together; so many of a row of cells are listed at once.
-constexpr std::size_t kMostStarts = 64;
-constexpr std::size_t kUsualStarts = 4;
-
-/// No body is farther away than this, metres: infinite ranges need an end.
-constexpr double kHorizon = 1e9;
 
 EYEBRIDGE_RAY_TARGET inline FloatBits sign_of(Floats v) {
   return (FloatBits)v & std::numeric_limits<std::int32_t>::min();
@@ -164,63 +155,25 @@ inline void Fan::EYEBRIDGE_OF(look)(const BodyMap::Rows& rows,
 EYEBRIDGE_RAY_TARGET
 void Fan::EYEBRIDGE_OF(meet_discs)(const BodyMap& map, double largest_radius) {
   const BodyMap::Rows rows = map.rows(origin_);
-  // Where registers begin, of many rows of cells: one loop through them instead of short ones, of
-  // which nobody can foresee the ends.
-  std::uint32_t starts[kMostStarts + kUsualStarts];
-  std::size_t size = 0;
-  const auto take = [&](std::size_t begin, std::size_t end) EYEBRIDGE_RAY_TARGET {
-    for (;;) {
-      // So many, whether there are or not.
-      for (std::size_t i = 0; i < kUsualStarts; ++i) {
-        starts[size + i] = static_cast<std::uint32_t>(begin + i * kFloats);
-      }
-      const std::size_t registers = (end - begin + kFloats - 1) / kFloats;
-      size += registers < kUsualStarts ? registers : kUsualStarts;
-      if (size >= kMostStarts) [[unlikely]] {
-        EYEBRIDGE_OF(look_at)(rows, starts, size);
-      }
-      if (registers <= kUsualStarts) return;
-      begin += kUsualStarts * kFloats;
-    }
-  };
-  if (rows.nobody <= kFewDiscs) {
-    take(0, rows.nobody);
-  } else {
-    Lanes most{};
-    for (std::size_t i = 0; i < directions_.size(); i += kLanes) {
-      Lanes best;
-      load(best, best_ + i);
-      most = best > most ? best : most;
-    }
-    double farthest = most[0];
-    for (std::size_t i = 1; i < kLanes; ++i) farthest = most[i] > farthest ? most[i] : farthest;
-    const double reach = (farthest < kHorizon ? farthest : kHorizon) + largest_radius;
-    const BodyMap::Box box = map.box(origin_ - Vec2{reach, reach}, origin_ + Vec2{reach, reach});
-    for (std::size_t row = box.first_row; row <= box.last_row; ++row) {
-      take(map.begin_of(box, row), map.end_of(box, row));
-    }
-  }
-  EYEBRIDGE_OF(look_at)(rows, starts, size);
+  each_register(
+      map, rows,
+      [&]() EYEBRIDGE_RAY_TARGET {
+        return extent_of(origin_, dx_, dy_, best_, directions_.size(),
+                         largest_radius + kExtentMargin);
+      },
+      [&](const std::uint32_t* starts, std::size_t size) EYEBRIDGE_RAY_TARGET {
+        EYEBRIDGE_OF(look_at)(rows, {starts, size});
+      });
 }
 
-/// Shortens the rays that meet discs of the registers that begin at the first `size` of `starts`;
-/// then there are none.
+/// Shortens the rays that meet discs of the registers that begin at `starts`.
 EYEBRIDGE_RAY_TARGET
-void Fan::EYEBRIDGE_OF(look_at)(const BodyMap::Rows& rows, std::span<const std::uint32_t> starts,
-                                std::size_t& size) {
-  constexpr std::size_t kWord = sizeof(std::uint64_t);
-  std::uint8_t near[kMostStarts + kUsualStarts + kWord];
-  std::memset(near + size / kWord * kWord, 0, kWord);
-  EYEBRIDGE_OF(look)(rows, starts.first(size), near);
-  for (std::size_t n = 0; n < size; n += kWord) {
-    std::uint64_t word;
-    std::memcpy(&word, near + n, kWord);
-    for (; word != 0; word &= word - 1) {
-      const auto bit = static_cast<std::size_t>(__builtin_ctzll(word));
-      EYEBRIDGE_OF(meet)(rows.discs[starts[n + bit / 8] + bit % 8]);
-    }
-  }
-  size = 0;
+void Fan::EYEBRIDGE_OF(look_at)(const BodyMap::Rows& rows, std::span<const std::uint32_t> starts) {
+  LaneMarks near(starts.size());
+  EYEBRIDGE_OF(look)(rows, starts, near.bytes);
+  near.each(starts.size(), [&](std::size_t n, std::size_t lane) EYEBRIDGE_RAY_TARGET {
+    EYEBRIDGE_OF(meet)(rows.discs[starts[n] + lane]);
+  });
 }
 
 /// nearer_disc_hit() of all rays: the same operations on the same numbers.

@@ -63,15 +63,15 @@ void World::Impl::cast_around(Vec2 origin, std::span<const Vec2> directions, dou
     sweep.meet_walls_scalar(near_walls.segments().data(), *walls_near);
   }
   body_map.refresh(bodies);
-  const double reach = farthest_of(sweep.ranges()) + bodies.largest_radius();
   if (body_map.rows(origin).error >= kCoarse) {
+    const double reach = farthest_of(sweep.ranges()) + bodies.largest_radius();
     sweep.meet_discs_scalar(body_map.around(origin, reach), ignore);
   } else {
     body_map.hide(ignore);
     if (has_avx2) {
-      sweep.meet_discs_avx2(body_map, reach);
+      sweep.meet_discs_avx2(body_map, bodies.largest_radius());
     } else {
-      sweep.meet_discs_scalar(body_map, reach);
+      sweep.meet_discs_scalar(body_map, bodies.largest_radius());
     }
     body_map.show(ignore);
   }

@@ -31,10 +31,10 @@ class Sweep {
   void meet_discs_scalar(std::span<const Disc> discs, BodyId ignore);
   void meet_discs_avx2(std::span<const Disc> discs, BodyId ignore);
 
-  /// Shortens those that meet discs of `map` whose centres are less than `reach` metres away, and
-  /// maybe others. Who it is that looks is hidden there.
-  void meet_discs_scalar(const BodyMap& map, double reach);
-  void meet_discs_avx2(const BodyMap& map, double reach);
+  /// Shortens those that meet one of the discs of `map`, of which none is larger than
+  /// `largest_radius` metres. Who it is that looks is hidden there.
+  void meet_discs_scalar(const BodyMap& map, double largest_radius);
+  void meet_discs_avx2(const BodyMap& map, double largest_radius);
 
   [[nodiscard]] std::span<double> ranges() { return {best, count_}; }
 
@@ -57,10 +57,8 @@ class Sweep {
 
   void find_horizons_scalar(float* horizons) const;
   void find_horizons_avx2(float* horizons) const;
-  /// `ray` is the number of the one that points to the disc, `half_width` how many more, at most,
-  /// it may meet to either side.
-  void meet_disc_scalar(const Disc& disc, double ray, double half_width);
-  void meet_disc_avx2(const Disc& disc, double ray, double half_width);
+  void meet_disc_scalar(const Disc& disc);
+  void meet_disc_avx2(const Disc& disc);
   void meet_run_scalar(Vec2 w, double radius, std::size_t first, std::size_t last);
   void meet_run_avx2(Vec2 w, double radius, std::size_t first, std::size_t last);
 

@@ -2,6 +2,7 @@
 // defined EYEBRIDGE_OF(name), what a member function of that name is called there, and what
 // ray_lanes.ipp asks for.
 
+#include "disc_lanes.ipp"
 #include "wall_lanes.ipp"
 
 namespace {
@@ -113,47 +114,39 @@ inline void Sweep::EYEBRIDGE_OF(meet_run)(Vec2 w, double radius, std::size_t fir
     nearest = (hit & (range < nearest)) ? range : nearest;
     std::memcpy(best + i, &nearest, sizeof nearest);
   };
-  // Two registers, whether there are or not: nobody can foresee how many there are.
-  std::size_t i = first / kLanes * kLanes;
-  meet_four(i);
-  meet_four(i + kLanes);
-  for (i += 2 * kLanes; i <= last; i += kLanes) meet_four(i);
+  // Most discs are so far away that few rays go their way.
+  for (std::size_t i = first; i <= last; i += kLanes) meet_four(i);
 }
 
 EYEBRIDGE_RAY_TARGET
-void Sweep::EYEBRIDGE_OF(meet_disc)(const Disc& disc, double ray, double half_width) {
+void Sweep::EYEBRIDGE_OF(meet_disc)(const Disc& disc) {
   const Vec2 w = Vec2{disc.x, disc.y} - origin_;
-  if (norm_squared(w) - disc.radius * disc.radius <= 0.0) [[unlikely]] {
+  if (norm_squared(w) - disc.radius * disc.radius <= 0.0) {
     for (std::size_t i = 0; i < count_; ++i) best[i] = best[i] > 0.0 ? 0.0 : best[i];
     return;
   }
-  const double from = ray - half_width;
-  const double to = ray + half_width;
-  if (from >= 0.0 && to < static_cast<double>(count_)) [[likely]] {
-    const auto first = static_cast<std::size_t>(from);
-    EYEBRIDGE_OF(meet_run)(w, disc.radius, first, static_cast<std::size_t>(to));
-    return;
-  }
-  each_between(from, to, [&](std::size_t first, std::size_t last) EYEBRIDGE_RAY_TARGET {
-    EYEBRIDGE_OF(meet_run)(w, disc.radius, first, last);
-  });
+  // asin(s) <= s + (pi / 2 - 1) s^3: all terms of its series are positive, and equal at 1.
+  const double sine = std::min(disc.radius / norm(w), 1.0);
+  const double angle = sine + 0.5708 * sine * sine * sine + kBearingError;
+  const double number = number_of(w);
+  const double half_width = angle * per_gap_ + kRayMargin;
+  each_between(number - half_width, number + half_width,
+               [&](std::size_t first, std::size_t last) EYEBRIDGE_RAY_TARGET {
+                 EYEBRIDGE_OF(meet_run)(w, disc.radius, first, last);
+               });
 }
 
 EYEBRIDGE_RAY_TARGET
 void Sweep::EYEBRIDGE_OF(meet_discs)(std::span<const Disc> discs, BodyId ignore) {
   for (const Disc& disc : discs) {
-    if (disc.id == ignore) continue;
-    const Vec2 w = Vec2{disc.x, disc.y} - origin_;
-    // asin(s) <= s + (pi / 2 - 1) s^3: all terms of its series are positive, and equal at 1.
-    const double sine = std::min(disc.radius / norm(w), 1.0);
-    const double angle = sine + 0.5708 * sine * sine * sine + kBearingError;
-    EYEBRIDGE_OF(meet_disc)(disc, number_of(w), angle * per_gap_ + kRayMargin);
+    if (disc.id != ignore) EYEBRIDGE_OF(meet_disc)(disc);
   }
 }
 
-/// How far the rays of each sector go, at most.
+/// How far the rays of each sector and the next one go, at most.
 EYEBRIDGE_RAY_TARGET
 inline void Sweep::EYEBRIDGE_OF(find_horizons)(float* horizons) const {
+  float before = 0.0F;
   for (std::size_t ray = 0; ray < count_; ray += kSector) {
     Lanes most{};
     for (std::size_t i = 0; i < kSector; i += kLanes) {
@@ -163,15 +156,19 @@ inline void Sweep::EYEBRIDGE_OF(find_horizons)(float* horizons) const {
     }
     double farthest = most[0];
     for (std::size_t i = 1; i < kLanes; ++i) farthest = most[i] > farthest ? most[i] : farthest;
-    *horizons++ = static_cast<float>(farthest) * 1.00001F;
+    const float here = static_cast<float>(farthest) * 1.00001F;
+    *horizons++ = here > before ? here : before;
+    before = here;
   }
+  *horizons = before;
 }
 
 EYEBRIDGE_RAY_TARGET
-void Sweep::EYEBRIDGE_OF(meet_discs)(const BodyMap& map, double reach) {
+void Sweep::EYEBRIDGE_OF(meet_discs)(const BodyMap& map, double largest_radius) {
   const BodyMap::Rows rows = map.rows(origin_);
-  float horizons[kMost / kSector];
-  EYEBRIDGE_OF(find_horizons)(horizons);
+  float horizons_of[kMost / kSector + 1];
+  EYEBRIDGE_OF(find_horizons)(horizons_of);
+  const float* const horizons = horizons_of + 1;
   const auto x0 = static_cast<float>(origin_.x);
   const auto y0 = static_cast<float>(origin_.y);
   const auto error = static_cast<float>(rows.error);
@@ -181,49 +178,60 @@ void Sweep::EYEBRIDGE_OF(meet_discs)(const BodyMap& map, double reach) {
   const auto last = static_cast<float>(count_ - 1);
   const auto margin = static_cast<float>(2 * kBearingError * per_gap_ + 2 * kRayMargin);
 
-  // The number of the ray that points to each disc, and how many more it may meet to either side.
-  float numbers[8 * kFloats];
-  float widths[8 * kFloats];
+  // Which rays each disc may meet, where that is a run of them, and the ray's bearing, not upon the
+  // disc.
+  std::int32_t firsts[(kMostStarts + kUsualStarts) * kFloats];
+  std::int32_t lasts[(kMostStarts + kUsualStarts) * kFloats];
+  struct Seen {
+    unsigned plain, others;
+  };
   const auto look = [&](std::size_t from, std::size_t at) EYEBRIDGE_RAY_TARGET {
     const Floats x = load(rows.x + from) - x0;
     const Floats y = load(rows.y + from) - y0;
     const Floats radius = load(rows.radius + from) + error;
     const Floats distance = root_of(x * x + y * y);
     const Floats number = bearing_of(x, y, ahead).angle * per_gap;
-    // asin(s) <= s + (pi / 2 - 1) s^3: all terms of its series are positive, and equal at 1.
+    // As in meet_disc().
     const Floats sine = radius / distance;
-    const FloatBits round = sine >= 0.99F;
-    const Floats width =
-        round ? Floats{} + period : (sine + 0.5708F * sine * sine * sine) * per_gap + margin;
-    std::memcpy(numbers + at, &number, sizeof number);
-    std::memcpy(widths + at, &width, sizeof width);
+    const Floats width = (sine + 0.5708F * sine * sine * sine) * per_gap + margin;
     const Floats low = number - width;
     const Floats high = number + width;
-    // Rays that few lie in two sectors at most. Those at the ends, and what is no number, as of no
-    // disc, must not lead out of the table.
-    const Floats here = larger(low, Floats{});
-    const Floats there = smaller(high, Floats{} + last);
-    const Floats horizon = larger(picked(horizons, sector_of(smaller(here, Floats{} + last))),
-                                  picked(horizons, sector_of(larger(there, Floats{}))));
-    const FloatBits seen =
-        (distance - radius <= horizon) | (width > kSector / 2.0F) | (low < 0.0F) | (high > last);
+    const FloatBits first = __builtin_convertvector(low, FloatBits);
+    const FloatBits until = __builtin_convertvector(high, FloatBits);
+    std::memcpy(firsts + at, &first, sizeof first);
+    std::memcpy(lasts + at, &until, sizeof until);
+    // Rays that few lie in two sectors at most. Those before the first one, and what is no number,
+    // as of no disc, must not lead out of the table.
+    const Floats here = smaller(larger(low, Floats{}), Floats{} + last);
+    const Floats horizon = picked(horizons, sector_of(here));
+    const FloatBits seen = (distance - radius <= horizon) | (width > kSector / 2.0F);
     const FloatBits beside = (low > last) & (high < period);
-    return bits_of(seen & ~beside & (radius >= 0.0F));
+    const FloatBits around = sine >= 0.99F;
+    const FloatBits other = around | (((low < 0.0F) | (high > last)) & ~beside);
+    return Seen{bits_of(seen & ~(other | beside)), bits_of(other)};
   };
-  const BodyMap::Box box = map.box(origin_ - Vec2{reach, reach}, origin_ + Vec2{reach, reach});
-  for (std::size_t row = box.first_row; row <= box.last_row; ++row) {
-    const std::size_t end = map.end_of(box, row);
-    for (std::size_t begin = map.begin_of(box, row); begin < end; begin += 8 * kFloats) {
-      const std::size_t count = std::min(end - begin, 8 * kFloats);
-      std::uint64_t seen = 0;
-      for (std::size_t k = 0; k < count; k += kFloats) {
-        seen |= std::uint64_t{look(begin + k, k)} << (k / kFloats * 8);
-      }
-      for (; seen != 0; seen &= seen - 1) {
-        const auto bit = static_cast<std::size_t>(__builtin_ctzll(seen));
-        const std::size_t k = bit / 8 * kFloats + bit % 8;
-        EYEBRIDGE_OF(meet_disc)(rows.discs[begin + k], numbers[k], widths[k]);
-      }
-    }
-  }
+  each_register(
+      map, rows,
+      [&]() EYEBRIDGE_RAY_TARGET {
+        return extent_of(origin_, dx, dy, best, count_, largest_radius + kExtentMargin);
+      },
+      [&](const std::uint32_t* starts, std::size_t size) EYEBRIDGE_RAY_TARGET {
+        LaneMarks plain(size);
+        LaneMarks others(size);
+        for (std::size_t n = 0; n < size; ++n) {
+          const Seen seen = look(starts[n], n * kFloats);
+          plain.bytes[n] = static_cast<std::uint8_t>(seen.plain);
+          others.bytes[n] = static_cast<std::uint8_t>(seen.others);
+        }
+        plain.each(size, [&](std::size_t n, std::size_t lane) EYEBRIDGE_RAY_TARGET {
+          const Disc& disc = rows.discs[starts[n] + lane];
+          const std::size_t k = n * kFloats + lane;
+          EYEBRIDGE_OF(meet_run)
+          (Vec2{disc.x, disc.y} - origin_, disc.radius, static_cast<std::size_t>(firsts[k]),
+           static_cast<std::size_t>(lasts[k]));
+        });
+        others.each(size, [&](std::size_t n, std::size_t lane) EYEBRIDGE_RAY_TARGET {
+          EYEBRIDGE_OF(meet_disc)(rows.discs[starts[n] + lane]);
+        });
+      });
 }

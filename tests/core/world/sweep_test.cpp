@@ -188,12 +188,12 @@ TEST(Sweep, EveryInstructionSetGivesTheSameBits) {
     crowd.map.hide(ignore);
     Sweep sweep(rays.origin, rays.directions, rays.gap, 5.0);
     sweep.meet_walls_scalar(segments.data(), all);
-    sweep.meet_discs_scalar(crowd.map, 5.0 + largest);
+    sweep.meet_discs_scalar(crowd.map, largest);
     check(sweep.ranges(), "sweep");
     if (RayGrid::has_avx2()) {
       Sweep avx2(rays.origin, rays.directions, rays.gap, 5.0);
       avx2.meet_walls_avx2(segments.data(), all);
-      avx2.meet_discs_avx2(crowd.map, 5.0 + largest);
+      avx2.meet_discs_avx2(crowd.map, largest);
       check(avx2.ranges(), "sweep by AVX2");
     }
     if (rays.directions.size() > Fan::kMost) continue;
