@@ -48,6 +48,10 @@ bool ExitHandlers::add(Kind kind, void* function, void* argument, const void* ad
   return true;
 }
 
+void ExitHandlers::hold() { table().mutex.lock(); }
+
+void ExitHandlers::release() { table().mutex.unlock(); }
+
 void ExitHandlers::run(const link_map& image, bool is_quick, int status) {
   while (const auto handler = take_last(image, is_quick)) {
     if (handler->kind == Kind::ExitWithStatus) {

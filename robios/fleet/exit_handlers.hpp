@@ -18,6 +18,9 @@ class ExitHandlers {
   /// Calls those of `image`, the last one first, also what they add meanwhile. May be called anew
   /// where one of them did not return.
   static void run(const link_map& image, bool is_quick, int status);
+  /// Around fork(), whose child would find locked for ever what another thread changes.
+  static void hold();
+  static void release();
 };
 
 }  // namespace eyebridge::robios

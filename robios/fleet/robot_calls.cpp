@@ -45,11 +45,21 @@ int raise_in_program(int signal) {
   robot.crash(signal, nullptr);
 }
 
-/// Before fork(): else the child, too, would write what other robots have printed.
-void write_out() { std::fflush(stdout); }
+/// Before fork(): what other threads have locked stays locked in the child, and it would write,
+/// too, what robots have printed.
+void hold_shared() {
+  ExitHandlers::hold();
+  flockfile(stdout);
+  std::fflush(stdout);
+}
+void release_shared() {
+  funlockfile(stdout);
+  ExitHandlers::release();
+}
 
 /// In the child of fork(): the run, and its robots, are the parent's.
 void leave_run() {
+  ExitHandlers::release();  // the C library has made new locks for its streams
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) ::signal(signal, SIG_DFL);
   leave_signals_alone();
   if (Session* const session = Session::here()) session->note_fork();
@@ -88,7 +98,7 @@ long long now() { return Session::here()->clock().now() / std::chrono::nanosecon
 eyebridge_robot_calls robot_calls(Strands* given) {
   strands = given;
   eyebridge_robot_calls calls{};
-  pthread_atfork(write_out, nullptr, leave_run);
+  pthread_atfork(hold_shared, release_shared, leave_run);
   calls.leave = [](int code, int how) {
     if (Robot* const robot = Robot::current()) robot->exit(code, how);
   };
