@@ -52,6 +52,7 @@ static int keep(int when, void* function, void* argument, const void* program) {
   return CALLS.at_exit != NULL && CALLS.at_exit(when, function, argument, program);
 }
 
+/* NOLINTBEGIN(readability-identifier-naming) */
 /* What atexit() and the destructors of static objects come to. */
 EXPORTED int __cxa_atexit(void (*function)(void*), void* argument, void* program);
 int __cxa_atexit(void (*function)(void*), void* argument, void* program) {
@@ -68,6 +69,8 @@ int __cxa_at_quick_exit(void (*function)(void*), void* program) {
   if (keep(EYEBRIDGE_QUICK_EXIT, address, NULL, program)) return 0;
   return next___cxa_at_quick_exit(function, program);
 }
+
+/* NOLINTEND(readability-identifier-naming) */
 
 EXPORTED int on_exit(void (*function)(int, void*), void* argument) {
   NEXT(int, on_exit, (void (*)(int, void*), void*));

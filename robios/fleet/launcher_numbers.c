@@ -72,25 +72,24 @@ EXPORTED char* setstate(char* table) {
   return failed != 0 ? NULL : before;
 }
 
-/* DRAW48(double, erand48, (unsigned short state[3]), (state), state): a function of that family,
-   which draws by that with _r behind its name. */
-#define DRAW48(RESULT, NAME, PARAMETERS, ARGUMENTS, ...) \
-  EXPORTED RESULT NAME PARAMETERS {                      \
-    NEXT(RESULT, NAME, PARAMETERS);                      \
-    State* const mine = locked();                        \
-    if (mine == NULL) return next_##NAME ARGUMENTS;      \
-    RESULT drawn = 0;                                    \
-    NAME##_r(__VA_ARGS__ & mine->random48, &drawn);      \
-    unlock(mine);                                        \
-    return drawn;                                        \
+/* A function of that family, which draws by that with _r behind its name. */
+#define DRAW48(RESULT, NAME, PARAMETERS, ARGUMENTS, BY) \
+  EXPORTED RESULT NAME PARAMETERS {                     \
+    NEXT(RESULT, NAME, PARAMETERS);                     \
+    State* const mine = locked();                       \
+    if (mine == NULL) return next_##NAME ARGUMENTS;     \
+    RESULT drawn = 0;                                   \
+    NAME##_r BY;                                        \
+    unlock(mine);                                       \
+    return drawn;                                       \
   }
 
-DRAW48(double, drand48, (void), ())
-DRAW48(long, lrand48, (void), ())
-DRAW48(long, mrand48, (void), ())
-DRAW48(double, erand48, (unsigned short state[3]), (state), state, )
-DRAW48(long, nrand48, (unsigned short state[3]), (state), state, )
-DRAW48(long, jrand48, (unsigned short state[3]), (state), state, )
+DRAW48(double, drand48, (void), (), (&mine->random48, &drawn))
+DRAW48(long, lrand48, (void), (), (&mine->random48, &drawn))
+DRAW48(long, mrand48, (void), (), (&mine->random48, &drawn))
+DRAW48(double, erand48, (unsigned short state[3]), (state), (state, &mine->random48, &drawn))
+DRAW48(long, nrand48, (unsigned short state[3]), (state), (state, &mine->random48, &drawn))
+DRAW48(long, jrand48, (unsigned short state[3]), (state), (state, &mine->random48, &drawn))
 
 EXPORTED void srand48(long seed) {
   NEXT(void, srand48, (long));
@@ -133,6 +132,7 @@ EXPORTED char* strtok(char* text, const char* separators) {
 /* std::ios_base::sync_with_stdio(). The real one would give the process's std::cout & co. other
    buffers; the copies that programs have would still use the old ones. So all stay in step, which
    is allowed. */
+/* NOLINTBEGIN(readability-identifier-naming) */
 EXPORTED _Bool _ZNSt8ios_base15sync_with_stdioEb(_Bool is_synced);
 _Bool _ZNSt8ios_base15sync_with_stdioEb(_Bool is_synced) {
   NEXT(_Bool, _ZNSt8ios_base15sync_with_stdioEb, (_Bool));
@@ -142,3 +142,4 @@ _Bool _ZNSt8ios_base15sync_with_stdioEb(_Bool is_synced) {
   mine->is_not_with_stdio = !is_synced;
   return before;
 }
+/* NOLINTEND(readability-identifier-naming) */

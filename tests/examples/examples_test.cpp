@@ -72,7 +72,7 @@ TEST(Soccer, FiveAgainstFivePlayTheSameTenMinutesEachTime) {
   const ProgramRun first = play();
   EXPECT_EQ(first.exit_code, 0) << first.err;
   EXPECT_THAT(first.out, HasSubstr("goal after "));
-  EXPECT_EQ(state_of(first.err), "eyebridge: 10 robots, 600.0trace bbb5e20ce002331c");
+  EXPECT_EQ(state_of(first.err), "eyebridge: 10 robots, 600.0trace 174b5f0840899ea3");
   const ProgramRun second = play();
   EXPECT_EQ(second.out, first.out);
   EXPECT_EQ(state_of(second.err), state_of(first.err));
