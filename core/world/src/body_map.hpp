@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "bodies.hpp"
@@ -61,13 +62,22 @@ class BodyMap {
   [[nodiscard]] std::size_t end_of(const Box& box, std::size_t row) const {
     return starts_[row * columns_ + box.last + 1];
   }
-  /// No ray meets the body in `Rows` until it is shown again. kNoBody is ignored.
-  void hide(BodyId id) {
-    if (id < places_.size()) r_[places_[id]] = std::numeric_limits<float>::quiet_NaN();
-  }
-  void show(BodyId id) {
-    if (id < places_.size()) r_[places_[id]] = static_cast<float>(discs_[places_[id]].radius);
-  }
+  /// While it lives no ray meets the body in `Rows`. kNoBody is ignored. Looks that come at once
+  /// would wait for what it writes.
+  class Hidden {
+   public:
+    Hidden(BodyMap& map, BodyId id)
+        : radius_(id < map.places_.size() ? &map.r_[map.places_[id]] : &none_),
+          was_(std::exchange(*radius_, std::numeric_limits<float>::quiet_NaN())) {}
+    ~Hidden() { *radius_ = was_; }
+    Hidden(const Hidden&) = delete;
+    Hidden& operator=(const Hidden&) = delete;
+
+   private:
+    float none_ = 0.0F;
+    float* radius_;
+    float was_;
+  };
   [[nodiscard]] Rows rows(Vec2 place) const {
     const double size = farthest_ + std::fabs(place.x) + std::fabs(place.y);
     return {discs_.data(), x_.data(), y_.data(), r_.data(), starts_.back(), 1e-4 + 1e-6 * size};

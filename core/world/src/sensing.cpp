@@ -31,6 +31,7 @@ bool World::Impl::cast_few(Vec2 origin, std::span<const Vec2> directions, double
                            BodyId ignore, std::span<double> ranges) {
   body_map.refresh(bodies);
   if (body_map.rows(origin).error >= kCoarse) return false;
+  const BodyMap::Hidden hidden(body_map, ignore);
   Fan fan(origin, directions, max_range);
   const auto walls_near = by_sweep ? near_walls.around(origin, max_range) : std::nullopt;
   if (!walls_near) {
@@ -40,19 +41,19 @@ bool World::Impl::cast_few(Vec2 origin, std::span<const Vec2> directions, double
   } else {
     fan.meet_walls_scalar(near_walls.segments().data(), *walls_near);
   }
-  body_map.hide(ignore);
   if (has_avx2) {
     fan.meet_discs_avx2(body_map, bodies.largest_radius());
   } else {
     fan.meet_discs_scalar(body_map, bodies.largest_radius());
   }
-  body_map.show(ignore);
   std::copy_n(fan.ranges().begin(), ranges.size(), ranges.begin());
   return true;
 }
 
 void World::Impl::cast_around(Vec2 origin, std::span<const Vec2> directions, double gap,
                               double max_range, BodyId ignore, std::span<double> ranges) {
+  body_map.refresh(bodies);
+  const BodyMap::Hidden hidden(body_map, ignore);
   Sweep sweep(origin, directions, gap, max_range);
   const auto walls_near = by_sweep ? near_walls.around(origin, max_range) : std::nullopt;
   if (!walls_near) {
@@ -62,18 +63,13 @@ void World::Impl::cast_around(Vec2 origin, std::span<const Vec2> directions, dou
   } else {
     sweep.meet_walls_scalar(near_walls.segments().data(), *walls_near);
   }
-  body_map.refresh(bodies);
   if (body_map.rows(origin).error >= kCoarse) {
     const double reach = farthest_of(sweep.ranges()) + bodies.largest_radius();
     sweep.meet_discs_scalar(body_map.around(origin, reach), ignore);
+  } else if (has_avx2) {
+    sweep.meet_discs_avx2(body_map, bodies.largest_radius());
   } else {
-    body_map.hide(ignore);
-    if (has_avx2) {
-      sweep.meet_discs_avx2(body_map, bodies.largest_radius());
-    } else {
-      sweep.meet_discs_scalar(body_map, bodies.largest_radius());
-    }
-    body_map.show(ignore);
+    sweep.meet_discs_scalar(body_map, bodies.largest_radius());
   }
   std::copy_n(sweep.ranges().begin(), ranges.size(), ranges.begin());
 }

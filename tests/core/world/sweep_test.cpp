@@ -185,7 +185,7 @@ TEST(Sweep, EveryInstructionSetGivesTheSameBits) {
     one_by_one.meet_walls_scalar(segments.data(), all);
     one_by_one.meet_discs_scalar(crowd.map.around(rays.origin, 10.0), ignore);
     check(one_by_one.ranges(), "disc by disc");
-    crowd.map.hide(ignore);
+    const BodyMap::Hidden hidden(crowd.map, ignore);
     Sweep sweep(rays.origin, rays.directions, rays.gap, 5.0);
     sweep.meet_walls_scalar(segments.data(), all);
     sweep.meet_discs_scalar(crowd.map, largest);
