@@ -11,7 +11,10 @@ namespace {
 /// The lists of a layer cover at most this many cells in a row.
 constexpr double kMostListCells = 1024;
 
-constexpr double kCellsInReach = 6.0;
+constexpr double kMostCellsInReach = 6.0;
+constexpr double kFewestCellsInReach = 3.0;
+/// The lists of so many cells stay in a processor's second cache.
+constexpr double kUsualCells = 1024.0;
 
 }  // namespace
 
@@ -39,7 +42,9 @@ NearWalls::Layer* NearWalls::layer_for(double reach) {
   const Vec2 extent = high_ - low_;
   const double size = std::max(extent.x, extent.y);
   // An endless reach sees the same from everywhere.
-  layer.cell = std::max({std::min(reach / kCellsInReach, size), size / kMostListCells, 1e-3});
+  const double wanted = std::clamp(std::sqrt(extent.x * extent.y / kUsualCells),
+                                   reach / kMostCellsInReach, reach / kFewestCellsInReach);
+  layer.cell = std::max({std::min(wanted, size), size / kMostListCells, 1e-3});
   layer.per_cell = 1.0 / layer.cell;
   layer.error = 1e-4 + 1e-6 * (extent.x + extent.y);
   layer.columns = static_cast<std::size_t>(extent.x / layer.cell) + 1;
@@ -117,14 +122,16 @@ std::optional<WallList> NearWalls::around(Vec2 origin, double reach) {
 
 void NearWalls::fetch(Vec2 origin, double reach) const {
   constexpr std::size_t kLine = 64;  // bytes, of most processors
-  constexpr std::size_t kLines = 6;  // of ends: 24 walls
+  constexpr std::size_t kLines = 8;  // of ends: 32 walls
   for (const Layer& layer : layers_) {
     if (layer.reach != reach) continue;
     const std::optional<Layer::Cell> cell = layer.cell_of(origin - low_);
     if (!cell) return;
     const std::size_t start = layer.starts[cell->row * layer.columns + cell->column];
     if (start >= kTooMany) return;
-    __builtin_prefetch(layer.items.data() + start);
+    const std::uint32_t* const items = layer.items.data() + start;
+    __builtin_prefetch(items);
+    __builtin_prefetch(items + kLine / sizeof *items);
     const auto* const ends = reinterpret_cast<const char*>(layer.ends.data() + 4 * start);
     for (std::size_t i = 0; i < kLines; ++i) __builtin_prefetch(ends + i * kLine);
     return;

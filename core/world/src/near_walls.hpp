@@ -23,8 +23,9 @@ struct WallList {
 
 /// Which walls are within reach of a place. Remembers what it found: not thread-safe.
 ///
-/// The floor is divided into cells of a sixth of the reach; the list of a cell is made when the
-/// first ray starts there, and serves all later ones.
+/// The floor is divided into cells of a sixth of the reach, or up to a third where there would be
+/// more than a thousand of them; the list of a cell is made when the first ray starts there, and
+/// serves all later ones.
 class NearWalls {
  public:
   /// Where more walls than this are near, a walk through a RayGrid is faster.
