@@ -27,6 +27,14 @@ Host& host() {
   return *the_host;
 }
 
+/// guarded() for the language's own clock: nothing that other robots wait for as a first call.
+template <class Value, class Body>
+Value in_time(const Call& call, Value failure, Body body) {
+  Session& session = Session::instance();
+  if (!session.is_before_first_call() && !session.may_call(call.name)) return failure;
+  return carry_out(session, call, failure, body);
+}
+
 /// Before the session has begun: will its clock be another than the wall clock?
 bool will_have_own_time() {
   static const bool own = [] {
@@ -75,7 +83,7 @@ void host_ending() {
 
 using eyebridge::Result;
 using eyebridge::Time;
-using eyebridge::robios::guarded;
+using eyebridge::robios::in_time;
 using eyebridge::robios::host;
 using eyebridge::robios::Session;
 
@@ -120,7 +128,7 @@ void EYEBRIDGEHostThreadStarted(void* expected) {
 
 int EYEBRIDGEHostWait(long long nanoseconds) {
   if (!eyebridge::robios::has_own_time()) return 0;
-  return guarded("OSWait", 0, [&](Session& session) -> Result<int> {
+  return in_time("OSWait", 0, [&](Session& session) -> Result<int> {
     session.wait_until(session.clock().now() + Time(nanoseconds));
     return 1;
   });
@@ -128,7 +136,7 @@ int EYEBRIDGEHostWait(long long nanoseconds) {
 
 long long EYEBRIDGEHostNow(void) {
   if (!eyebridge::robios::has_own_time()) return -1;
-  return guarded("OSGetCount", -1LL, [](Session& session) -> Result<long long> {
+  return in_time("OSGetCount", -1LL, [](Session& session) -> Result<long long> {
     return session.clock().now() / std::chrono::nanoseconds(1);
   });
 }

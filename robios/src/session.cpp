@@ -161,6 +161,10 @@ bool Session::may_call(std::string_view call) const {
   return false;
 }
 
+bool Session::is_before_first_call() const {
+  return impl_->is_virtual && impl_->stage == Impl::Stage::Beginning;
+}
+
 void Session::note_fork() { impl_->stage = Impl::Stage::Forked; }
 
 void* Session::variable(const char* name) const {

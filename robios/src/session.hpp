@@ -102,6 +102,8 @@ class Session {
   /// False once the run has ended: threads that still call must not start the motors again. Ends a
   /// forked process with a message: a robot has one program.
   [[nodiscard]] bool may_call(std::string_view call) const;
+  /// In virtual time: the program has made no call yet, though its time passes.
+  [[nodiscard]] bool is_before_first_call() const;
 
   /// The process is a child of fork(): this robot is its parent's.
   void note_fork();

@@ -193,7 +193,7 @@ class Several(ProgramTest):
         run = self.run_scenario(*["hang.py"] * 3, settings={"hang_limit": "1s"})
         self.assertEqual(run.returncode, 124, run.err)
         self.assertEqual(sorted(run.out.splitlines()), ["1 at 10100", "3 at 10100"])
-        self.assertIn("warning: a program has computed for 0.5 s without a call", run.err)
+        self.assertIn("robot 2: warning: the program has computed for 0.5 s without a call", run.err)
         self.assertIn("robot 2: error: the program has made no call for too long", run.err)
 
     def test_each_sees_with_its_own_camera(self):
