@@ -90,9 +90,13 @@ struct Fleet::InLockstep final : Scheduler {
     }
     constexpr double kPeriod_s = 0.1;
     hold_up.look(processor_s, sleeps, kPeriod_s);
-    // A process of its own may wait for a person at its own windows: that is only told of.
-    watchdog.look(hold_up.processor_s() + (process != nullptr ? 0.0 : hold_up.waited_s()));
-    waiting.look(process != nullptr ? hold_up.waited_s() : 0.0);
+    // Who waits for a person, at a terminal or, a process of its own, at its windows, is only told
+    // of.
+    if (hold_up.is_waiting() && (process != nullptr || present_wait().is_at_terminal)) {
+      waited_for_person_s += kPeriod_s;
+    }
+    watchdog.look(hold_up.processor_s() + hold_up.waited_s() - waited_for_person_s);
+    waiting.look(waited_for_person_s);
   }
   std::uint64_t progress() {
     // While a person lets time stand still nobody hangs.
@@ -109,7 +113,6 @@ struct Fleet::InLockstep final : Scheduler {
   }
   void interrupt() {
     const ThreadWait wait = present_wait();
-    if (wait.is_at_terminal) return;  // for a person
     if (ProgramProcess* const process = awaited) {
       process->kill_hanging();
       return;
@@ -160,6 +163,7 @@ struct Fleet::InLockstep final : Scheduler {
   std::atomic<hal::TimeControl*> time = nullptr;  ///< Of the world, which runs.
   std::uint64_t paused_looks = 0;
   HoldUp hold_up;
+  double waited_for_person_s = 0.0;
   Watchdog watchdog;
   Watchdog waiting;
   int looks_outside = 0;
