@@ -83,8 +83,8 @@ void host_ending() {
 
 using eyebridge::Result;
 using eyebridge::Time;
-using eyebridge::robios::in_time;
 using eyebridge::robios::host;
+using eyebridge::robios::in_time;
 using eyebridge::robios::Session;
 
 void EYEBRIDGEHostBegin(const char* program, int (*interrupted)(void), void (*ending)(void)) {
