@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <cstdio>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -21,6 +22,7 @@
 #include "watchdog.hpp"
 
 namespace eyebridge::robios {
+
 struct Fleet::InLockstep final : Scheduler {
   explicit InLockstep(double hang_limit)
       : watchdog([this] { return progress(); }, [this](double seconds) { tell(seconds); },
@@ -112,7 +114,6 @@ struct Fleet::InLockstep final : Scheduler {
     return look_at_wait(pid, process != nullptr ? pid : tid);
   }
   void interrupt() {
-    const ThreadWait wait = present_wait();
     if (ProgramProcess* const process = awaited) {
       process->kill_hanging();
       return;
@@ -120,15 +121,16 @@ struct Fleet::InLockstep final : Scheduler {
     interrupt_robot(thread);
     constexpr int kMostLooks = 50;
     looks_outside = is_outside_program() ? looks_outside + 1 : 0;
-    if (looks_outside == kMostLooks) end_run(wait);
+    if (looks_outside == kMostLooks) end_run();
   }
-  void end_run(const ThreadWait& wait) {
+  void end_run() {
+    const std::string call = present_wait().call;
     for (Robot* const robot : running.load()->robots()) {
       if (robot->index() != lockstep.whose_turn()) continue;
       fmt::print(stderr,
                  "eyebridge: robot {}: error: the program has made no call for too long, and does "
                  "not come back from {}: all robots end\n",
-                 robot->index() + 1, wait.call.empty() ? "the C library" : wait.call);
+                 robot->index() + 1, call.empty() ? "the C library" : call);
       robot->break_off(124);
       running.load()->end_without(*robot);
     }

@@ -39,7 +39,6 @@ class ProgramImage {
   /// That of any copy in which `address` lies; null when it lies in none. Also while one is being
   /// loaded.
   static const link_map* around(const void* address);
-  [[nodiscard]] bool contains(const void* address) const { return around(address) == map_; }
 
   /// One of those that use it uses it no more; true for the last one, who is to finish() it.
   bool leave() { return --users_ == 0; }

@@ -101,8 +101,8 @@ void Robot::exit(int code, int how) {
   code &= 0xff;  // what a process would end with
   if (!has_ended() && how != EYEBRIDGE_AT_ONCE) finish_image(how == EYEBRIDGE_QUICK_EXIT, code);
   if (getpid() != process_id_) {  // a child of fork(): the robot is its parent's
-    if (how == EYEBRIDGE_EXIT)
-      std::fflush(stdout);  // not the robots' results, which are the parent's
+    // Its output; not the robots' results, which are the parent's.
+    if (how == EYEBRIDGE_EXIT) std::fflush(stdout);
     _exit(code);
   }
   tell(code);

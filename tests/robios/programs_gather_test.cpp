@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "named_program.hpp"
+#include "several_robots.hpp"
 
 namespace eyebridge {
 namespace {
@@ -134,7 +134,7 @@ TEST_F(Gathering, RunsRepeat) {
   std::set<std::string> seen;
   for (int i = 0; i < 5; ++i) {
     const auto r = run({"apart 30", "t700", "500"});
-    seen.insert(r.err.substr(r.err.find("trace "), 22));
+    seen.insert(testing::trace_of(r.err));
   }
   EXPECT_THAT(seen, SizeIs(1));
 }

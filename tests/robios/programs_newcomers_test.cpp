@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "named_program.hpp"
+#include "several_robots.hpp"
 
 namespace eyebridge {
 namespace {
@@ -52,11 +52,11 @@ TEST_F(Newcomers, TwentyRunsAreOneRun) {
   std::set<std::string> states;
   for (int i = 0; i < 20; ++i) {
     const auto r = run(kFour);
-    states.insert(r.out + r.err.substr(r.err.find("trace "), 22));
+    states.insert(r.out + testing::trace_of(r.err));
   }
   EXPECT_EQ(states.size(), 1U);
   const auto without = run("S4 500 500 0\nS4 500 3500 0\n");
-  EXPECT_THAT(*states.begin(), Not(HasSubstr(without.err.substr(without.err.find("trace "), 22))));
+  EXPECT_THAT(*states.begin(), Not(HasSubstr(testing::trace_of(without.err))));
 }
 
 TEST_F(Newcomers, ComeInRealTimeToo) {

@@ -1,6 +1,4 @@
 // Several robots that run programs in one process.
-#include <algorithm>
-#include <sstream>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -19,12 +17,7 @@ using testing::run_named;
 using testing::several;
 using testing::sorted_lines;
 using ::testing::StartsWith;
-
-/// "trace 0123456789abcdef" of the run's last message.
-std::string trace_of(const std::string& messages) {
-  const std::size_t at = messages.find("trace ");
-  return at == std::string::npos ? "" : messages.substr(at, 22);
-}
+using testing::trace_of;
 
 TEST(SeveralRobots, EachHasItsOwnVariablesTimeAndNumber) {
   const auto r = run_named("several", several("3"));
@@ -71,17 +64,6 @@ TEST(SeveralRobots, AnEndOfAnyKindIsThatRobotsOwn) {
               HasSubstr("robot 2: warning: the program ended with exit code 4\n"),
               Not(HasSubstr("robot 1: error")), Not(HasSubstr("robot 2: error")),
               Not(HasSubstr("robot 8: "))));
-  }
-}
-
-TEST(SeveralRobots, WhatWouldEndTheProcessEndsARobotAndNoChild) {
-  for (const auto& clock : testing::kClocks) {
-    const auto r = run_named("several_quits", several("5", clock));
-    EXPECT_EQ(r.exit_code, 4) << r.err;  // the first robot's
-    EXPECT_THAT(sorted_lines(r.out), ElementsAre("child 7", "robot 4 is left", "robot 5 is left"));
-    EXPECT_THAT(r.err, AllOf(HasSubstr("robot 1: warning: the program ended with exit code 4\n"),
-                             HasSubstr("robot 2: warning: the program ended with exit code 5\n"),
-                             HasSubstr("robot 3: warning: the program ended with exit code 6\n")));
   }
 }
 

@@ -8,24 +8,22 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "named_program.hpp"
 #include "processors.hpp"
+#include "several_robots.hpp"
 
 namespace eyebridge {
 namespace {
 
 using testing::Processors;
 using testing::run_named;
+using testing::several;
 
-/// "trace 0123456789abcdef" of the last message of a run of robots in worlds/rooms.wld; "" without.
-std::string trace_of(const std::string& program, const std::string& robots,
-                     const std::string& errors = "") {
-  const auto r = run_named(program, {{"EYEBRIDGE_ERRORS", errors},
-                                     {"EYEBRIDGE_ROBOTS", robots},
-                                     {"EYEBRIDGE_WORLD", EYEBRIDGE_TEST_WORLDS "/rooms.wld"}});
+/// The trace of a run of so many robots in worlds/rooms.wld.
+std::string trace_of_run(const std::string& program, const std::string& robots,
+                         const std::string& errors = "") {
+  const auto r = run_named(program, several(robots, {{"EYEBRIDGE_ERRORS", errors}}));
   EXPECT_EQ(r.exit_code, 0) << r.err;
-  const std::size_t at = r.err.find("trace ");
-  return at == std::string::npos ? "" : r.err.substr(at, 22);
+  return testing::trace_of(r.err);
 }
 
 /// The same of a robot that is alone, by its report.
@@ -68,11 +66,12 @@ std::string of_a_hundred(const std::function<std::string()>& trace) {
 
 // Whatever the build: these are the same in debug, release and sanitized ones.
 TEST(Trace, OfAHundredRunsIsOne) {
-  EXPECT_EQ(of_a_hundred([] { return trace_of("several", "5"); }), "trace d0f500bbb6022b41");
+  EXPECT_EQ(of_a_hundred([] { return trace_of_run("several", "5"); }), "trace d0f500bbb6022b41");
 }
 
 TEST(Trace, OfAHundredRunsWithThreadsIsOne) {
-  EXPECT_EQ(of_a_hundred([] { return trace_of("several_crew", "5"); }), "trace bc50bd24ec3064f6");
+  EXPECT_EQ(of_a_hundred([] { return trace_of_run("several_crew", "5"); }),
+            "trace bc50bd24ec3064f6");
 }
 
 TEST(Trace, OfAHundredRunsWithThreadsOfTheSystemIsOne) {
@@ -82,17 +81,17 @@ TEST(Trace, OfAHundredRunsWithThreadsOfTheSystemIsOne) {
 // Not under load: each switch between processes would wait for the busy one's turn.
 TEST(Trace, OfRunsInProcessesWithThreadsIsOne) {
   EXPECT_EQ(of_runs(kRuns / 2, {Processors::Load::None},
-                    [] { return trace_of("several_crew_apart", "2"); }),
+                    [] { return trace_of_run("several_crew_apart", "2"); }),
             "trace fd1d96ed4c52a8f9");
 }
 
 TEST(Trace, IsAnotherOneWhereAnythingElseWasSeen) {
-  const std::string perfect = trace_of("senses", "2");
-  EXPECT_EQ(trace_of("senses", "2", "perfect"), perfect);
+  const std::string perfect = trace_of_run("senses", "2");
+  EXPECT_EQ(trace_of_run("senses", "2", "perfect"), perfect);
   std::set<std::string> traces{perfect};
   for (const char* errors : {"psd sigma=100", "psd sigma=101", "robot:2 psd sigma=100",
                              "encoder miss=5%", "camera sigma=4", "radio loss=50%"}) {
-    EXPECT_TRUE(traces.insert(trace_of("senses", "2", errors)).second) << errors;
+    EXPECT_TRUE(traces.insert(trace_of_run("senses", "2", errors)).second) << errors;
   }
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "named_program.hpp"
 
 namespace eyebridge::testing {
@@ -24,6 +26,13 @@ inline std::vector<std::string> sorted_lines(const std::string& text) {
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
   std::ranges::sort(lines);
   return lines;
+}
+
+/// "trace 0123456789abcdef" of the last message of a run; each ends with one.
+inline std::string trace_of(const std::string& messages) {
+  const std::size_t at = messages.find("trace ");
+  EXPECT_NE(at, std::string::npos) << messages;
+  return at == std::string::npos ? "" : messages.substr(at, 22);
 }
 
 }  // namespace eyebridge::testing

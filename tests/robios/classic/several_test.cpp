@@ -1,6 +1,4 @@
 // Several robots that run programs of classic RoBIOS in one process.
-#include <algorithm>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -8,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "named_program.hpp"
+#include "several_robots.hpp"
 
 namespace eyebridge {
 namespace {
@@ -18,25 +16,13 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::ProgramRun;
+using testing::sorted_lines;
+using testing::trace_of;
 
 using Settings = std::map<std::string, std::string>;
 
 constexpr char kSeveral[] = EYEBRIDGE_TEST_PROGRAMS "/several_c 2";
 constexpr char kTasks[] = EYEBRIDGE_TEST_PROGRAMS "/several_tasks_c";
-
-std::vector<std::string> sorted_lines(const std::string& text) {
-  std::vector<std::string> lines;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  std::ranges::sort(lines);
-  return lines;
-}
-
-/// "trace 0123456789abcdef" of the run's last message.
-std::string state_of(const std::string& messages) {
-  const std::size_t at = messages.find("trace ");
-  return at == std::string::npos ? "" : messages.substr(at, 22);
-}
 
 /// The program runs for each of `count` robots, and gets their number as argument.
 ProgramRun run_several(const std::string& program, const std::string& count, Settings more) {
@@ -46,7 +32,7 @@ ProgramRun run_several(const std::string& program, const std::string& count, Set
 }
 
 /// What is to be the same in every run.
-std::string result_of(const ProgramRun& run) { return run.out + state_of(run.err); }
+std::string result_of(const ProgramRun& run) { return run.out + trace_of(run.err); }
 
 /// A world whose two robots run these programs, started without naming any.
 ProgramRun run_scenario(const std::string& first, const std::string& second) {
@@ -134,8 +120,8 @@ TEST(SeveralClassicRobots, AProgramOfTheOtherGenerationHasAProcessOfItsOwn) {
   EXPECT_THAT(sorted_lines(classic_second.out),
               ElementsAre("1: counted 6 calls 6 mine 3 camera 160 x 10 at 600 alone",
                           "2: mode 0 got 4 4, computed 0"));
-  EXPECT_EQ(state_of(run_scenario(EYEBRIDGE_TEST_OTHER_PROGRAM, kTasks).err),
-            state_of(classic_second.err));
+  EXPECT_EQ(trace_of(run_scenario(EYEBRIDGE_TEST_OTHER_PROGRAM, kTasks).err),
+            trace_of(classic_second.err));
 }
 
 }  // namespace
