@@ -4,6 +4,7 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QMetaObject>
+#include <QObject>
 #include <QScreen>
 #include <algorithm>
 #include <array>
@@ -38,6 +39,11 @@ constexpr int kPanelWidth = 440;  // about that of a panel, and a margin
 /// Of this process, which has one at most.
 std::atomic<GuiWindows*> the_windows = nullptr;
 QtMessageHandler usual_handler = nullptr;
+
+/// Qt counts one user too few of what it has for its main thread when that is not the process's
+/// (QThreadData::current() of 6.4), and frees it before the last of its plug-ins' objects go, which
+/// is when the process ends. So there is one user more, who never goes.
+void keep_thread_data() { [[maybe_unused]] static const auto* const user = new QObject; }
 
 /// Qt calls exit() when its display is gone, and before it has nothing but this to say so.
 void take_message(QtMsgType type, const QMessageLogContext& context, const QString& text) {
@@ -102,6 +108,7 @@ void GuiWindows::run_application() {
   std::string name = "eyebridge";
   std::array<char*, 2> argv = {name.data(), nullptr};
   QApplication application(argc, argv.data());
+  keep_thread_data();
   QApplication::setApplicationName("eyebridge");
   QApplication::setOrganizationName("eyebridge");
   QApplication::setQuitOnLastWindowClosed(false);

@@ -118,6 +118,22 @@ TEST_F(Session, SeveralRobotsHaveAPanelEach) {
   EXPECT_EQ(program.wait(), 7) << program.said();
 }
 
+#ifndef __SANITIZE_ADDRESS__
+// Qt's plug-ins go with the process, after the thread that they were made in. The address sanitizer
+// does not see what Qt itself does with memory.
+TEST_F(Session, TheEndUsesNoMemoryThatWasFreed) {
+  auto checked = start({"--fast", "--gui", "--keys", "KEY1@1s"});
+  checked.command.insert(checked.command.begin(),
+                         {"valgrind", "--quiet", "--trace-children=yes", "--undef-value-errors=no",
+                          "--error-exitcode=99"});
+  RunningProgram program(checked);
+  const xcb_window_t environment = person_.window("drives – environment – ended");
+  person_.close(person_.window("drives – robot"));
+  person_.close(environment);
+  EXPECT_EQ(program.wait(), 7) << program.said();
+}
+#endif
+
 /// A server of its own, which says its number; when its last client leaves, it begins anew.
 class OwnDisplay {
  public:
