@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include <malloc.h>
@@ -59,21 +60,16 @@ class Run {
       controllers_.emplace_back(static_cast<std::uint32_t>(controllers_.size()));
       sim_.add_robot(model, start);
     }
-    ranges_.resize(cell.workload == Workload::Lidar ? kLidarRays : kPsds);
+    ranges_.resize(cell.workload == Workload::Lidar ? kLidarRays : kPsds * controllers_.size());
     bytes_ = bytes_in_use() - before;
   }
 
   void tick() {
+    if (cell_.workload == Workload::Psd) sim_.read_all_ranges(ranges_);
     for (RobotIndex robot = 0; robot < controllers_.size(); ++robot) {
       Wander& controller = controllers_[robot];
-      Twist twist;
-      if (cell_.workload == Workload::None) {
-        twist = controller.blind();
-      } else {
-        sense(robot);
-        twist = controller.steer(ranges_);
-      }
-      sim_.set_speed(robot, twist);
+      sim_.set_speed(robot, cell_.workload == Workload::None ? controller.blind()
+                                                             : controller.steer(sense(robot)));
     }
     const int steps = static_cast<int>(std::lround(kTick / cell_.step));
     for (int i = 0; i < steps; ++i) {
@@ -98,19 +94,25 @@ class Run {
   }
 
  private:
-  void sense(RobotIndex robot) {
+  /// What `robot` measures; valid until the next one is asked for.
+  std::span<const double> sense(RobotIndex robot) {
     if (cell_.workload == Workload::Lidar) {
       sim_.read_lidar(robot, 2 * kPi, ranges_);
-    } else {
-      sim_.read_ranges(robot, ranges_);
+      add_ranges(ranges_, kLidarReach);
+      return ranges_;
     }
+    const auto its = std::span(ranges_).subspan(kPsds * std::size_t{robot}, kPsds);
+    add_ranges(its, kPsdReach);
+    return its;
+  }
+
+  void add_ranges(std::span<const double> ranges, double reach) {
     if (!counts_) return;
-    const double reach = cell_.workload == Workload::Lidar ? kLidarReach : kPsdReach;
-    for (const double range : ranges_) {
+    for (const double range : ranges) {
       range_sum_ += range;
       hits_ += range < 0.999 * reach ? 1.0 : 0.0;
     }
-    rays_ += static_cast<double>(ranges_.size());
+    rays_ += static_cast<double>(ranges.size());
   }
 
   void add_distances() {
@@ -122,7 +124,7 @@ class Run {
   Cell cell_;
   robot::Simulation sim_;
   std::vector<Wander> controllers_;
-  std::vector<double> ranges_;
+  std::vector<double> ranges_;  ///< Of the lidar at hand, or all distance sensors of all robots.
   std::size_t bytes_ = 0;
   double simulated_ = 0.0;
   bool counts_ = false;

@@ -36,35 +36,27 @@ double Simulation::read_range(RobotIndex robot, std::size_t sensor) {
   return range_reading(impl_->look(robot, device.sight, model.max_range), model, device.noise);
 }
 
-void Simulation::read_ranges(RobotIndex robot, std::span<double> ranges) {
-  const Eyes& eyes = impl_->eyes.at(robot);
-  const RangeLayout& layout = *eyes.layout;
-  if (ranges.size() != layout.headings.size()) {
-    throw std::out_of_range("read_ranges: one range a sensor");
+void Simulation::Impl::add_fans(RobotIndex robot, std::span<double> ranges) {
+  const Eyes& its = eyes[robot];
+  if (fans.empty()) directions.resize(std::max(world::kFansTogether, its.layout->fans.size()));
+  const Vec2 position = world.position(its.body);
+  const Heading heading = world.heading(its.body);
+  for (const RangeLayout::Fan& fan : its.layout->fans) {
+    Vec2* const looks = directions[fans.size()].data();
+    const Heading* const headings = its.layout->headings.data() + fan.first;
+    for (std::size_t i = 0; i < fan.count; ++i) looks[i] = heading.turned(headings[i]).forward();
+    fans.push_back({position + heading.rotate(fan.origin),
+                    {looks, fan.count},
+                    fan.max_range,
+                    its.body,
+                    ranges.subspan(fan.first, fan.count)});
   }
-  if (!layout.only_rays) {
-    for (std::size_t i = 0; i < ranges.size(); ++i) ranges[i] = read_range(robot, i);
-    return;
-  }
-  const world::World& world = impl_->world;
-  // Who asks all robots asks them in order.
-  if (std::size_t{robot} + 1 < impl_->eyes.size() && !layout.fans.empty()) {
-    const world::BodyId next = impl_->eyes[robot + 1].body;
-    world.expect_fan(world.position(next), layout.fans.front().max_range);
-  }
-  const world::BodyId self = eyes.body;
-  const Vec2 position = world.position(self);
-  const Heading heading = world.heading(self);
-  for (const RangeLayout::Fan& fan : layout.fans) {
-    Vec2* const directions = impl_->directions.data();
-    const Heading* const headings = layout.headings.data() + fan.first;
-    for (std::size_t i = 0; i < fan.count; ++i) {
-      directions[i] = heading.turned(headings[i]).forward();
-    }
-    world.cast_fan(position + heading.rotate(fan.origin), {directions, fan.count}, fan.max_range,
-                   self, ranges.subspan(fan.first, fan.count));
-  }
-  if (eyes.perfect) {
+}
+
+void Simulation::Impl::finish_ranges(RobotIndex robot, std::span<double> ranges) {
+  const Eyes& its = eyes[robot];
+  const RangeLayout& layout = *its.layout;
+  if (its.perfect) {
     const double* const least = layout.min_range.data();
     const double* const most = layout.max_range.data();
     const double* const beyond = layout.out_of_range.data();
@@ -74,10 +66,59 @@ void Simulation::read_ranges(RobotIndex robot, std::span<double> ranges) {
     }
     return;
   }
-  RobotDevices& devices = impl_->devices_of(robot);
+  RobotDevices& its_devices = devices_of(robot);
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    ranges[i] = range_reading(ranges[i], devices.model.range_sensors[i], devices.ranges[i].noise);
+    ranges[i] =
+        range_reading(ranges[i], its_devices.model.range_sensors[i], its_devices.ranges[i].noise);
   }
+}
+
+void Simulation::read_ranges(RobotIndex robot, std::span<double> ranges) {
+  const RangeLayout& layout = *impl_->eyes.at(robot).layout;
+  if (ranges.size() != layout.headings.size()) {
+    throw std::out_of_range("read_ranges: one range a sensor");
+  }
+  if (!layout.only_rays) {
+    for (std::size_t i = 0; i < ranges.size(); ++i) ranges[i] = read_range(robot, i);
+    return;
+  }
+  impl_->fans.clear();
+  impl_->add_fans(robot, ranges);
+  impl_->world.cast_fans(impl_->fans);
+  impl_->finish_ranges(robot, ranges);
+}
+
+void Simulation::read_all_ranges(std::span<double> ranges) {
+  std::size_t sensors = 0;
+  for (const Eyes& eyes : impl_->eyes) sensors += eyes.layout->headings.size();
+  if (ranges.size() != sensors) throw std::out_of_range("read_all_ranges: one range a sensor");
+  std::vector<world::RayFan>& fans = impl_->fans;
+  fans.clear();
+  // Robots whose rays are in `fans`, and where their ranges begin.
+  std::size_t first = 0;
+  std::size_t at = 0;
+  const auto count = [&](std::size_t robot) { return impl_->eyes[robot].layout->headings.size(); };
+  const auto cast = [&](std::size_t end) {
+    impl_->world.cast_fans(fans);
+    fans.clear();
+    for (; first < end; at += count(first++)) {
+      if (!impl_->eyes[first].layout->only_rays) continue;
+      impl_->finish_ranges(static_cast<RobotIndex>(first), ranges.subspan(at, count(first)));
+    }
+  };
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < impl_->eyes.size(); next += count(i++)) {
+    const auto robot = static_cast<RobotIndex>(i);
+    const RangeLayout& layout = *impl_->eyes[i].layout;
+    const std::span<double> its = ranges.subspan(next, count(i));
+    if (!layout.only_rays) {
+      for (std::size_t k = 0; k < its.size(); ++k) its[k] = read_range(robot, k);
+      continue;
+    }
+    if (fans.size() + layout.fans.size() > world::kFansTogether) cast(i);
+    impl_->add_fans(robot, its);
+  }
+  cast(impl_->eyes.size());
 }
 
 double Simulation::true_range(RobotIndex robot, std::size_t sensor) const {

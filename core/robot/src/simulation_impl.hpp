@@ -40,6 +40,11 @@ struct Simulation::Impl {
   /// How far away a range sensor takes things to be, metres, by its kind and without its error;
   /// at its reach, or beyond, when it notices none.
   [[nodiscard]] double measure(RobotIndex robot, std::size_t sensor);
+  /// Adds the rays of `robot`, whose range sensors are all rays, to `fans`, where there are none or
+  /// room for all of its among world::kFansTogether; they will be `ranges` long.
+  void add_fans(RobotIndex robot, std::span<double> ranges);
+  /// What its sensors make of `ranges`.
+  void finish_ranges(RobotIndex robot, std::span<double> ranges);
   /// The nearest surface in the cone of an ultrasound sensor that sends its sound back.
   [[nodiscard]] double first_echo(RobotIndex robot, std::size_t sensor);
   /// Whether an ultrasound sensor of `robot` and one of another robot look at each other.
@@ -78,7 +83,8 @@ struct Simulation::Impl {
   std::uint64_t collisions_dropped = 0;
   ScanShapes scans;
   // Of the reading at hand; kept for its memory.
-  std::array<Vec2, RangeLayout::kMostInFan> directions;
+  std::vector<world::RayFan> fans;
+  std::vector<std::array<Vec2, RangeLayout::kMostInFan>> directions;  ///< Of `fans`.
   std::vector<Vec2> cone_directions;
   std::vector<Vec2> scan_directions;
   std::vector<double> cone_ranges;

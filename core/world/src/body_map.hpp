@@ -26,6 +26,7 @@ class BodyMap {
  public:
   /// So many places beyond a run of Rows may be read.
   static constexpr std::size_t kBeyond = 8;
+  static constexpr std::uint32_t kNowhere = ~std::uint32_t{0};
 
   explicit BodyMap(double width, double height) : extent_{width, height} {}
 
@@ -44,7 +45,6 @@ class BodyMap {
     const float* y;
     const float* radius;
     std::uint32_t nobody;  ///< The first one that no ray meets.
-    double error;          ///< Metres by which the floats may be off, seen from `place`.
   };
   /// Cells of the map: those of a row follow each other in `Rows`.
   struct Box {
@@ -55,6 +55,15 @@ class BodyMap {
   [[nodiscard]] Box box(Vec2 low, Vec2 high) const {
     // Places outside belong to the rim, also on this side of it.
     return {column_of(low.x), column_of(high.x), row_of(low.y), row_of(high.y)};
+  }
+  /// How the floor is divided: cells a metre, and the last ones.
+  struct Cells {
+    double per_column, per_row;
+    double last_column, last_row;
+  };
+  [[nodiscard]] Cells cells() const {
+    return {per_column_, per_row_, static_cast<double>(columns_ - 1),
+            static_cast<double>(rows_ - 1)};
   }
   [[nodiscard]] std::size_t begin_of(const Box& box, std::size_t row) const {
     return starts_[row * columns_ + box.first];
@@ -78,9 +87,16 @@ class BodyMap {
     float* radius_;
     float was_;
   };
-  [[nodiscard]] Rows rows(Vec2 place) const {
-    const double size = farthest_ + std::fabs(place.x) + std::fabs(place.y);
-    return {discs_.data(), x_.data(), y_.data(), r_.data(), starts_.back(), 1e-4 + 1e-6 * size};
+  /// Where the body is in `Rows`; beyond all of them where it is not.
+  [[nodiscard]] std::uint32_t place_of(BodyId id) const {
+    return id < places_.size() ? places_[id] : kNowhere;
+  }
+  [[nodiscard]] Rows rows() const {
+    return {discs_.data(), x_.data(), y_.data(), r_.data(), starts_.back()};
+  }
+  /// Metres by which the floats of `Rows` may be off, seen from `place`.
+  [[nodiscard]] double error(Vec2 place) const {
+    return 1e-4 + 1e-6 * (farthest_ + std::fabs(place.x) + std::fabs(place.y));
   }
 
  private:

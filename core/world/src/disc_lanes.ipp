@@ -11,68 +11,53 @@ namespace {
 /// So few are all looked at, wherever they are.
 constexpr std::size_t kFewDiscs = 24;
 
-/// Registers that are looked at together; so many of a row of cells are listed at once.
-constexpr std::size_t kMostStarts = 64;
+/// So many registers of a row of cells are listed at once.
 constexpr std::size_t kUsualStarts = 4;
 
-/// Calls look_at(starts, size) with where registers of `rows` begin, one or more times, so that all
-/// discs that touch get_extent() are in one of them.
+/// Where registers of BodyMap::Rows begin.
 ///
 /// They are listed over many rows of cells: one loop through them instead of short ones, of which
 /// nobody can foresee the ends.
-template <class GetExtent, class LookAt>
-EYEBRIDGE_RAY_TARGET inline void each_register(const BodyMap& map, const BodyMap::Rows& rows,
-                                               GetExtent get_extent, LookAt look_at) {
-  std::uint32_t starts[kMostStarts + kUsualStarts];
+template <std::size_t kMost>
+struct Registers {
+  std::uint32_t starts[kMost + kUsualStarts];
   std::size_t size = 0;
-  const auto take = [&](std::size_t begin, std::size_t end) EYEBRIDGE_RAY_TARGET {
+
+  /// Adds those with the discs from `begin` to `end`. Calls full(), which empties the list, when
+  /// there may be no more room.
+  template <class Full>
+  EYEBRIDGE_RAY_TARGET void add(std::size_t begin, std::size_t end, Full full) {
     for (;;) {
+      using Four = std::uint32_t __attribute__((vector_size(4 * kUsualStarts)));
+      constexpr auto kStep = static_cast<std::uint32_t>(kFloats);
       // So many, whether there are or not.
-      for (std::size_t i = 0; i < kUsualStarts; ++i) {
-        starts[size + i] = static_cast<std::uint32_t>(begin + i * kFloats);
-      }
+      const Four four = Four{0, kStep, 2 * kStep, 3 * kStep} + static_cast<std::uint32_t>(begin);
+      std::memcpy(starts + size, &four, sizeof four);
       const std::size_t registers = (end - begin + kFloats - 1) / kFloats;
       size += registers < kUsualStarts ? registers : kUsualStarts;
-      if (size >= kMostStarts) [[unlikely]] {
-        look_at(starts, size);
-        size = 0;
+      if (size >= kMost) [[unlikely]] {
+        full();
       }
-      if (registers <= kUsualStarts) return;
+      if (registers <= kUsualStarts) [[likely]] {
+        return;
+      }
       begin += kUsualStarts * kFloats;
     }
-  };
-  if (rows.nobody <= kFewDiscs) {
-    take(0, rows.nobody);
-  } else {
-    const Extent extent = get_extent();
-    const BodyMap::Box box = map.box(extent.low, extent.high);
+  }
+
+  /// Adds those with all discs that lie so far from `origin` as get_reaches() says.
+  template <class GetReaches, class Full>
+  EYEBRIDGE_RAY_TARGET void add(const BodyMap& map, std::size_t discs, Vec2 origin,
+                                GetReaches get_reaches, Full full) {
+    if (discs <= kFewDiscs) {
+      add(0, discs, full);
+      return;
+    }
+    const BodyMap::Box box = box_around(map, origin, get_reaches());
     for (std::size_t row = box.first_row; row <= box.last_row; ++row) {
-      take(map.begin_of(box, row), map.end_of(box, row));
+      add(map.begin_of(box, row), map.end_of(box, row), full);
     }
   }
-  look_at(starts, size);
-}
-
-/// A byte for each register that each_register() lists: bits of lanes.
-struct LaneMarks {
-  static constexpr std::size_t kWord = sizeof(std::uint64_t);
-
-  explicit LaneMarks(std::size_t size) { std::memset(bytes + size / kWord * kWord, 0, kWord); }
-
-  /// Calls visit(n, lane) for each lane that is set in the first `size` registers.
-  template <class Visit>
-  EYEBRIDGE_RAY_TARGET void each(std::size_t size, Visit visit) const {
-    for (std::size_t n = 0; n < size; n += kWord) {
-      std::uint64_t word;
-      std::memcpy(&word, bytes + n, kWord);
-      for (; word != 0; word &= word - 1) {
-        const auto bit = static_cast<std::size_t>(__builtin_ctzll(word));
-        visit(n + bit / 8, bit % 8);
-      }
-    }
-  }
-
-  std::uint8_t bytes[kMostStarts + kUsualStarts + kWord];
 };
 
 }  // namespace

@@ -16,8 +16,8 @@ constexpr double kOpposite = 1e-9;
 
 }  // namespace
 
-Fan::Fan(Vec2 origin, std::span<const Vec2> directions, double max_range)
-    : origin_(origin), directions_(directions), lines_(directions.size()) {
+Fan::Fan(Vec2 origin, std::span<const Vec2> directions, double max_range, std::uint32_t self)
+    : origin_(origin), self_(self), directions_(directions), lines_(directions.size()) {
   assert(!directions.empty() && directions.size() <= kMost);
   for (std::size_t i = 0; i < directions.size(); ++i) {
     dx_[i] = directions[i].x;

@@ -7,6 +7,42 @@
 
 namespace {
 
+/// For eight bits, the numbers of those that are set, in order.
+struct LaneTable {
+  std::uint8_t numbers[256][8];
+};
+constexpr LaneTable make_lane_table() {
+  LaneTable table{};
+  for (unsigned bits = 0; bits < 256; ++bits) {
+    std::size_t count = 0;
+    for (unsigned lane = 0; lane < 8; ++lane) {
+      if ((bits >> lane & 1U) != 0) table.numbers[bits][count++] = static_cast<std::uint8_t>(lane);
+    }
+  }
+  return table;
+}
+constexpr LaneTable kLaneTable = make_lane_table();
+
+/// Writes `first` + the numbers of the lanes that `bits` has, in order, to `at`, where kFloats fit,
+/// and returns the place after them. No branch: nobody can foresee how many there are.
+EYEBRIDGE_RAY_TARGET inline std::uint32_t* list_lanes(unsigned bits, std::uint32_t first,
+                                                      std::uint32_t* at) {
+  const std::uint8_t* const numbers = kLaneTable.numbers[bits];
+#if defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 4
+  using Numbers = std::uint32_t __attribute__((vector_size(4 * kFloats)));
+  const auto lanes =
+      (Numbers)_mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(numbers)));
+  const Numbers all = lanes + first;
+  std::memcpy(at, &all, sizeof all);
+#else
+  for (std::size_t i = 0; i < kFloats; ++i) at[i] = first + numbers[i];
+#endif
+  return at + __builtin_popcount(bits);
+}
+
+/// `value` in each lane.
+EYEBRIDGE_RAY_TARGET inline Floats filled(float value) { return value - Floats{}; }
+
 EYEBRIDGE_RAY_TARGET inline FloatBits sign_of(Floats v) {
   return (FloatBits)v & std::numeric_limits<std::int32_t>::min();
 }
@@ -127,64 +163,114 @@ void Fan::EYEBRIDGE_OF(meet)(const Segment* segments, const std::uint32_t* indic
   pairs.clear();
 }
 
-/// Which of the registers of `rows` that begin at `starts` hold discs near a line; a byte each.
-EYEBRIDGE_RAY_TARGET
-inline void Fan::EYEBRIDGE_OF(look)(const BodyMap::Rows& rows,
-                                    std::span<const std::uint32_t> starts,
-                                    std::uint8_t* near) const {
-  const Floats x0 = Floats{} + static_cast<float>(origin_.x);
-  const Floats y0 = Floats{} + static_cast<float>(origin_.y);
-  const Floats error = Floats{} + static_cast<float>(rows.error);
-  const Floats line_x[] = {Floats{} + x_[0], Floats{} + x_[1], Floats{} + x_[2], Floats{} + x_[3]};
-  const Floats line_y[] = {Floats{} + y_[0], Floats{} + y_[1], Floats{} + y_[2], Floats{} + y_[3]};
-  for (std::size_t n = 0; n < starts.size(); ++n) {
-    const Floats x = x0 - load(rows.x + starts[n]);
-    const Floats y = y0 - load(rows.y + starts[n]);
-    const auto to_line = [&](std::size_t i) EYEBRIDGE_RAY_TARGET {
-      return magnitude(x * line_y[i] - y * line_x[i]);
-    };
-    // What is no number, as there is no such line, comes first, and the other one is smaller.
-    Floats across = smaller(smaller(to_line(3), to_line(2)), smaller(to_line(1), to_line(0)));
-    for (std::size_t i = 4; i < lines_; ++i) {
-      across = smaller(magnitude(x * y_[i] - y * x_[i]), across);
+/// What is found out about discs and several fans, step by step.
+struct Fan::Looks {
+  using List = Registers<256>;
+  static constexpr unsigned kDiscBits = 28;
+  static_assert(kFansTogether <= std::size_t{1} << (32U - kDiscBits));
+  static constexpr std::uint32_t kDisc = (std::uint32_t{1} << kDiscBits) - 1;
+
+  List list;
+  std::uint32_t ends[kFansTogether];  ///< Fan -> where its registers in `list` end.
+  /// Fan and disc, where that is near one of its lines.
+  std::uint32_t pairs[(sizeof list.starts / sizeof *list.starts + 1) * kFloats];
+};
+
+/// Lists the discs of the registers of `rows` that begin at `starts` that are near a line, each +
+/// `code`, at `pairs`; returns the end. The floats may be `off` by so many metres.
+EYEBRIDGE_RAY_TARGET __attribute__((always_inline)) inline std::uint32_t* Fan::EYEBRIDGE_OF(look)(
+    const BodyMap::Rows& rows, double off, std::span<const std::uint32_t> starts,
+    std::uint32_t code, std::uint32_t* pairs) const {
+  const Floats x0 = filled(static_cast<float>(origin_.x));
+  const Floats y0 = filled(static_cast<float>(origin_.y));
+  const Floats error = filled(static_cast<float>(off));
+  const Floats line_x[] = {filled(x_[0]), filled(x_[1]), filled(x_[2]), filled(x_[3])};
+  const Floats line_y[] = {filled(y_[0]), filled(y_[1]), filled(y_[2]), filled(y_[3])};
+  // Copies: what is written might be these, for all that the compiler knows.
+  const float* const xs = rows.x;
+  const float* const ys = rows.y;
+  const float* const radii = rows.radius;
+  const std::size_t lines = lines_;
+  const std::uint32_t self = self_;
+  const auto list = [&](auto has_more) EYEBRIDGE_RAY_TARGET {
+    for (const std::uint32_t start : starts) {
+      const Floats x = x0 - load(xs + start);
+      const Floats y = y0 - load(ys + start);
+      const auto to_line = [&](std::size_t i) EYEBRIDGE_RAY_TARGET {
+        return magnitude(x * line_y[i] - y * line_x[i]);
+      };
+      // What is no number, as there is no such line, comes first, and the other one is smaller.
+      Floats across = smaller(smaller(to_line(3), to_line(2)), smaller(to_line(1), to_line(0)));
+      if constexpr (has_more) {
+        for (std::size_t i = 4; i < lines; ++i) {
+          across = smaller(magnitude(x * y_[i] - y * x_[i]), across);
+        }
+      }
+      const std::uint32_t mine = self - start;
+      const unsigned own = (mine < kFloats ? 1U : 0U) << mine % kFloats;
+      const unsigned near = bits_of(across <= load(radii + start) + error) & ~own;
+      pairs = list_lanes(near, code + start, pairs);
     }
-    near[n] = static_cast<std::uint8_t>(bits_of(across <= load(rows.radius + starts[n]) + error));
+  };
+  if (lines <= 4) [[likely]] {
+    list(std::false_type{});
+  } else {
+    list(std::true_type{});
   }
+  return pairs;
 }
 
 EYEBRIDGE_RAY_TARGET
-void Fan::EYEBRIDGE_OF(meet_discs)(const BodyMap& map, double largest_radius) {
-  const BodyMap::Rows rows = map.rows(origin_);
-  each_register(
-      map, rows,
-      [&]() EYEBRIDGE_RAY_TARGET {
-        return extent_of(origin_, dx_, dy_, best_, directions_.size(),
-                         largest_radius + kExtentMargin);
-      },
-      [&](const std::uint32_t* starts, std::size_t size) EYEBRIDGE_RAY_TARGET {
-        EYEBRIDGE_OF(look_at)(rows, {starts, size});
-      });
-}
-
-/// Shortens the rays that meet discs of the registers that begin at `starts`.
-EYEBRIDGE_RAY_TARGET
-void Fan::EYEBRIDGE_OF(look_at)(const BodyMap::Rows& rows, std::span<const std::uint32_t> starts) {
-  LaneMarks near(starts.size());
-  EYEBRIDGE_OF(look)(rows, starts, near.bytes);
-  near.each(starts.size(), [&](std::size_t n, std::size_t lane) EYEBRIDGE_RAY_TARGET {
-    EYEBRIDGE_OF(meet)(rows.discs[starts[n] + lane]);
-  });
+void Fan::EYEBRIDGE_OF(meet_discs)(std::span<Fan> fans, const BodyMap& map, double largest_radius) {
+  Looks looks;
+  const BodyMap::Rows rows = map.rows();
+  std::size_t first = 0;  // of those that are in the list
+  // Loops through all fans at once are long: where one ends nobody can foresee.
+  const auto look_at_list = [&](std::size_t last) EYEBRIDGE_RAY_TARGET {
+    looks.ends[last] = static_cast<std::uint32_t>(looks.list.size);
+    std::uint32_t* end = looks.pairs;
+    std::size_t begin = 0;
+    for (std::size_t f = first; f <= last; ++f) {
+      const auto code = static_cast<std::uint32_t>(f << Looks::kDiscBits);
+      end =
+          fans[f].EYEBRIDGE_OF(look)(rows, map.error(fans[f].origin_),
+                                     {looks.list.starts + begin, looks.ends[f] - begin}, code, end);
+      begin = looks.ends[f];
+    }
+    for (const std::uint32_t* pair = looks.pairs; pair != end; ++pair) {
+      fans[*pair >> Looks::kDiscBits].EYEBRIDGE_OF(meet)(rows.discs[*pair & Looks::kDisc]);
+    }
+    looks.list.size = 0;
+    first = last;
+  };
+  for (std::size_t f = 0; f < fans.size(); ++f) {
+    const Fan& fan = fans[f];
+    looks.list.add(
+        map, rows.nobody, fan.origin_,
+        [&]() EYEBRIDGE_RAY_TARGET {
+          return reaches_of(fan.dx_, fan.dy_, fan.best_, fan.directions_.size(),
+                            largest_radius + kExtentMargin);
+        },
+        [&]() EYEBRIDGE_RAY_TARGET { look_at_list(f); });
+    looks.ends[f] = static_cast<std::uint32_t>(looks.list.size);
+  }
+  look_at_list(fans.size() - 1);
 }
 
 /// nearer_disc_hit() of all rays: the same operations on the same numbers.
-EYEBRIDGE_RAY_TARGET
-inline void Fan::EYEBRIDGE_OF(meet)(const Disc& disc) {
+EYEBRIDGE_RAY_TARGET __attribute__((always_inline)) inline void Fan::EYEBRIDGE_OF(meet)(
+    const Disc& disc) {
   const double wx = disc.x - origin_.x;
   const double wy = disc.y - origin_.y;
   const double radius_squared = disc.radius * disc.radius;
+  const std::size_t count = directions_.size();
+  if (wx * wx + wy * wy - radius_squared <= 0.0) [[unlikely]] {
+    for (std::size_t i = 0; i < count; ++i) best_[i] = best_[i] > 0.0 ? 0.0 : best_[i];
+    return;
+  }
   const Lanes zero{};
-  const LaneBits inside = zero + (wx * wx + wy * wy - radius_squared) <= zero;
-  for (std::size_t i = 0; i < directions_.size(); i += kLanes) {
+  const Lanes never = zero + std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < count; i += kLanes) {
     Lanes dx;
     Lanes dy;
     Lanes best;
@@ -194,9 +280,10 @@ inline void Fan::EYEBRIDGE_OF(meet)(const Disc& disc) {
     const Lanes along = wx * dx + wy * dy;
     const Lanes across = dx * wy - dy * wx;
     const Lanes half_chord_squared = radius_squared - across * across;
-    const LaneBits hit = ((along > zero) & (half_chord_squared >= zero)) | inside;
-    const Lanes range = inside ? zero : along - root_of(half_chord_squared);
-    best = (hit & (range < best)) ? range : best;
+    const LaneBits hit = (along > zero) & (half_chord_squared >= zero);
+    const Lanes range = hit ? along - root_of(half_chord_squared) : never;
+    // Nothing else from one disc to the next: it is what they wait for.
+    best = smaller(range, best);
     std::memcpy(best_ + i, &best, sizeof best);
   }
 }

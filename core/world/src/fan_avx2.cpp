@@ -7,6 +7,8 @@
 #include <cstring>
 #include <limits>
 
+#include <immintrin.h>
+
 #include "fan_pairs.hpp"
 
 // Without fma: the same roundings as everywhere else.

@@ -120,22 +120,4 @@ std::optional<WallList> NearWalls::around(Vec2 origin, double reach) {
                   layer->error};
 }
 
-void NearWalls::fetch(Vec2 origin, double reach) const {
-  constexpr std::size_t kLine = 64;  // bytes, of most processors
-  constexpr std::size_t kLines = 8;  // of ends: 32 walls
-  for (const Layer& layer : layers_) {
-    if (layer.reach != reach) continue;
-    const std::optional<Layer::Cell> cell = layer.cell_of(origin - low_);
-    if (!cell) return;
-    const std::size_t start = layer.starts[cell->row * layer.columns + cell->column];
-    if (start >= kTooMany) return;
-    const std::uint32_t* const items = layer.items.data() + start;
-    __builtin_prefetch(items);
-    __builtin_prefetch(items + kLine / sizeof *items);
-    const auto* const ends = reinterpret_cast<const char*>(layer.ends.data() + 4 * start);
-    for (std::size_t i = 0; i < kLines; ++i) __builtin_prefetch(ends + i * kLine);
-    return;
-  }
-}
-
 }  // namespace eyebridge::world

@@ -41,9 +41,6 @@ class NearWalls {
   /// until the next call.
   [[nodiscard]] std::optional<WallList> around(Vec2 origin, double reach);
 
-  /// Brings the memory near that around() will need, if it has been there before.
-  void fetch(Vec2 origin, double reach) const;
-
   [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
 
  private:

@@ -13,19 +13,44 @@ constexpr double kLongestRay = 1e9;
 /// For the rounding of ends of rays, metres.
 constexpr double kExtentMargin = 1e-6;
 
-/// Two corners of a box.
-struct Extent {
-  Vec2 low, high;
+/// How far something reaches from a place: to the left, down, to the right and up, metres, each 0
+/// or more.
+struct Reaches {
+  double most[4];
 };
 
-/// Of what `count` rays that begin at `origin` and end at `best` pass, and `margin` metres more.
-/// The arrays are filled up to a whole register.
-EYEBRIDGE_RAY_TARGET inline Extent extent_of(Vec2 origin, const double* dx, const double* dy,
-                                             const double* best, std::size_t count, double margin) {
-  Lanes low_x{};
-  Lanes low_y{};
-  Lanes high_x{};
-  Lanes high_y{};
+/// The most of each of `left` to `up`, which are 0 or more.
+EYEBRIDGE_RAY_TARGET inline Reaches most_of(Lanes left, Lanes down, Lanes right, Lanes up) {
+  Reaches reaches{};
+#if EYEBRIDGE_RAY_LANES == 4
+  const auto pairs = [&](Lanes a, Lanes b) EYEBRIDGE_RAY_TARGET {
+    return larger(__builtin_shufflevector(a, b, 0, 4, 2, 6),
+                  __builtin_shufflevector(a, b, 1, 5, 3, 7));
+  };
+  const Lanes a = pairs(left, down);
+  const Lanes b = pairs(right, up);
+  const Lanes most =
+      larger(__builtin_shufflevector(a, b, 0, 1, 4, 5), __builtin_shufflevector(a, b, 2, 3, 6, 7));
+  std::memcpy(reaches.most, &most, sizeof most);
+#else
+  const Lanes all[] = {left, down, right, up};
+  for (std::size_t i = 0; i < 4; ++i) {
+    reaches.most[i] = all[i][0] > all[i][1] ? all[i][0] : all[i][1];
+  }
+#endif
+  return reaches;
+}
+
+/// Of `count` rays that begin at one place and end at `best`, and `margin` metres more. The arrays
+/// are filled up to a whole register.
+EYEBRIDGE_RAY_TARGET inline Reaches reaches_of(const double* dx, const double* dy,
+                                               const double* best, std::size_t count,
+                                               double margin) {
+  Lanes left{};
+  Lanes down{};
+  Lanes right{};
+  Lanes up{};
+  const Lanes longest = Lanes{} + kLongestRay;
   for (std::size_t i = 0; i < count; i += kLanes) {
     Lanes x;
     Lanes y;
@@ -33,22 +58,38 @@ EYEBRIDGE_RAY_TARGET inline Extent extent_of(Vec2 origin, const double* dx, cons
     load(x, dx + i);
     load(y, dy + i);
     load(range, best + i);
-    range = range < kLongestRay ? range : Lanes{} + kLongestRay;
+    range = smaller(range, longest);
     x *= range;
     y *= range;
-    low_x = x < low_x ? x : low_x;
-    low_y = y < low_y ? y : low_y;
-    high_x = x > high_x ? x : high_x;
-    high_y = y > high_y ? y : high_y;
+    left = larger(-x, left);
+    down = larger(-y, down);
+    right = larger(x, right);
+    up = larger(y, up);
   }
-  Extent all{{0.0, 0.0}, {0.0, 0.0}};
-  for (std::size_t i = 0; i < kLanes; ++i) {
-    all.low.x = low_x[i] < all.low.x ? low_x[i] : all.low.x;
-    all.low.y = low_y[i] < all.low.y ? low_y[i] : all.low.y;
-    all.high.x = high_x[i] > all.high.x ? high_x[i] : all.high.x;
-    all.high.y = high_y[i] > all.high.y ? high_y[i] : all.high.y;
-  }
-  return {origin + all.low - Vec2{margin, margin}, origin + all.high + Vec2{margin, margin}};
+  return most_of(left + margin, down + margin, right + margin, up + margin);
+}
+
+/// The cells of `map` that hold all discs with centres so far from `origin`, and more.
+EYEBRIDGE_RAY_TARGET inline BodyMap::Box box_around(const BodyMap& map, Vec2 origin,
+                                                    const Reaches& reaches) {
+#if EYEBRIDGE_RAY_LANES == 4
+  using Cells = std::int32_t __attribute__((vector_size(16)));
+  const BodyMap::Cells cells = map.cells();
+  Lanes reach;
+  load(reach, reaches.most);
+  const Lanes sign = {-1.0, -1.0, 1.0, 1.0};
+  const Lanes place = Lanes{origin.x, origin.y, origin.x, origin.y} + sign * reach;
+  const Lanes scale = {cells.per_column, cells.per_row, cells.per_column, cells.per_row};
+  const Lanes last = {cells.last_column, cells.last_row, cells.last_column, cells.last_row};
+  // The first one where the other is no number.
+  const Lanes index = smaller(larger(place * scale, Lanes{}), last);
+  const Cells box = __builtin_convertvector(index, Cells);
+  return {static_cast<std::size_t>(box[0]), static_cast<std::size_t>(box[2]),
+          static_cast<std::size_t>(box[1]), static_cast<std::size_t>(box[3])};
+#else
+  const double* const most = reaches.most;
+  return map.box(origin - Vec2{most[0], most[1]}, origin + Vec2{most[2], most[3]});
+#endif
 }
 
 }  // namespace

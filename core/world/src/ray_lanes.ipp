@@ -32,6 +32,26 @@ EYEBRIDGE_RAY_TARGET inline Floats smaller(Floats a, Floats b) {
 #endif
 }
 
+EYEBRIDGE_RAY_TARGET inline Lanes smaller(Lanes a, Lanes b) {
+#if defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 4
+  return __builtin_ia32_minpd256(a, b);
+#elif defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 2
+  return __builtin_ia32_minpd(a, b);
+#else
+  return a < b ? a : b;
+#endif
+}
+
+EYEBRIDGE_RAY_TARGET inline Lanes larger(Lanes a, Lanes b) {
+#if defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 4
+  return __builtin_ia32_maxpd256(a, b);
+#elif defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 2
+  return __builtin_ia32_maxpd(a, b);
+#else
+  return a > b ? a : b;
+#endif
+}
+
 EYEBRIDGE_RAY_TARGET inline Floats larger(Floats a, Floats b) {
 #if defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 4
   return __builtin_ia32_maxps256(a, b);

@@ -27,26 +27,30 @@ void add_once(Vec2 direction, std::size_t first, std::vector<Vec2>& out) {
 
 }  // namespace
 
-bool World::Impl::cast_few(Vec2 origin, std::span<const Vec2> directions, double max_range,
-                           BodyId ignore, std::span<double> ranges) {
+bool World::Impl::cast_few(std::span<const RayFan> asked) {
   body_map.refresh(bodies);
-  if (body_map.rows(origin).error >= kCoarse) return false;
-  const BodyMap::Hidden hidden(body_map, ignore);
-  Fan fan(origin, directions, max_range);
-  const auto walls_near = by_sweep ? near_walls.around(origin, max_range) : std::nullopt;
-  if (!walls_near) {
-    rays.cast_fan(origin, directions, max_range, fan.ranges());
-  } else if (has_avx2) {
-    fan.meet_walls_avx2(near_walls.segments().data(), *walls_near);
-  } else {
-    fan.meet_walls_scalar(near_walls.segments().data(), *walls_near);
+  fans.clear();
+  for (const RayFan& ray : asked) {
+    if (body_map.error(ray.origin) >= kCoarse) return false;
+    Fan& fan =
+        fans.emplace_back(ray.origin, ray.directions, ray.max_range, body_map.place_of(ray.ignore));
+    const auto walls_near = by_sweep ? near_walls.around(ray.origin, ray.max_range) : std::nullopt;
+    if (!walls_near) {
+      rays.cast_fan(ray.origin, ray.directions, ray.max_range, fan.ranges());
+    } else if (has_avx2) {
+      fan.meet_walls_avx2(near_walls.segments().data(), *walls_near);
+    } else {
+      fan.meet_walls_scalar(near_walls.segments().data(), *walls_near);
+    }
   }
   if (has_avx2) {
-    fan.meet_discs_avx2(body_map, bodies.largest_radius());
+    Fan::meet_discs_avx2(fans, body_map, bodies.largest_radius());
   } else {
-    fan.meet_discs_scalar(body_map, bodies.largest_radius());
+    Fan::meet_discs_scalar(fans, body_map, bodies.largest_radius());
   }
-  std::copy_n(fan.ranges().begin(), ranges.size(), ranges.begin());
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    std::copy_n(fans[i].ranges().begin(), asked[i].ranges.size(), asked[i].ranges.begin());
+  }
   return true;
 }
 
@@ -63,7 +67,7 @@ void World::Impl::cast_around(Vec2 origin, std::span<const Vec2> directions, dou
   } else {
     sweep.meet_walls_scalar(near_walls.segments().data(), *walls_near);
   }
-  if (body_map.rows(origin).error >= kCoarse) {
+  if (body_map.error(origin) >= kCoarse) {
     const double reach = farthest_of(sweep.ranges()) + bodies.largest_radius();
     sweep.meet_discs_scalar(body_map.around(origin, reach), ignore);
   } else if (has_avx2) {
@@ -83,8 +87,9 @@ double World::cast_ray(Vec2 origin, Vec2 direction, double max_range, BodyId ign
 void World::cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_range, BodyId ignore,
                      std::span<double> ranges) const {
   if (ranges.empty()) return;
+  const RayFan fan{origin, directions, max_range, ignore, ranges};
   if (directions.size() > 1 && directions.size() <= Fan::kMost && !impl_->bodies.any_convex_ &&
-      impl_->cast_few(origin, directions, max_range, ignore, ranges)) {
+      impl_->cast_few({&fan, 1})) {
     return;
   }
   impl_->rays.cast_fan(origin, directions, max_range, ranges);
@@ -114,8 +119,17 @@ void World::cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_r
   }
 }
 
-void World::expect_fan(Vec2 origin, double max_range) const {
-  if (impl_->by_sweep) impl_->near_walls.fetch(origin, max_range);
+void World::cast_fans(std::span<const RayFan> fans) const {
+  for (std::size_t first = 0; first < fans.size(); first += kFansTogether) {
+    const auto some = fans.subspan(first, std::min(fans.size() - first, kFansTogether));
+    const bool few = !impl_->bodies.any_convex_ && std::ranges::all_of(some, [](const RayFan& fan) {
+      return fan.directions.size() > 1 && fan.directions.size() <= Fan::kMost;
+    });
+    if (few && impl_->cast_few(some)) continue;
+    for (const RayFan& fan : some) {
+      cast_fan(fan.origin, fan.directions, fan.max_range, fan.ignore, fan.ranges);
+    }
+  }
 }
 
 void World::cast_sweep(Vec2 origin, std::span<const Vec2> directions, double gap, double max_range,

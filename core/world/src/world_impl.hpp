@@ -115,9 +115,9 @@ struct World::Impl {
   [[nodiscard]] double wall_gap(BodyId id) const;
 
   // sensing.cpp
-  /// World::cast_fan(), for 2 to Fan::kMost rays; false in worlds that are too large for it.
-  bool cast_few(Vec2 origin, std::span<const Vec2> directions, double max_range, BodyId ignore,
-                std::span<double> ranges);
+  /// World::cast_fans(), for 1 to kFansTogether fans of 2 to Fan::kMost rays; false in worlds that
+  /// are too large for it.
+  bool cast_few(std::span<const RayFan> asked);
   /// World::cast_sweep(), for at most Sweep::kMost rays; without a `gap` in any directions.
   void cast_around(Vec2 origin, std::span<const Vec2> directions, double gap, double max_range,
                    BodyId ignore, std::span<double> ranges);
@@ -149,6 +149,7 @@ struct World::Impl {
   std::vector<Reactor> reactors;
   ContactBook contacts;
   BodyMap body_map;
+  std::vector<Fan> fans;  ///< Of the look at hand; kept for its memory.
 };
 
 /// Throws std::invalid_argument for an object that cannot be.

@@ -181,6 +181,49 @@ TEST(RangeKinds, ReadingAllAtOnceIsReadingOneByOne) {
   }
 }
 
+TEST(RangeKinds, ReadingAllRobotsIsReadingOneAfterTheOther) {
+  std::vector<RangeSensorModel> kinds = {RangeSensorModel{}, sonar(), sharp()};
+  // Rays of many places: more fans than are cast at once, of one robot.
+  std::vector<RangeSensorModel> rays(40);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const auto n = static_cast<double>(i);
+    rays[i].pose_in_robot = {0.002 * n, 0.0, 0.3 * n};
+    rays[i].error = {{0.01, 0.02, 0.01}};
+  }
+  const std::vector<RangeSensorModel> few(8);
+  Simulation one(one_wall(), {});
+  Simulation all(one_wall(), {});
+  std::vector<std::size_t> counts;
+  for (int i = 0; i < 60; ++i) {
+    const auto& sensors = i % 7 == 3 ? kinds : i % 7 == 5 ? rays : few;
+    const int row = i / 8;
+    const bool has_none = i % 13 == 12;
+    const RobotModel model = with(has_none ? std::vector<RangeSensorModel>{} : sensors);
+    counts.push_back(model.range_sensors.size());
+    for (Simulation* sim : {&one, &all}) {
+      sim->add_robot(model, {0.4 + 0.45 * (i % 8), 0.5 + 0.7 * row, 0.1 * i});
+    }
+  }
+  for (Simulation* sim : {&one, &all}) sim->remove_robot(9);
+  std::size_t sensors = 0;
+  for (const std::size_t count : counts) sensors += count;
+  std::vector<double> ranges(sensors);
+  for (int round = 0; round < 5; ++round) {
+    all.read_all_ranges(ranges);
+    auto at = ranges.begin();
+    for (RobotIndex robot = 0; robot < counts.size(); ++robot) {
+      for (std::size_t i = 0; i < counts[robot]; ++i, ++at) {
+        if (robot == 9) continue;
+        ASSERT_EQ(*at, one.read_range(robot, i)) << "robot " << robot << ", sensor " << i;
+      }
+    }
+    for (Simulation* sim : {&one, &all}) {
+      sim->set_pose(static_cast<RobotIndex>(round), {0.3 + 0.1 * round, 8.0, 1.0});
+    }
+  }
+  EXPECT_THROW(all.read_all_ranges(std::span(ranges).first(3)), std::out_of_range);
+}
+
 TEST(RangeKinds, RobotsOfTwoTypesWithTheSamePlacesDoNotShareThem) {
   Simulation sim(one_wall(), {});
   RangeSensorModel ray = sonar();

@@ -197,16 +197,108 @@ TEST(Sweep, EveryInstructionSetGivesTheSameBits) {
       check(avx2.ranges(), "sweep by AVX2");
     }
     if (rays.directions.size() > Fan::kMost) continue;
-    Fan few(rays.origin, rays.directions, 5.0);
+    const std::uint32_t self = crowd.map.place_of(ignore);
+    Fan few(rays.origin, rays.directions, 5.0, self);
     few.meet_walls_scalar(segments.data(), all);
-    few.meet_discs_scalar(crowd.map, largest);
+    Fan::meet_discs_scalar({&few, 1}, crowd.map, largest);
     check(few.ranges(), "fan");
     if (RayGrid::has_avx2()) {
-      Fan avx2(rays.origin, rays.directions, 5.0);
+      Fan avx2(rays.origin, rays.directions, 5.0, self);
       avx2.meet_walls_avx2(segments.data(), all);
-      avx2.meet_discs_avx2(crowd.map, largest);
+      Fan::meet_discs_avx2({&avx2, 1}, crowd.map, largest);
       check(avx2.ranges(), "fan by AVX2");
     }
+  }
+}
+
+/// What a loop over all `walls` and bodies finds.
+double range_by_loop(const World& world, const std::vector<Segment>& walls, Vec2 origin,
+                     Vec2 direction, double max_range, BodyId ignore) {
+  double range = max_range;
+  for (const Segment& s : walls) {
+    range = nearer_hit(s, origin, direction, range);
+  }
+  for (BodyId id = 0; id < world.body_count(); ++id) {
+    if (id == ignore) continue;
+    range = nearer_disc_hit(world.position(id), world.radius(id), origin, direction, range);
+  }
+  return range;
+}
+
+/// Many fans of World::cast_fans(), and what they lend it.
+struct ManyFans {
+  std::vector<Rays> rays;
+  std::vector<std::vector<double>> ranges;
+  std::vector<RayFan> fans;
+
+  /// From the places of bodies, mostly; of up to `most` rays.
+  ManyFans(const World& world, std::size_t count, std::size_t most, Random& random) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto id = static_cast<BodyId>(random.bits() % world.body_count());
+      const auto some = static_cast<int>(1 + random.bits() % most);
+      const double gap = 2 * kPi / (random.chance(0.5) ? some : 20);
+      rays.push_back(fan(world.position(id) + Vec2{0.001 * random.uniform(), 0.0},
+                         7 * random.uniform(), gap, some));
+      ranges.emplace_back(rays.back().directions.size(), -1.0);
+      const double reach = random.chance(0.2) ? std::numeric_limits<double>::infinity()
+                                              : 6.0 * random.uniform() + 0.1;
+      fans.push_back({rays.back().origin, {}, reach, random.chance(0.9) ? id : kNoBody, {}});
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      fans[i].directions = rays[i].directions;
+      fans[i].ranges = ranges[i];
+    }
+  }
+};
+
+TEST(Fans, TogetherGiveExactlyTheRangesOfALoopOverAllWallsAndBodies) {
+  // So many that what is found about one fan fills all lists more than once; and few.
+  for (const unsigned bodies : {9U, 60U, 3000U}) {
+    World world(shared(random_walls(96, 30, 6.0, 0.05)));
+    const std::vector<Segment> walls = outlines_of(world.model().walls);
+    Random random(97);
+    while (world.body_count() < bodies) {
+      const Pose pose{6 * random.uniform(), 6 * random.uniform(), 0};
+      const double radius = 0.01 + 0.02 * random.uniform();
+      if (world.is_free(pose.position(), radius)) world.add_robot(pose, radius, 0.1, {});
+    }
+    int by_bodies = 0;
+    for (int round = 0; round < 20; ++round) {
+      world.set_pose(static_cast<BodyId>(round % 9), {7 * random.uniform(), random.uniform(), 0});
+      const ManyFans many(world, 1 + random.bits() % 40, round % 2 == 0 ? 8 : 20, random);
+      world.cast_fans(many.fans);
+      for (const RayFan& each : many.fans) {
+        for (std::size_t k = 0; k < each.directions.size(); ++k) {
+          const double expected = range_by_loop(world, walls, each.origin, each.directions[k],
+                                                each.max_range, each.ignore);
+          ASSERT_EQ(each.ranges[k], expected) << bodies << " bodies, round " << round;
+          by_bodies += expected < each.max_range ? 1 : 0;
+        }
+      }
+    }
+    EXPECT_GT(by_bodies, 500);
+  }
+}
+
+TEST(Fans, AmongThingsWithCornersAreCastToo) {
+  WorldModel model = random_walls(98, 10, 6.0, 0.05);
+  ObjectSpec box;
+  box.kind = ObjectKind::Box;
+  box.size = {0.4, 0.2};
+  box.pose = {3.0, 3.0, 0.0};
+  model.objects.push_back(box);
+  World world(shared(model));
+  Random random(99);
+  while (world.body_count() < 30) {
+    const Pose pose{6 * random.uniform(), 6 * random.uniform(), 0};
+    if (world.is_free(pose.position(), 0.03)) world.add_robot(pose, 0.03, 0.1, {});
+  }
+  const ManyFans many(world, 30, 8, random);
+  world.cast_fans(many.fans);
+  for (const RayFan& each : many.fans) {
+    std::vector<double> alone(each.ranges.size());
+    world.cast_fan(each.origin, each.directions, each.max_range, each.ignore, alone);
+    ASSERT_TRUE(std::ranges::equal(each.ranges, alone));
   }
 }
 
