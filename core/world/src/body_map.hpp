@@ -26,6 +26,7 @@ class BodyMap {
  public:
   /// So many places beyond a run of Rows may be read.
   static constexpr std::size_t kBeyond = 8;
+  /// The place of who has none.
   static constexpr std::uint32_t kNowhere = ~std::uint32_t{0};
 
   explicit BodyMap(double width, double height) : extent_{width, height} {}

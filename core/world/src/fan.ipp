@@ -166,7 +166,7 @@ void Fan::EYEBRIDGE_OF(meet)(const Segment* segments, const std::uint32_t* indic
 /// What is found out about discs and several fans, step by step.
 struct Fan::Looks {
   using List = Registers<256>;
-  static constexpr unsigned kDiscBits = 28;
+  static constexpr unsigned kDiscBits = 28;  // a world of so many bodies fills no computer's memory
   static_assert(kFansTogether <= std::size_t{1} << (32U - kDiscBits));
   static constexpr std::uint32_t kDisc = (std::uint32_t{1} << kDiscBits) - 1;
 

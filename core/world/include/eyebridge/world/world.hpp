@@ -46,6 +46,7 @@ struct Bump {
   Vec2 place;              ///< On the rim of `body`, in the world, metres.
 };
 
+/// So many fans are cast at once.
 inline constexpr std::size_t kFansTogether = 16;
 
 /// Rays from one place, unit vectors, which do not meet the body `ignore`; see World::cast_fan().
