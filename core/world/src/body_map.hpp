@@ -116,7 +116,7 @@ class BodyMap {
   double per_row_ = 1.0;
   std::size_t columns_ = 1;
   std::size_t rows_ = 1;
-  std::vector<std::uint32_t> starts_;  ///< Cell -> first of its discs; one more at the end.
+  std::vector<std::uint32_t> starts_{0, 0};  ///< Cell -> first of its discs; one more at the end.
   std::vector<Disc> discs_;
   std::vector<std::uint32_t> places_;  ///< Body -> its disc, among `discs_`.
   std::vector<float> x_, y_, r_;

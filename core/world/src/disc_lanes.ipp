@@ -23,8 +23,8 @@ struct Registers {
   std::uint32_t starts[kMost + kUsualStarts];
   std::size_t size = 0;
 
-  /// Adds those with the discs from `begin` to `end`. Calls full(), which empties the list, when
-  /// there may be no more room.
+  /// Adds those with the discs from `begin` to `end`. Calls full() when there may be no more room:
+  /// it takes what is listed, and sets `size` to 0. Who adds takes the rest at the end.
   template <class Full>
   EYEBRIDGE_RAY_TARGET void add(std::size_t begin, std::size_t end, Full full) {
     for (;;) {
@@ -45,7 +45,8 @@ struct Registers {
     }
   }
 
-  /// Adds those with all discs that lie so far from `origin` as get_reaches() says.
+  /// Adds those with all discs of `map`, of which there are `discs`, that lie so far from `origin`
+  /// as get_reaches() says; and others.
   template <class GetReaches, class Full>
   EYEBRIDGE_RAY_TARGET void add(const BodyMap& map, std::size_t discs, Vec2 origin,
                                 GetReaches get_reaches, Full full) {

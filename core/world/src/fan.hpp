@@ -38,7 +38,6 @@ class Fan {
  private:
   class Pairs;
 
-  struct Looks;
   std::uint32_t* look_scalar(const BodyMap::Rows& rows, double off,
                              std::span<const std::uint32_t> starts, std::uint32_t code,
                              std::uint32_t* pairs) const;

@@ -50,6 +50,19 @@ EYEBRIDGE_RAY_TARGET inline Floats turned(Floats v, FloatBits sign) {
   return (Floats)((FloatBits)v ^ sign);
 }
 
+/// What is found out about discs and several fans, step by step.
+struct Looks {
+  using List = Registers<256>;
+  static constexpr unsigned kDiscBits = 28;
+  static_assert(kFansTogether <= std::size_t{1} << (32U - kDiscBits));
+  static constexpr std::uint32_t kDisc = (std::uint32_t{1} << kDiscBits) - 1;
+
+  List list;
+  std::uint32_t ends[kFansTogether];  ///< Fan -> where its registers in `list` end.
+  /// Fan and disc, where that is near one of its lines.
+  std::uint32_t pairs[(sizeof list.starts / sizeof *list.starts + 1) * kFloats];
+};
+
 }  // namespace
 
 /// A word of Pairs: which lanes of meets(ray) are set.
@@ -163,19 +176,6 @@ void Fan::EYEBRIDGE_OF(meet)(const Segment* segments, const std::uint32_t* indic
   pairs.clear();
 }
 
-/// What is found out about discs and several fans, step by step.
-struct Fan::Looks {
-  using List = Registers<256>;
-  static constexpr unsigned kDiscBits = 28;  // a world of so many bodies fills no computer's memory
-  static_assert(kFansTogether <= std::size_t{1} << (32U - kDiscBits));
-  static constexpr std::uint32_t kDisc = (std::uint32_t{1} << kDiscBits) - 1;
-
-  List list;
-  std::uint32_t ends[kFansTogether];  ///< Fan -> where its registers in `list` end.
-  /// Fan and disc, where that is near one of its lines.
-  std::uint32_t pairs[(sizeof list.starts / sizeof *list.starts + 1) * kFloats];
-};
-
 /// Lists the discs of the registers of `rows` that begin at `starts` that are near a line, each +
 /// `code`, at `pairs`; returns the end. The floats may be `off` by so many metres.
 EYEBRIDGE_RAY_TARGET __attribute__((always_inline)) inline std::uint32_t* Fan::EYEBRIDGE_OF(look)(
@@ -224,6 +224,7 @@ EYEBRIDGE_RAY_TARGET
 void Fan::EYEBRIDGE_OF(meet_discs)(std::span<Fan> fans, const BodyMap& map, double largest_radius) {
   Looks looks;
   const BodyMap::Rows rows = map.rows();
+  assert(rows.nobody <= Looks::kDisc);
   std::size_t first = 0;  // of those that are in the list
   // Loops through all fans at once are long: where one ends nobody can foresee.
   const auto look_at_list = [&](std::size_t last) EYEBRIDGE_RAY_TARGET {

@@ -3,6 +3,7 @@
 #if defined(__x86_64__)
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -31,7 +32,7 @@ namespace eyebridge::world {
 void Fan::meet_walls_avx2(const Segment*, const WallList&) {
   assert(false && "RayGrid::has_avx2() is false here");
 }
-void Fan::meet_discs_avx2(const BodyMap&, double) {
+void Fan::meet_discs_avx2(std::span<Fan>, const BodyMap&, double) {
   assert(false && "RayGrid::has_avx2() is false here");
 }
 

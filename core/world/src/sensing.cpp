@@ -31,7 +31,10 @@ bool World::Impl::cast_few(std::span<const RayFan> asked) {
   body_map.refresh(bodies);
   fans.clear();
   for (const RayFan& ray : asked) {
-    if (body_map.error(ray.origin) >= kCoarse) return false;
+    if (body_map.error(ray.origin) >= kCoarse) {
+      fans.clear();
+      return false;
+    }
     Fan& fan =
         fans.emplace_back(ray.origin, ray.directions, ray.max_range, body_map.place_of(ray.ignore));
     const auto walls_near = by_sweep ? near_walls.around(ray.origin, ray.max_range) : std::nullopt;
@@ -51,6 +54,7 @@ bool World::Impl::cast_few(std::span<const RayFan> asked) {
   for (std::size_t i = 0; i < asked.size(); ++i) {
     std::copy_n(fans[i].ranges().begin(), asked[i].ranges.size(), asked[i].ranges.begin());
   }
+  fans.clear();  // the directions are lent
   return true;
 }
 
@@ -120,15 +124,21 @@ void World::cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_r
 }
 
 void World::cast_fans(std::span<const RayFan> fans) const {
-  for (std::size_t first = 0; first < fans.size(); first += kFansTogether) {
-    const auto some = fans.subspan(first, std::min(fans.size() - first, kFansTogether));
-    const bool few = !impl_->bodies.any_convex_ && std::ranges::all_of(some, [](const RayFan& fan) {
-      return fan.directions.size() > 1 && fan.directions.size() <= Fan::kMost;
-    });
-    if (few && impl_->cast_few(some)) continue;
-    for (const RayFan& fan : some) {
-      cast_fan(fan.origin, fan.directions, fan.max_range, fan.ignore, fan.ranges);
+  const auto fits = [&](const RayFan& fan) {
+    return !impl_->bodies.any_convex_ && fan.directions.size() > 1 &&
+           fan.directions.size() <= Fan::kMost;
+  };
+  while (!fans.empty()) {
+    const auto some = fans.first(std::min(fans.size(), kFansTogether));
+    const auto end = std::ranges::find_if_not(some, fits);
+    // One that does not fit is cast alone.
+    const auto count = static_cast<std::size_t>(std::max(end - some.begin(), std::ptrdiff_t{1}));
+    if (end == some.begin() || !impl_->cast_few(some.first(count))) {
+      for (const RayFan& fan : some.first(count)) {
+        cast_fan(fan.origin, fan.directions, fan.max_range, fan.ignore, fan.ranges);
+      }
     }
+    fans = fans.subspan(count);
   }
 }
 

@@ -183,14 +183,16 @@ TEST(RangeKinds, ReadingAllAtOnceIsReadingOneByOne) {
 
 TEST(RangeKinds, ReadingAllRobotsIsReadingOneAfterTheOther) {
   std::vector<RangeSensorModel> kinds = {RangeSensorModel{}, sonar(), sharp()};
-  // Rays of many places: more fans than are cast at once, of one robot.
+  // Pairs of rays from many places: more fans than are cast at once, of one robot.
   std::vector<RangeSensorModel> rays(40);
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    const auto n = static_cast<double>(i);
-    rays[i].pose_in_robot = {0.002 * n, 0.0, 0.3 * n};
+    rays[i].pose_in_robot = {i % 4 < 2 ? 0.02 : 0.03, 0.0, 0.3 * static_cast<double>(i)};
     rays[i].error = {{0.01, 0.02, 0.01}};
   }
-  const std::vector<RangeSensorModel> few(8);
+  std::vector<RangeSensorModel> few(8);
+  for (std::size_t i = 0; i < few.size(); ++i) {
+    few[i].pose_in_robot.theta = 0.7 * static_cast<double>(i);
+  }
   Simulation one(one_wall(), {});
   Simulation all(one_wall(), {});
   std::vector<std::size_t> counts;

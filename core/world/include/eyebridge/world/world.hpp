@@ -49,11 +49,12 @@ struct Bump {
 /// So many fans are cast at once.
 inline constexpr std::size_t kFansTogether = 16;
 
-/// Rays from one place, unit vectors, which do not meet the body `ignore`; see World::cast_fan().
+/// Rays from one place, which do not meet the body `ignore`; see World::cast_fan(). The spans are
+/// lent for the call.
 struct RayFan {
-  Vec2 origin;
-  std::span<const Vec2> directions;
-  double max_range = 0.0;
+  Vec2 origin;                       ///< Metres.
+  std::span<const Vec2> directions;  ///< Unit vectors.
+  double max_range = 0.0;            ///< Metres.
   BodyId ignore = kNoBody;
   std::span<double> ranges;  ///< As many as directions.
 };
@@ -150,7 +151,8 @@ class World {
   /// The same for many directions from one origin.
   void cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_range, BodyId ignore,
                 std::span<double> ranges) const;
-  /// The same for many fans, in less time than one after the other, kFansTogether at once.
+  /// The same for many fans, in less time than one after the other: kFansTogether at once, where
+  /// neighbours have 2 to 16 rays each and no body has corners.
   void cast_fans(std::span<const RayFan> fans) const;
   /// The same ranges, faster, for directions that are evenly spaced: each is the one before turned
   /// by `gap` radians, not 0, to either side, all of them one turn at most.
