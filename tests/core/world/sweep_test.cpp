@@ -11,26 +11,11 @@
 #include "geometry.hpp"
 #include "near_walls.hpp"
 #include "ray_grid.hpp"
+#include "ray_scenes.hpp"
 #include "scenes.hpp"
 
 namespace eyebridge::world {
 namespace {
-
-/// A fan of evenly spaced rays.
-struct Rays {
-  Vec2 origin;
-  std::vector<Vec2> directions;
-  double gap;
-};
-
-/// `count` rays, `gap` radians apart, the first one at the bearing `start`.
-Rays fan(Vec2 origin, double start, double gap, int count) {
-  Rays made{origin, {}, gap};
-  for (int i = 0; i < count; ++i) {
-    made.directions.push_back(Heading::from_angle(start + i * gap).forward());
-  }
-  return made;
-}
 
 /// Fans of all kinds: round and not, either way, with rays right through ends of walls and from
 /// places upon and next to them.
@@ -139,21 +124,6 @@ TEST(Sweep, FindsEachOfACrowdAndNoneThatHasLeft) {
   }
 }
 
-/// Bodies of a crowd, with a map of them.
-struct Crowd {
-  explicit Crowd(std::size_t count, Random& random, double largest = 0.12) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vec2 place{4 * random.uniform(), 4 * random.uniform()};
-      const double radius = largest * (0.15 + 0.85 * random.uniform());
-      bodies.add(BodyShape::Robot, place, {}, radius, 0.1, {});
-    }
-    map.refresh(bodies);
-  }
-
-  Bodies bodies{4.0, 4.0};
-  BodyMap map{4.0, 4.0};
-};
-
 TEST(Sweep, EveryInstructionSetGivesTheSameBits) {
   const std::vector<Segment> segments = outlines_of(random_walls(92, 80, 4.0, 0.08).walls);
   NearWalls near(segments, 1000);
@@ -211,163 +181,6 @@ TEST(Sweep, EveryInstructionSetGivesTheSameBits) {
       Fan::meet_discs_avx2({&avx2, 1}, crowd.map, largest);
       check(avx2.ranges(), "fan by AVX2");
     }
-  }
-}
-
-TEST(Fans, TogetherMeetTheSameDiscsInEveryInstructionSet) {
-  Random random(100);
-  // Few, some, and so many that the list of one fan is full more than once.
-  for (const std::size_t count : {std::size_t{9}, std::size_t{200}, std::size_t{6000}}) {
-    const Crowd crowd(count, random, count > 1000 ? 0.01 : 0.05);
-    for (int round = 0; round < 10; ++round) {
-      std::vector<Rays> rays;
-      std::vector<BodyId> selves;
-      for (std::size_t i = 0; i < kFansTogether; ++i) {
-        selves.push_back(static_cast<BodyId>(random.bits() % count));
-        const auto some = static_cast<int>(1 + random.bits() % Fan::kMost);
-        rays.push_back(
-            fan(crowd.bodies.position(selves[i]), 7 * random.uniform(), 2 * kPi / some, some));
-      }
-      const auto fans = [&] {
-        std::vector<Fan> made;
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-          made.emplace_back(rays[i].origin, rays[i].directions, 5.0, crowd.map.place_of(selves[i]));
-        }
-        return made;
-      };
-      const auto check = [&](std::vector<Fan>& made, const char* which) {
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-          for (std::size_t k = 0; k < rays[i].directions.size(); ++k) {
-            double expected = 5.0;
-            for (BodyId id = 0; id < count; ++id) {
-              if (id == selves[i]) continue;
-              expected = nearer_disc_hit(crowd.bodies.position(id), crowd.bodies.radius_[id],
-                                         rays[i].origin, rays[i].directions[k], expected);
-            }
-            ASSERT_EQ(made[i].ranges()[k], expected) << which << ", " << count << ", fan " << i;
-          }
-        }
-      };
-      std::vector<Fan> scalar = fans();
-      Fan::meet_discs_scalar(scalar, crowd.map, crowd.bodies.largest_radius());
-      check(scalar, "scalar");
-      if (!RayGrid::has_avx2()) continue;
-      std::vector<Fan> avx2 = fans();
-      Fan::meet_discs_avx2(avx2, crowd.map, crowd.bodies.largest_radius());
-      check(avx2, "AVX2");
-    }
-  }
-}
-
-TEST(Fans, AndSweepsMeetNobodyWhereNobodyIs) {
-  const World world(shared(room(4, 4)));
-  for (const int count : {1, 8, 40}) {
-    const Rays rays = fan({1.0, 2.0}, 0.1, 2 * kPi / count, count);
-    std::vector<double> ranges(rays.directions.size());
-    const RayFan asked{rays.origin, rays.directions, 0.5, kNoBody, ranges};
-    world.cast_fans({&asked, 1});
-    EXPECT_EQ(ranges, std::vector(ranges.size(), 0.5));
-    world.cast_sweep(rays.origin, rays.directions, rays.gap, 0.25, kNoBody, ranges);
-    EXPECT_EQ(ranges, std::vector(ranges.size(), 0.25));
-  }
-}
-
-/// What a loop over all `walls` finds.
-double range_to_walls(const std::vector<Segment>& walls, Vec2 origin, Vec2 direction,
-                      double max_range) {
-  double range = max_range;
-  for (const Segment& s : walls) range = nearer_hit(s, origin, direction, range);
-  return range;
-}
-
-/// What a loop over all `walls` and bodies finds.
-double range_by_loop(const World& world, const std::vector<Segment>& walls, Vec2 origin,
-                     Vec2 direction, double max_range, BodyId ignore) {
-  double range = range_to_walls(walls, origin, direction, max_range);
-  for (BodyId id = 0; id < world.body_count(); ++id) {
-    if (id == ignore) continue;
-    range = nearer_disc_hit(world.position(id), world.radius(id), origin, direction, range);
-  }
-  return range;
-}
-
-/// Many fans of World::cast_fans(), and what they lend it.
-struct ManyFans {
-  std::vector<Rays> rays;
-  std::vector<std::vector<double>> ranges;
-  std::vector<RayFan> fans;
-
-  /// From the places of bodies; of 2 up to `most` rays each.
-  ManyFans(const World& world, std::size_t count, std::size_t most, Random& random) {
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto id = static_cast<BodyId>(random.bits() % world.body_count());
-      const auto some = static_cast<int>(2 + random.bits() % (most - 1));
-      const double gap = 2 * kPi / (random.chance(0.5) ? some : 20);
-      rays.push_back(fan(world.position(id) + Vec2{0.001 * random.uniform(), 0.0},
-                         7 * random.uniform(), gap, some));
-      ranges.emplace_back(rays.back().directions.size(), -1.0);
-      const double reach = random.chance(0.2) ? std::numeric_limits<double>::infinity()
-                                              : 6.0 * random.uniform() + 0.1;
-      fans.push_back({rays.back().origin, {}, reach, random.chance(0.9) ? id : kNoBody, {}});
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      fans[i].directions = rays[i].directions;
-      fans[i].ranges = ranges[i];
-    }
-  }
-};
-
-TEST(Fans, TogetherGiveExactlyTheRangesOfALoopOverAllWallsAndBodies) {
-  for (const unsigned bodies : {9U, 60U, 3000U}) {
-    World world(shared(random_walls(96, 30, 6.0, 0.05)));
-    const std::vector<Segment> walls = outlines_of(world.model().walls);
-    Random random(97);
-    while (world.body_count() < bodies) {
-      const Pose pose{6 * random.uniform(), 6 * random.uniform(), 0};
-      const double radius = 0.01 + 0.02 * random.uniform();
-      if (world.is_free(pose.position(), radius)) world.add_robot(pose, radius, 0.1, {});
-    }
-    int by_bodies = 0;
-    for (int round = 0; round < 20; ++round) {
-      world.set_pose(static_cast<BodyId>(round % 9), {7 * random.uniform(), random.uniform(), 0});
-      // The last ones also have some that are cast alone.
-      const std::size_t most = round < 8 ? 8 : round < 16 ? 16 : 20;
-      const ManyFans many(world, 1 + random.bits() % 40, most, random);
-      world.cast_fans(many.fans);
-      for (const RayFan& each : many.fans) {
-        for (std::size_t k = 0; k < each.directions.size(); ++k) {
-          const double expected = range_by_loop(world, walls, each.origin, each.directions[k],
-                                                each.max_range, each.ignore);
-          ASSERT_EQ(each.ranges[k], expected) << bodies << " bodies, round " << round;
-          const double wall =
-              range_to_walls(walls, each.origin, each.directions[k], each.max_range);
-          by_bodies += expected < wall ? 1 : 0;
-        }
-      }
-    }
-    EXPECT_GT(by_bodies, 100) << bodies << " bodies";
-  }
-}
-
-TEST(Fans, AmongThingsWithCornersAreCastToo) {
-  WorldModel model = random_walls(98, 10, 6.0, 0.05);
-  ObjectSpec box;
-  box.kind = ObjectKind::Box;
-  box.size = {0.4, 0.2};
-  box.pose = {3.0, 3.0, 0.0};
-  model.objects.push_back(box);
-  World world(shared(model));
-  Random random(99);
-  while (world.body_count() < 30) {
-    const Pose pose{6 * random.uniform(), 6 * random.uniform(), 0};
-    if (world.is_free(pose.position(), 0.03)) world.add_robot(pose, 0.03, 0.1, {});
-  }
-  const ManyFans many(world, 30, 8, random);
-  world.cast_fans(many.fans);
-  for (const RayFan& each : many.fans) {
-    std::vector<double> alone(each.ranges.size());
-    world.cast_fan(each.origin, each.directions, each.max_range, each.ignore, alone);
-    ASSERT_TRUE(std::ranges::equal(each.ranges, alone));
   }
 }
 
