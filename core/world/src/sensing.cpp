@@ -27,6 +27,10 @@ void add_once(Vec2 direction, std::size_t first, std::vector<Vec2>& out) {
 
 }  // namespace
 
+bool World::Impl::are_few(const RayFan& fan) const {
+  return !bodies.any_convex_ && fan.directions.size() > 1 && fan.directions.size() <= Fan::kMost;
+}
+
 bool World::Impl::cast_few(std::span<const RayFan> asked) {
   body_map.refresh(bodies);
   fans.clear();
@@ -92,10 +96,7 @@ void World::cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_r
                      std::span<double> ranges) const {
   if (ranges.empty()) return;
   const RayFan fan{origin, directions, max_range, ignore, ranges};
-  if (directions.size() > 1 && directions.size() <= Fan::kMost && !impl_->bodies.any_convex_ &&
-      impl_->cast_few({&fan, 1})) {
-    return;
-  }
+  if (impl_->are_few(fan) && impl_->cast_few({&fan, 1})) return;
   impl_->rays.cast_fan(origin, directions, max_range, ranges);
   const Bodies& bodies = impl_->bodies;
   const double farthest = std::min(*std::max_element(ranges.begin(), ranges.end()), kHorizon);
@@ -124,14 +125,11 @@ void World::cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_r
 }
 
 void World::cast_fans(std::span<const RayFan> fans) const {
-  const auto fits = [&](const RayFan& fan) {
-    return !impl_->bodies.any_convex_ && fan.directions.size() > 1 &&
-           fan.directions.size() <= Fan::kMost;
-  };
   while (!fans.empty()) {
     const auto some = fans.first(std::min(fans.size(), kFansTogether));
-    const auto end = std::ranges::find_if_not(some, fits);
-    // One that does not fit is cast alone.
+    const auto end =
+        std::ranges::find_if_not(some, [&](const RayFan& fan) { return impl_->are_few(fan); });
+    // One that is not is cast alone.
     const auto count = static_cast<std::size_t>(std::max(end - some.begin(), std::ptrdiff_t{1}));
     if (end == some.begin() || !impl_->cast_few(some.first(count))) {
       for (const RayFan& fan : some.first(count)) {

@@ -144,7 +144,6 @@ inline void Sweep::EYEBRIDGE_OF(meet_run)(Vec2 w, double radius, std::size_t fir
   };
   // Most discs are so far away that few rays go their way.
   meet_four(first);
-
   for (std::size_t i = first + kLanes; i <= last; i += kLanes) meet_four(i);
 }
 

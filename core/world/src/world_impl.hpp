@@ -115,8 +115,10 @@ struct World::Impl {
   [[nodiscard]] double wall_gap(BodyId id) const;
 
   // sensing.cpp
-  /// World::cast_fans(), for 1 to kFansTogether fans of 2 to Fan::kMost rays; false in worlds that
-  /// are too large for it.
+  /// Whether they are what cast_few() is for: 2 to Fan::kMost rays, among discs only.
+  [[nodiscard]] bool are_few(const RayFan& fan) const;
+  /// World::cast_fans(), for 1 to kFansTogether fans that are few; false in worlds that are too
+  /// large for it.
   bool cast_few(std::span<const RayFan> asked);
   /// World::cast_sweep(), for at most Sweep::kMost rays; without a `gap` in any directions.
   void cast_around(Vec2 origin, std::span<const Vec2> directions, double gap, double max_range,
