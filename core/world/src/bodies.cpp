@@ -11,7 +11,7 @@ namespace {
 constexpr double kMostCells = 2048;
 
 /// How far around them bodies look, in cells of the grid.
-constexpr double kHorizonCells = 0.5;
+constexpr double kHorizonCells = 0.35;
 
 }  // namespace
 

@@ -46,12 +46,12 @@ EYEBRIDGE_RAY_TARGET inline Reaches most_of(Lanes left, Lanes down, Lanes right,
 EYEBRIDGE_RAY_TARGET inline Reaches reaches_of(const double* dx, const double* dy,
                                                const double* best, std::size_t count,
                                                double margin) {
-  Lanes left{};
-  Lanes down{};
-  Lanes right{};
-  Lanes up{};
+  Lanes left[2]{};
+  Lanes down[2]{};
+  Lanes right[2]{};
+  Lanes up[2]{};
   const Lanes longest = Lanes{} + kLongestRay;
-  for (std::size_t i = 0; i < count; i += kLanes) {
+  const auto add = [&](std::size_t i, std::size_t to) EYEBRIDGE_RAY_TARGET {
     Lanes x;
     Lanes y;
     Lanes range;
@@ -61,12 +61,20 @@ EYEBRIDGE_RAY_TARGET inline Reaches reaches_of(const double* dx, const double* d
     range = smaller(range, longest);
     x *= range;
     y *= range;
-    left = larger(-x, left);
-    down = larger(-y, down);
-    right = larger(x, right);
-    up = larger(y, up);
+    left[to] = larger(-x, left[to]);
+    down[to] = larger(-y, down[to]);
+    right[to] = larger(x, right[to]);
+    up[to] = larger(y, up[to]);
+  };
+  std::size_t i = 0;
+  // In turns: each of them waits for the one before.
+  for (; i + kLanes < count; i += 2 * kLanes) {
+    add(i, 0);
+    add(i + kLanes, 1);
   }
-  return most_of(left + margin, down + margin, right + margin, up + margin);
+  if (i < count) add(i, 0);
+  return most_of(larger(left[0], left[1]) + margin, larger(down[0], down[1]) + margin,
+                 larger(right[0], right[1]) + margin, larger(up[0], up[1]) + margin);
 }
 
 /// The cells of `map` that hold all discs with centres so far from `origin`, and more.

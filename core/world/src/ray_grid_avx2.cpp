@@ -6,6 +6,8 @@
 #include <cstring>
 #include <limits>
 
+#include <immintrin.h>
+
 // Without fma: the same roundings as everywhere else.
 #define EYEBRIDGE_RAY_TARGET __attribute__((target("avx2")))
 #define EYEBRIDGE_RAY_CAST cast_avx2

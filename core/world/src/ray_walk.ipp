@@ -50,7 +50,7 @@ void RayGrid::EYEBRIDGE_RAY_CAST(Vec2 origin, std::span<const Vec2> directions, 
         }
         const Segment* const last = segments_.data() + starts_[cell + 1];
         for (const Segment* wall = segments_.data() + starts_[cell]; wall != last; ++wall) {
-          if (meet(*wall, origin, rays, run, end, false)) continue;
+          if (meet(*wall, origin, rays, run, end)) continue;
           for (std::size_t i = run; i <= end; ++i) {
             if (std::fabs(cross(d[i], wall->u)) < kParallel) {
               best[i] = nearer_hit(*wall, origin, d[i], best[i]);

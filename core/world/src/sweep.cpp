@@ -34,6 +34,7 @@ Sweep::Sweep(Vec2 origin, std::span<const Vec2> directions, double gap, double m
 #define EYEBRIDGE_RAY_TARGET
 #define EYEBRIDGE_RAY_LANES 2
 #define EYEBRIDGE_OF(name) name##_scalar
-#include "sweep.ipp"
+#include "sweep_discs.ipp"
+#include "sweep_walls.ipp"
 
 }  // namespace eyebridge::world

@@ -38,8 +38,8 @@ class Sweep {
 
   [[nodiscard]] std::span<double> ranges() { return {best, count_}; }
 
-  /// So many rays have a horizon in common.
-  static constexpr std::size_t kSector = 4;
+  /// So many neighbours have a horizon in common.
+  static constexpr std::size_t kWindow = 5;
 
   // For the code of the instruction sets, which looks at a register beyond the last ray.
   static constexpr std::size_t kBeyond = 8;

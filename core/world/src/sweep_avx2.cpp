@@ -8,6 +8,8 @@
 #include <cstring>
 #include <limits>
 
+#include <immintrin.h>
+
 #include "sweep_bearings.hpp"
 
 // Without fma: the same roundings as everywhere else.
@@ -17,7 +19,8 @@
 
 namespace eyebridge::world {
 
-#include "sweep.ipp"
+#include "sweep_discs.ipp"
+#include "sweep_walls.ipp"
 
 }  // namespace eyebridge::world
 

@@ -68,6 +68,10 @@ EYEBRIDGE_RAY_TARGET inline Twice root_of(Twice square) {
   return {root_of(square.one), root_of(square.other)};
 }
 
+EYEBRIDGE_RAY_TARGET inline Twice inverse_root_of(Twice square) {
+  return {inverse_root_of(square.one), inverse_root_of(square.other)};
+}
+
 EYEBRIDGE_RAY_TARGET inline Floats either(FloatBits first, Floats a, Floats b) {
   return first ? a : b;
 }

@@ -1,6 +1,7 @@
 #include "sweep.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -182,6 +183,48 @@ TEST(Sweep, EveryInstructionSetGivesTheSameBits) {
       check(avx2.ranges(), "fan by AVX2");
     }
   }
+}
+
+TEST(Sweep, RaysAlongWallsMeetTheirNearerEnds) {
+  // A chequered floor of walls with gaps between them, and places upon their lines.
+  std::vector<Segment> segments;
+  for (int column = 0; column < 12; ++column) {
+    for (int row = 0; row < 12; ++row) {
+      const Vec2 corner{0.5 * column, 0.5 * row};
+      segments.push_back({corner, {1.0, 0.0}, 0.3});
+      segments.push_back({corner + Vec2{0.0, 0.1}, {0.0, 1.0}, 0.3});
+    }
+  }
+  NearWalls near(segments, 1000);
+  const WallList all = *near.around({3.0, 3.0}, 20.0);
+  ASSERT_EQ(all.indices.size(), 288U) << "more than a sweep takes at once";
+  int along = 0;
+  for (int i = 0; i < 24; ++i) {
+    const Vec2 origin{0.5 * (i % 7) + 0.4, 0.5 * (i % 11)};
+    const double turn = (i % 2 == 0 ? 2 : -2) * kPi / 360;
+    const Rays rays = fan(origin, i % 4 * kPi / 2, turn, 360);
+    for (const bool avx2 : {false, true}) {
+      if (avx2 && !RayGrid::has_avx2()) continue;
+      Sweep sweep(origin, rays.directions, turn, 8.0);
+      if (avx2) {
+        sweep.meet_walls_avx2(segments.data(), all);
+      } else {
+        sweep.meet_walls_scalar(segments.data(), all);
+      }
+      for (std::size_t k = 0; k < rays.directions.size(); ++k) {
+        double across = 8.0;  // without those that the ray runs along
+        double expected = 8.0;
+        for (const Segment& wall : segments) {
+          const bool parallel = std::fabs(cross(rays.directions[k], wall.u)) < kParallel;
+          expected = nearer_hit(wall, origin, rays.directions[k], expected);
+          if (!parallel) across = nearer_hit(wall, origin, rays.directions[k], across);
+        }
+        ASSERT_EQ(sweep.ranges()[k], expected) << "fan " << i << ", ray " << k << ", " << avx2;
+        along += expected < across ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(along, 20);
 }
 
 TEST(NearWalls, ListsEveryWallInReachOnceAndGivesUpWhereThereAreMany) {

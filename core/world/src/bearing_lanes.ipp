@@ -1,0 +1,72 @@
+// Bearings of places, a register of them at a time, and as numbers of rays that are counted from a
+// first one. Included by the sources of one instruction set, as ray_lanes.ipp is. They only tell
+// who may meet whom: no range depends on them.
+
+#ifndef EYEBRIDGE_BEARING_LANES_IPP
+#define EYEBRIDGE_BEARING_LANES_IPP
+
+#include "twice.ipp"
+
+namespace {
+
+/// Directions of ray 0 and, times the turn of the rays, of the same.
+struct Directions {
+  float x, turned_x, y, turned_y;
+};
+
+inline Directions directions(Vec2 first, double turn) {
+  return {static_cast<float>(first.x), static_cast<float>(turn * first.x),
+          static_cast<float>(first.y), static_cast<float>(turn * first.y)};
+}
+
+template <class Values>
+struct Bearing {
+  Values angle;     ///< From ray 0, in the direction in which rays are counted, 0 … 2 pi.
+  Values nearness;  ///< 1 by the distance, or up to sqrt(2) times as much.
+};
+
+/// Of places seen from the origin, within 1.2e-5 radians; as in Sweep::number_of().
+template <class Values>
+EYEBRIDGE_RAY_TARGET inline Bearing<Values> bearing_of(Values px, Values py,
+                                                       const Directions& ahead) {
+  const Values x = ahead.x * px + ahead.y * py;
+  const Values y = ahead.turned_x * py - ahead.turned_y * px;
+  constexpr float kHalfTurn = 3.14159274F;
+  const Values ax = magnitude(x);
+  const Values ay = magnitude(y);
+  const Values nearness = 1.0F / larger(ax, ay);
+  const Values q = smaller(ax, ay) * nearness;
+  const Values s = q * q;
+  Values angle =
+      q * (0.9998660F + s * (-0.3302995F + s * (0.1801410F + s * (-0.0851330F + s * 0.0208351F))));
+  angle = either(ax <= ay, kHalfTurn / 2 - angle, angle);
+  angle = either(x < 0.0F, kHalfTurn - angle, angle);
+  return {either(y < 0.0F, 2 * kHalfTurn - angle, angle), nearness};
+}
+
+/// No bearing by rough_bearing_of() is off by more, radians, and no root by inverse_root_of() by a
+/// larger part.
+constexpr float kRoughError = 6e-4F;
+
+/// The same bearing, of places `1 / inverse` away, in fewer steps.
+template <class Values>
+EYEBRIDGE_RAY_TARGET inline Values rough_bearing_of(Values px, Values py, Values inverse,
+                                                    const Directions& ahead) {
+  const Values x = ahead.x * px + ahead.y * py;
+  const Values y = ahead.turned_x * py - ahead.turned_y * px;
+  constexpr float kHalfTurn = 3.14159274F;
+  const Values ax = magnitude(x);
+  const Values ay = magnitude(y);
+  const Values sine = smaller(ax, ay) * inverse;
+  const Values s = sine * sine;
+  // The arc sine, within 1.7e-4 up to 45 degrees: least squares, weighted until all errors were
+  // alike.
+  Values angle = sine * (1.00153222F + s * (0.1451349F + s * 0.1456058F));
+  angle = either(ax <= ay, kHalfTurn / 2 - angle, angle);
+  angle = either(x < 0.0F, kHalfTurn - angle, angle);
+  return either(y < 0.0F, 2 * kHalfTurn - angle, angle);
+}
+
+}  // namespace
+
+#endif
