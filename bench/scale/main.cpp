@@ -37,6 +37,46 @@ struct Options {
   double robots = 0.0;     ///< And of this size alone; 0: all.
 };
 
+/// A row of cells, from one robot to 1,000, and what the last one's cost by that of ten.
+void print_row(Workload workload, double step, const Options& options, Verdict& faster,
+               Verdict& flat) {
+  std::vector<Cell> cells;
+  std::vector<std::size_t> sizes;
+  for (std::size_t size = 0; size < kPeerRobots.size(); ++size) {
+    if (options.robots > 0.0 && options.robots != static_cast<double>(kPeerRobots[size])) continue;
+    cells.push_back({workload, kPeerRobots[size], step});
+    sizes.push_back(size);
+  }
+  const bool all = cells.size() == kPeerRobots.size();
+  // The same work for each, a hundred times as often.
+  if (all) cells.push_back({workload, kPeerRobots.back(), step, 10});
+  const std::vector<Figures> figures = measure(cells, options.effort, options.data);
+  const double wanted = wanted_ratio(workload);
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    const Cell& cell = cells[i];
+    const Figures& f = figures[i];
+    const BestPeer best = best_peer(workload, step, sizes[i]);
+    const double times = f.rate / (best.rate * f.computer);
+    const bool counts = cell.robots >= 10;
+    std::printf("%-6s %6zu %11.4g %9.2f %9.4g  %-6s %8.3g %7.2f %7s %7.3f %7.3f %7.4f  %016llx%s\n",
+                kWorkloadNames[static_cast<std::size_t>(workload)].data(), cell.robots, f.rate,
+                f.computer, f.real_time_factor(cell), best.name.data(), best.rate * f.computer,
+                times, counts ? std::to_string(static_cast<int>(wanted)).c_str() : "-",
+                f.mean_distance, f.mean_range, f.hit_fraction,
+                static_cast<unsigned long long>(f.hash),
+                counts ? faster.judge(times >= wanted) : "");
+  }
+  if (all) {
+    const Figures& ten = figures[1];
+    const double ratio = cost_ratio(figures[3], ten);
+    std::printf("%-6s a robot-step among 1,000 costs %.2f times that among 10 (wanted 1.50)%s\n",
+                "", ratio, flat.judge(ratio <= 1.5));
+    std::printf("%-6s and %.2f times where each ten of them have a place of their own\n", "",
+                cost_ratio(figures[4], ten));
+  }
+  std::fflush(stdout);
+}
+
 void peers(const Options& options) {
   Verdict faster;
   Verdict flat;
@@ -51,34 +91,7 @@ void peers(const Options& options) {
           options.sense != kWorkloadNames[static_cast<std::size_t>(workload)]) {
         continue;
       }
-      double cost_of_ten = 0.0;
-      for (std::size_t size = 0; size < kPeerRobots.size(); ++size) {
-        const Cell cell{workload, kPeerRobots[size], step};
-        if (options.robots > 0.0 && options.robots != static_cast<double>(cell.robots)) continue;
-        const Figures f = measure(cell, options.effort, options.data);
-        const BestPeer best = best_peer(workload, step, size);
-        const double times = f.rate / (best.rate * f.computer);
-        const bool counts = cell.robots >= 10;
-        std::printf(
-            "%-6s %6zu %11.4g %9.2f %9.4g  %-6s %8.3g %7.2f %7s %7.3f %7.3f %7.4f  %016llx%s\n",
-            kWorkloadNames[static_cast<std::size_t>(workload)].data(), cell.robots, f.rate,
-            f.computer, f.real_time_factor(cell), best.name.data(), best.rate * f.computer, times,
-            counts ? std::to_string(static_cast<int>(wanted_ratio(workload))).c_str() : "-",
-            f.mean_distance, f.mean_range, f.hit_fraction, static_cast<unsigned long long>(f.hash),
-            counts ? faster.judge(times >= wanted_ratio(workload)) : "");
-        std::fflush(stdout);
-        const double cost = f.computer / f.rate;
-        if (cell.robots == 10) cost_of_ten = cost;
-        if (cell.robots != 1000 || cost_of_ten == 0.0) continue;
-        std::printf(
-            "%-6s a robot-step among 1,000 costs %.2f times that among 10 (wanted 1.50)%s\n", "",
-            cost / cost_of_ten, flat.judge(cost <= 1.5 * cost_of_ten));
-        // The same work for each, a hundred times as often.
-        const Figures apart =
-            measure({workload, cell.robots, step, 10}, options.effort, options.data);
-        std::printf("%-6s and %.2f times where each ten of them have a place of their own\n", "",
-                    apart.computer / apart.rate / cost_of_ten);
-      }
+      print_row(workload, step, options, faster, flat);
     }
   }
   std::printf(
@@ -97,7 +110,7 @@ void crowds(const Options& options) {
       Effort effort = options.effort;
       effort.simulated = 4.0;
       effort.runs = 1;
-      const Figures f = measure(cell, effort, options.data);
+      const Figures f = measure({&cell, 1}, effort, options.data).front();
       const double factor = f.real_time_factor(cell);
       std::printf("%6zu %8g %11.4g %9.2f %9.0f %9.3f %9.4f%s\n", robots, step * 1000, f.rate,
                   factor, f.bytes_a_robot, f.mean_range, f.hit_fraction,

@@ -157,27 +157,52 @@ double median(std::vector<double> values) {
 
 }  // namespace
 
-Figures measure(const Cell& cell, const Effort& effort, const std::filesystem::path& data) {
-  const Arena arena = read_arena(data, cell.robots, cell.in_one);
-  Figures figures;
-  Run proof(cell, arena);
-  proof.count(true);
-  while (proof.simulated() < effort.simulated - kHalfTick) proof.tick();
-  proof.report(figures);
-  figures.hash = proof.hash();
+std::vector<Figures> measure(std::span<const Cell> cells, const Effort& effort,
+                             const std::filesystem::path& data) {
+  struct Place {
+    Arena arena;
+    Figures figures;
+    std::vector<double> rates;
+    std::vector<double> per_computer;
+  };
+  std::vector<Place> places;
+  for (const Cell& cell : cells) {
+    Place& place = places.emplace_back();
+    place.arena = read_arena(data, cell.robots, cell.in_one);
+    Run proof(cell, place.arena);
+    proof.count(true);
+    while (proof.simulated() < effort.simulated - kHalfTick) proof.tick();
+    proof.report(place.figures);
+    place.figures.hash = proof.hash();
+  }
   // The computer's speed changes with what others do on it: it is asked before and after.
-  std::vector<double> rates;
-  std::vector<double> ratios;
   double before = computer_speed();
   for (int i = 0; i < effort.runs; ++i) {
-    rates.push_back(timed(cell, effort, arena));
-    const double after = computer_speed();
-    ratios.push_back(rates.back() / (0.5 * (before + after)));
-    before = after;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      const double rate = timed(cells[c], effort, places[c].arena);
+      const double after = computer_speed();
+      const double computer = 0.5 * (before + after);
+      places[c].rates.push_back(rate);
+      places[c].per_computer.push_back(rate / computer);
+      places[c].figures.costs.push_back(computer / rate);
+      before = after;
+    }
   }
-  figures.rate = median(std::move(rates));
-  figures.computer = figures.rate / median(std::move(ratios));
-  return figures;
+  std::vector<Figures> all;
+  for (Place& place : places) {
+    place.figures.rate = median(std::move(place.rates));
+    place.figures.computer = place.figures.rate / median(std::move(place.per_computer));
+    all.push_back(std::move(place.figures));
+  }
+  return all;
+}
+
+double cost_ratio(const Figures& cell, const Figures& other) {
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < cell.costs.size(); ++i) {
+    ratios.push_back(cell.costs[i] / other.costs[i]);
+  }
+  return median(std::move(ratios));
 }
 
 }  // namespace eyebridge::bench

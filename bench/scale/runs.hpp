@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
+#include <vector>
 
 #include "scale/peers.hpp"
 
@@ -19,7 +21,7 @@ struct Cell {
 struct Effort {
   double cpu_seconds = 0.3;  ///< Of each run, at least.
   double simulated = 20.0;   ///< Seconds of each run, at least.
-  int runs = 3;              ///< Their median counts.
+  int runs = 9;              ///< Their median counts.
 };
 
 struct Figures {
@@ -30,6 +32,7 @@ struct Figures {
   double hit_fraction = 0.0;   ///< Of the rays: met something within the sensor's reach.
   double bytes_a_robot = 0.0;  ///< Memory that robots, sensors and controllers take.
   std::uint64_t hash = 0;      ///< Simulation::state_hash() after Effort::simulated.
+  std::vector<double> costs;   ///< Of a robot-step in each run: CPU seconds by computer_speed().
 
   /// Simulated seconds per CPU second.
   [[nodiscard]] double real_time_factor(const Cell& cell) const {
@@ -37,8 +40,14 @@ struct Figures {
   }
 };
 
-/// Does the work; distances, ranges and hits are those of the first Effort::simulated seconds.
-/// Throws std::runtime_error when the arena's files in `data` cannot be read.
-Figures measure(const Cell& cell, const Effort& effort, const std::filesystem::path& data);
+/// Does the work, one run of each cell in turn: what else goes on here meets them all. Distances,
+/// ranges and hits are those of the first Effort::simulated seconds. Throws std::runtime_error when
+/// the arena's files in `data` cannot be read.
+std::vector<Figures> measure(std::span<const Cell> cells, const Effort& effort,
+                             const std::filesystem::path& data);
+
+/// How many times as much a robot-step costs in one cell as in another that was measured with it:
+/// the median of the rounds.
+double cost_ratio(const Figures& cell, const Figures& other);
 
 }  // namespace eyebridge::bench
