@@ -280,11 +280,10 @@ EYEBRIDGE_RAY_TARGET __attribute__((always_inline)) inline void Fan::EYEBRIDGE_O
     load(best, best_ + i);
     const Lanes along = wx * dx + wy * dy;
     const Lanes across = dx * wy - dy * wx;
-    const Lanes half_chord_squared = radius_squared - across * across;
-    const LaneBits hit = (along > zero) & (half_chord_squared >= zero);
-    const Lanes range = hit ? along - root_of(half_chord_squared) : never;
+    // No number for rays that pass by: `best` is smaller then.
+    const Lanes range = along - root_of(radius_squared - across * across);
     // Nothing else from one disc to the next: it is what they wait for.
-    best = smaller(range, best);
+    best = smaller(along > zero ? range : never, best);
     std::memcpy(best_ + i, &best, sizeof best);
   }
 }

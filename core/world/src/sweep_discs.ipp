@@ -48,10 +48,9 @@ EYEBRIDGE_RAY_TARGET inline void meet_register(const SeenDisc& disc, const doubl
   load(nearest, ranges);
   const Lanes along = disc.wx * dx + disc.wy * dy;
   const Lanes across = dx * disc.wy - dy * disc.wx;
-  const Lanes half_chord_squared = disc.radius_squared - across * across;
-  const LaneBits hit = (along > 0.0) & (half_chord_squared >= 0.0);
-  const Lanes range = hit ? along - root_of(half_chord_squared) : never;
-  nearest = smaller(range, nearest);
+  // No number for rays that pass by: `nearest` is smaller then.
+  const Lanes range = along - root_of(disc.radius_squared - across * across);
+  nearest = smaller(along > 0.0 ? range : never, nearest);
   std::memcpy(ranges, &nearest, sizeof nearest);
 }
 
@@ -130,6 +129,8 @@ void Sweep::EYEBRIDGE_OF(meet_discs)(const BodyMap& map, double largest_radius) 
   const auto period = static_cast<float>(period_);
   const auto last = static_cast<float>(count_ - 1);
   const auto margin = static_cast<float>(kRoughError * per_gap_ + 2 * kRayMargin);
+  // Of the rays next to where the numbers begin and end.
+  const float rim = std::max(horizons[0], horizons[count_ > kWindow ? count_ - kWindow : 0]);
 
   // Which rays each disc may meet, where that is a run of them, and the ray's bearing, not upon the
   // disc.
@@ -165,11 +166,13 @@ void Sweep::EYEBRIDGE_OF(meet_discs)(const BodyMap& map, double largest_radius) 
     // table.
     const Twice here = smaller(larger(first, Twice{}), Twice{} + last);
     const Twice horizon = picked(horizons, whole(here));
-    const TwiceBits seen = (distance - radius <= horizon) | (width > kWindow / 2.0F);
+    const Twice nearest = distance - radius;
+    const TwiceBits wide = width > kWindow / 2.0F;
     const TwiceBits beside = (low > last) & (high < period);
+    const TwiceBits inside = (low >= 0.0F) & (high <= last);
     const TwiceBits around = sine >= 0.99F;
-    const TwiceBits elsewhere = around | (((low < 0.0F) | (high > last)) & ~beside);
-    return Seen{seen & ~(elsewhere | beside), elsewhere};
+    const TwiceBits plain = ((nearest <= horizon) | wide) & inside & ~around;
+    return Seen{plain, around | (((nearest <= rim) | wide) & ~(inside | beside))};
   };
   const auto look_at_list = [&]() EYEBRIDGE_RAY_TARGET {
     LaneMarks<kListed> plain(list.size);
