@@ -1,5 +1,6 @@
 // How many robots: the work that peers were measured with, and crowds. See docs/scale.md.
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <exception>
@@ -35,6 +36,7 @@ struct Options {
   std::string_view sense;  ///< This row's cells alone; empty: all.
   double step_ms = 0.0;    ///< And with these steps alone; 0: all.
   double robots = 0.0;     ///< And of this size alone; 0: all.
+  double rim_mm = 0.0;     ///< Cell::rim.
 };
 
 /// A row of cells, from one robot to 1,000, and what the last one's cost by that of ten.
@@ -44,12 +46,12 @@ void print_row(Workload workload, double step, const Options& options, Verdict& 
   std::vector<std::size_t> sizes;
   for (std::size_t size = 0; size < kPeerRobots.size(); ++size) {
     if (options.robots > 0.0 && options.robots != static_cast<double>(kPeerRobots[size])) continue;
-    cells.push_back({workload, kPeerRobots[size], step});
+    cells.push_back({workload, kPeerRobots[size], step, 1000, options.rim_mm / 1000});
     sizes.push_back(size);
   }
   const bool all = cells.size() == kPeerRobots.size();
   // The same work for each, a hundred times as often.
-  if (all) cells.push_back({workload, kPeerRobots.back(), step, 10});
+  if (all) cells.push_back({workload, kPeerRobots.back(), step, 10, options.rim_mm / 1000});
   const std::vector<Figures> figures = measure(cells, options.effort, options.data);
   const double wanted = wanted_ratio(workload);
   for (std::size_t i = 0; i < sizes.size(); ++i) {
@@ -67,6 +69,7 @@ void print_row(Workload workload, double step, const Options& options, Verdict& 
                 counts ? faster.judge(times >= wanted) : "");
   }
   if (all) {
+    static_assert(kPeerRobots[1] == 10 && kPeerRobots[3] == 1000 && kPeerRobots.size() == 4);
     const Figures& ten = figures[1];
     const double ratio = cost_ratio(figures[3], ten);
     std::printf("%-6s a robot-step among 1,000 costs %.2f times that among 10 (wanted 1.50)%s\n",
@@ -134,7 +137,7 @@ int run(int argc, char** argv) {
     const std::string_view argument = argv[i];
     double runs = 0.0;
     if (number(argument, "--runs=", runs)) {
-      options.effort.runs = static_cast<int>(runs);
+      options.effort.runs = std::max(static_cast<int>(runs), 1);
     } else if (argument.starts_with("--data=")) {
       options.data = argument.substr(7);
     } else if (argument.starts_with("--sense=")) {
@@ -145,13 +148,14 @@ int run(int argc, char** argv) {
       options.peers = false;
     } else if (!number(argument, "--robots=", options.robots) &&
                !number(argument, "--step=", options.step_ms) &&
+               !number(argument, "--rim=", options.rim_mm) &&
                !number(argument, "--benchmark_min_time=", options.effort.cpu_seconds)) {
       std::fprintf(
           stderr,
           "bench_scale: unknown argument %s\nusage: bench_scale [--benchmark_min_time=SECONDS] "
           "[--runs=N] [--peers-only|--crowds-only] [--sense=psd|lidar|none] [--robots=N] "
           "[--step=MS] "
-          "[--data=FOLDER]\n",
+          "[--rim=MM] [--data=FOLDER]\n",
           argv[i]);
       return 2;
     }

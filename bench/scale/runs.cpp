@@ -24,8 +24,8 @@ constexpr double kLidarReach = 8.0;  // metres
 constexpr std::size_t kPsds = 8;
 constexpr std::size_t kLidarRays = 360;
 
-/// A disc of 0.2 m that has a commanded speed at once, with sensors in its centre.
-robot::RobotModel model_for(Workload workload) {
+/// A disc of 0.2 m that has a commanded speed at once, with its lidar in its centre.
+robot::RobotModel model_for(Workload workload, double rim) {
   robot::RobotModel model;
   model.diameter = 0.2;
   model.drive.linear_acceleration = 0.0;
@@ -34,7 +34,8 @@ robot::RobotModel model_for(Workload workload) {
     for (std::size_t i = 0; i < kPsds; ++i) {  // clockwise from behind, as a lidar's rays
       robot::RangeSensorModel psd;
       psd.id = static_cast<int>(i) + 1;
-      psd.pose_in_robot.theta = kPi - 2 * kPi / kPsds * static_cast<double>(i);
+      const double bearing = kPi - 2 * kPi / kPsds * static_cast<double>(i);
+      psd.pose_in_robot = {rim * std::cos(bearing), rim * std::sin(bearing), bearing};
       psd.max_range = psd.out_of_range = kPsdReach;
       model.range_sensors.push_back(psd);
     }
@@ -54,7 +55,7 @@ std::size_t bytes_in_use() {
 class Run {
  public:
   Run(const Cell& cell, const Arena& arena) : cell_(cell), sim_(arena.model, {cell.step, 1, 2.0}) {
-    const robot::RobotModel model = model_for(cell.workload);
+    const robot::RobotModel model = model_for(cell.workload, cell.rim);
     const std::size_t before = bytes_in_use();
     for (const Pose& start : arena.starts) {
       controllers_.emplace_back(static_cast<std::uint32_t>(controllers_.size()));

@@ -15,6 +15,7 @@ struct Cell {
   std::size_t robots = 1;
   double step = 0.1;  ///< Of the simulation, seconds; sensing and control are at 10 Hz in any case.
   std::size_t in_one = 1000;  ///< So many share a place of 40 x 40 m; more get more of them.
+  double rim = 0.0;           ///< Distance sensors look outward from so far off the centre, metres.
 };
 
 /// How long it is measured.

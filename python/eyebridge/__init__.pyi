@@ -193,6 +193,9 @@ class Simulation:
     @property
     def twists(self) -> NDArray[numpy.float64]:
         """Linear and angular speed of each robot; a view like poses."""
+    def psds(self) -> NDArray[numpy.float64]:
+        """A reading of all distance sensors of all robots, metres: a row a robot, as its psds(), and faster than one after the
+        other. NaN beyond a robot's sensors."""
     @property
     def objects(self) -> NDArray[numpy.float64]:
         """x, y, theta of each ball, can, box and polygon; of one that was removed as it was then. A copy."""

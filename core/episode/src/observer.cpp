@@ -103,6 +103,14 @@ void Observer::add(std::string_view word, const robot::RobotModel& model) {
   }
 }
 
+void Observer::read_psds(robot::Simulation& simulation, robot::RobotIndex robot,
+                         std::span<double> row) const {
+  simulation.read_ranges(robot, row);
+  if (std::ranges::is_sorted(psds_)) return;
+  const std::vector<double> as_in_model(row.begin(), row.end());
+  for (std::size_t i = 0; i < row.size(); ++i) row[i] = as_in_model[psds_[i]];
+}
+
 void Observer::read(robot::Simulation& simulation, robot::RobotIndex robot,
                     std::span<double> row) const {
   const auto write = [&](const Pose& pose) {
@@ -113,9 +121,7 @@ void Observer::read(robot::Simulation& simulation, robot::RobotIndex robot,
   for (const Part& part : parts_) {
     switch (part.kind) {
       case Kind::Psd:
-        for (std::size_t i = 0; i < part.count; ++i) {
-          row[i] = simulation.read_range(robot, psds_[i]);
-        }
+        read_psds(simulation, robot, row.first(part.count));
         break;
       case Kind::Lidar:
         simulation.read_lidar(robot, field_of_view_, row.first(part.count));

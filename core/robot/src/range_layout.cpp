@@ -19,16 +19,40 @@ std::vector<Vec2> cone_of(const RangeSensorModel& model) {
   return rays;
 }
 
+/// Around places, metres.
+struct Box {
+  Vec2 low, high;
+
+  [[nodiscard]] Box with(Vec2 p) const {
+    return {{std::min(low.x, p.x), std::min(low.y, p.y)},
+            {std::max(high.x, p.x), std::max(high.y, p.y)}};
+  }
+  [[nodiscard]] Vec2 middle() const { return 0.5 * (low + high); }
+  /// No place in it is farther from the middle, however they are rounded where the robot stands.
+  [[nodiscard]] double spread() const { return low == high ? 0.0 : 0.5 * norm(high - low) + 1e-9; }
+};
+
 }  // namespace
 
 RangeLayout::RangeLayout(const std::vector<RangeSensorModel>& models) {
+  Box box;
   for (const RangeSensorModel& model : models) {
     const Vec2 origin = model.pose_in_robot.position();
-    if (fans.empty() || !(fans.back().origin == origin) ||
-        fans.back().max_range != model.max_range || fans.back().count == kMostInFan) {
-      fans.push_back({origin, model.max_range, headings.size(), 0});
+    const Box both = fans.empty() ? Box{origin, origin} : box.with(origin);
+    if (fans.empty() || both.spread() > kMostSpread || fans.back().max_range != model.max_range ||
+        fans.back().count == kMostInFan) {
+      box = {origin, origin};
+      fans.push_back({origin, 0.0, model.max_range, headings.size(), 0});
+    } else {
+      box = both;
     }
-    ++fans.back().count;
+    Fan& fan = fans.back();
+    ++fan.count;
+    if (box.spread() > 0.0) {
+      fan.origin = box.middle();
+      fan.spread = box.spread();
+    }
+    origins.push_back(origin);
     headings.push_back(Heading::from_angle(model.pose_in_robot.theta));
     min_range.push_back(model.min_range);
     max_range.push_back(model.max_range);
@@ -41,7 +65,7 @@ RangeLayout::RangeLayout(const std::vector<RangeSensorModel>& models) {
 
 bool RangeLayout::fits(const std::vector<RangeSensorModel>& models) const {
   const RangeLayout other(models);
-  return headings == other.headings && min_range == other.min_range &&
+  return origins == other.origins && headings == other.headings && min_range == other.min_range &&
          max_range == other.max_range && out_of_range == other.out_of_range && fans == other.fans &&
          only_rays == other.only_rays && cones == other.cones;
 }

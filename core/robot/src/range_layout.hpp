@@ -17,9 +17,10 @@ struct RangeLayout {
   /// True when readings by this layout are those of `models`.
   [[nodiscard]] bool fits(const std::vector<RangeSensorModel>& models) const;
 
-  /// Neighbours that look from one place, equally far: their rays are cast at once.
+  /// Neighbours that look equally far, from places near each other: their rays are cast at once.
   struct Fan {
-    Vec2 origin;  ///< In the robot, metres.
+    Vec2 origin;    ///< In the robot, metres: in the middle of theirs.
+    double spread;  ///< Of theirs around it, metres; 0 where it is the same for all.
     double max_range;
     std::size_t first;  ///< Sensor.
     std::size_t count;
@@ -27,8 +28,10 @@ struct RangeLayout {
     friend bool operator==(const Fan&, const Fan&) = default;
   };
   static constexpr std::size_t kMostInFan = 16;
+  static constexpr double kMostSpread = 0.5;  // metres
 
   // One a sensor, in the order of the model.
+  std::vector<Vec2> origins;      ///< In the robot, metres.
   std::vector<Heading> headings;  ///< In the robot.
   std::vector<double> min_range;
   std::vector<double> max_range;

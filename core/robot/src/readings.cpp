@@ -38,18 +38,28 @@ double Simulation::read_range(RobotIndex robot, std::size_t sensor) {
 
 void Simulation::Impl::add_fans(RobotIndex robot, std::span<double> ranges) {
   const Eyes& its = eyes[robot];
-  if (fans.empty()) directions.resize(std::max(world::kFansTogether, its.layout->fans.size()));
+  if (fans.empty()) looks.resize(std::max(world::kFansTogether, its.layout->fans.size()));
   const Vec2 position = world.position(its.body);
   const Heading heading = world.heading(its.body);
   for (const RangeLayout::Fan& fan : its.layout->fans) {
-    Vec2* const looks = directions[fans.size()].data();
+    Looks& look = looks[fans.size()];
     const Heading* const headings = its.layout->headings.data() + fan.first;
-    for (std::size_t i = 0; i < fan.count; ++i) looks[i] = heading.turned(headings[i]).forward();
-    fans.push_back({position + heading.rotate(fan.origin),
-                    {looks, fan.count},
-                    fan.max_range,
-                    its.body,
-                    ranges.subspan(fan.first, fan.count)});
+    for (std::size_t i = 0; i < fan.count; ++i) {
+      look.directions[i] = heading.turned(headings[i]).forward();
+    }
+    world::RayFan& rays = fans.emplace_back();
+    rays.origin = position + heading.rotate(fan.origin);
+    rays.directions = {look.directions.data(), fan.count};
+    rays.max_range = fan.max_range;
+    rays.ignore = its.body;
+    rays.ranges = ranges.subspan(fan.first, fan.count);
+    if (fan.spread == 0.0) continue;
+    const Vec2* const origins = its.layout->origins.data() + fan.first;
+    for (std::size_t i = 0; i < fan.count; ++i) {
+      look.origins[i] = position + heading.rotate(origins[i]);
+    }
+    rays.origins = {look.origins.data(), fan.count};
+    rays.spread = fan.spread;
   }
 }
 

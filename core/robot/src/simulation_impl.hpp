@@ -84,7 +84,11 @@ struct Simulation::Impl {
   ScanShapes scans;
   // Of the reading at hand; kept for its memory.
   std::vector<world::RayFan> fans;
-  std::vector<std::array<Vec2, RangeLayout::kMostInFan>> directions;  ///< Of `fans`.
+  struct Looks {
+    std::array<Vec2, RangeLayout::kMostInFan> directions;
+    std::array<Vec2, RangeLayout::kMostInFan> origins;
+  };
+  std::vector<Looks> looks;  ///< What `fans` are lent.
   std::vector<Vec2> cone_directions;
   std::vector<Vec2> scan_directions;
   std::vector<double> cone_ranges;

@@ -19,25 +19,22 @@ inline Directions directions(Vec2 first, double turn) {
           static_cast<float>(first.y), static_cast<float>(turn * first.y)};
 }
 
-template <class Values>
 struct Bearing {
-  Values angle;     ///< From ray 0, in the direction in which rays are counted, 0 … 2 pi.
-  Values nearness;  ///< 1 by the distance, or up to sqrt(2) times as much.
+  Floats angle;     ///< From ray 0, in the direction in which rays are counted, 0 … 2 pi.
+  Floats nearness;  ///< 1 by the distance, or up to sqrt(2) times as much.
 };
 
 /// Of places seen from the origin, within 1.2e-5 radians; as in Sweep::number_of().
-template <class Values>
-EYEBRIDGE_RAY_TARGET inline Bearing<Values> bearing_of(Values px, Values py,
-                                                       const Directions& ahead) {
-  const Values x = ahead.x * px + ahead.y * py;
-  const Values y = ahead.turned_x * py - ahead.turned_y * px;
+EYEBRIDGE_RAY_TARGET inline Bearing bearing_of(Floats px, Floats py, const Directions& ahead) {
+  const Floats x = ahead.x * px + ahead.y * py;
+  const Floats y = ahead.turned_x * py - ahead.turned_y * px;
   constexpr float kHalfTurn = 3.14159274F;
-  const Values ax = magnitude(x);
-  const Values ay = magnitude(y);
-  const Values nearness = 1.0F / larger(ax, ay);
-  const Values q = smaller(ax, ay) * nearness;
-  const Values s = q * q;
-  Values angle =
+  const Floats ax = magnitude(x);
+  const Floats ay = magnitude(y);
+  const Floats nearness = 1.0F / larger(ax, ay);
+  const Floats q = smaller(ax, ay) * nearness;
+  const Floats s = q * q;
+  Floats angle =
       q * (0.9998660F + s * (-0.3302995F + s * (0.1801410F + s * (-0.0851330F + s * 0.0208351F))));
   angle = either(ax <= ay, kHalfTurn / 2 - angle, angle);
   angle = either(x < 0.0F, kHalfTurn - angle, angle);

@@ -61,6 +61,30 @@ struct Registers {
   }
 };
 
+/// A disc, seen from where rays begin.
+struct SeenDisc {
+  double wx, wy;
+  double radius_squared;
+};
+
+/// nearer_disc_hit() of a register of rays that do not begin in the disc.
+EYEBRIDGE_RAY_TARGET inline void meet_register(const SeenDisc& disc, const double* dxs,
+                                               const double* dys, double* ranges) {
+  const Lanes never = Lanes{} + std::numeric_limits<double>::infinity();
+  Lanes dx;
+  Lanes dy;
+  Lanes nearest;
+  load(dx, dxs);
+  load(dy, dys);
+  load(nearest, ranges);
+  const Lanes along = disc.wx * dx + disc.wy * dy;
+  const Lanes across = dx * disc.wy - dy * disc.wx;
+  // No number for rays that pass by: `nearest` is smaller then.
+  const Lanes range = along - root_of(disc.radius_squared - across * across);
+  nearest = smaller(along > 0.0 ? range : never, nearest);
+  std::memcpy(ranges, &nearest, sizeof nearest);
+}
+
 }  // namespace
 
 #endif

@@ -13,24 +13,32 @@ namespace {
 
 /// The rays of the second half look the other way of those of the first, but for so much.
 constexpr double kOpposite = 1e-9;
+/// And their lines are the same, but for so many metres: far less than any look is off.
+constexpr float kOneLine = 1e-6F;
 
 }  // namespace
 
-Fan::Fan(Vec2 origin, std::span<const Vec2> directions, double max_range, std::uint32_t self)
-    : origin_(origin), self_(self), directions_(directions), lines_(directions.size()) {
+Fan::Fan(const RayFan& rays, std::uint32_t self)
+    : origin_(rays.origin),
+      spread_(rays.origins.empty() ? 0.0 : rays.spread),
+      self_(self),
+      directions_(rays.directions),
+      lines_(rays.directions.size()) {
+  const std::span<const Vec2> directions = directions_;
   assert(!directions.empty() && directions.size() <= kMost);
   for (std::size_t i = 0; i < directions.size(); ++i) {
     dx_[i] = directions[i].x;
     dy_[i] = directions[i].y;
     x_[i] = static_cast<float>(directions[i].x);
     y_[i] = static_cast<float>(directions[i].y);
-    best_[i] = max_range;
+    best_[i] = rays.max_range;
   }
   for (std::size_t i = directions.size(); i % 8 != 0; ++i) {
     dx_[i] = dy_[i] = 0.0;
     x_[i] = y_[i] = std::numeric_limits<float>::quiet_NaN();
-    best_[i] = max_range;
+    best_[i] = rays.max_range;
   }
+  if (is_apart()) place(rays.origins);
   if (directions.size() % 2 == 0) {
     const std::size_t half = directions.size() / 2;
     double most = 0.0;
@@ -39,13 +47,35 @@ Fan::Fan(Vec2 origin, std::span<const Vec2> directions, double max_range, std::u
       const double off = std::fabs(sum.x) + std::fabs(sum.y);
       most = off > most ? off : most;
     }
-    if (most <= kOpposite) lines_ = half;
+    if (most <= kOpposite && have_one_line_each(half)) lines_ = half;
   }
+}
+
+void Fan::place(std::span<const Vec2> origins) {
+  for (std::size_t i = 0; i < origins.size(); ++i) {
+    assert(norm(origins[i] - origin_) <= spread_);
+    ox_[i] = origins[i].x;
+    oy_[i] = origins[i].y;
+    beside_[i] = static_cast<float>(cross(origins[i] - origin_, directions_[i]));
+  }
+  for (std::size_t i = origins.size(); i % 8 != 0; ++i) {
+    ox_[i] = oy_[i] = 0.0;
+    beside_[i] = 0.0F;
+  }
+}
+
+bool Fan::have_one_line_each(std::size_t half) const {
+  if (!is_apart()) return true;
+  for (std::size_t i = 0; i < half; ++i) {
+    if (std::fabs(beside_[i] + beside_[half + i]) > kOneLine) return false;
+  }
+  return true;
 }
 
 #define EYEBRIDGE_RAY_TARGET
 #define EYEBRIDGE_RAY_LANES 2
 #define EYEBRIDGE_OF(name) name##_scalar
-#include "fan.ipp"
+#include "fan_discs.ipp"
+#include "fan_walls.ipp"
 
 }  // namespace eyebridge::world

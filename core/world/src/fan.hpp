@@ -10,7 +10,7 @@
 
 namespace eyebridge::world {
 
-/// A few rays from one place, in any directions, and how far each of them goes.
+/// A few rays from one place, or places near it, in any directions, and how far each of them goes.
 ///
 /// Who meets whom is found in single precision first, many at once and without branches that
 /// nobody can foresee; the few pairs of a ray and a wall or disc that are left are worked out
@@ -20,12 +20,15 @@ class Fan {
   /// So many rays at most.
   static constexpr std::size_t kMost = 16;
 
-  /// No ray has met anything yet. `directions` are lent for as long as the fan is there. No ray
-  /// will meet the disc at `self`, BodyMap::place_of() of who looks.
-  Fan(Vec2 origin, std::span<const Vec2> directions, double max_range, std::uint32_t self);
+  /// Origins that are farther apart than this, metres, are better cast one by one.
+  static constexpr double kMostSpread = 1.0;
 
-  /// Shortens the rays that meet `walls`, by their indices of `segments`. The AVX2 one runs where
-  /// RayGrid::has_avx2().
+  /// No ray has met anything yet. What `rays` lend is lent for as long as the fan is there. No ray
+  /// will meet the disc at `self`, BodyMap::place_of() of who looks.
+  Fan(const RayFan& rays, std::uint32_t self);
+
+  /// Shortens the rays that meet `walls`, by their indices of `segments`: those that are near the
+  /// fan's origin, its spread included. The AVX2 one runs where RayGrid::has_avx2().
   void meet_walls_scalar(const Segment* segments, const WallList& walls);
   void meet_walls_avx2(const Segment* segments, const WallList& walls);
   /// Shortens the rays of 1 to kFansTogether fans that meet one of the discs of `map`, of which
@@ -52,8 +55,19 @@ class Fan {
   void meet_avx2(const Segment* segments, const std::uint32_t* indices, Pairs& pairs);
   void meet_scalar(const Disc& disc);
   void meet_avx2(const Disc& disc);
+  void meet_apart_scalar(const Disc& disc);
+  void meet_apart_avx2(const Disc& disc);
+
+  void place(std::span<const Vec2> origins);
+  /// Whether each ray of the first half begins on the line of one of the second.
+  [[nodiscard]] bool have_one_line_each(std::size_t half) const;
+  [[nodiscard]] bool is_apart() const { return spread_ > 0.0; }
+  [[nodiscard]] Vec2 origin_of(std::size_t ray) const {
+    return is_apart() ? Vec2{ox_[ray], oy_[ray]} : origin_;
+  }
 
   Vec2 origin_;
+  double spread_;       ///< Of the rays' origins around it; 0 where they all begin there.
   std::uint32_t self_;  ///< Who looks: its place in the map of bodies.
   std::span<const Vec2> directions_;
   /// Along which they look: as many as rays, or half, each ray of the first half looking the other
@@ -64,6 +78,12 @@ class Fan {
   alignas(64) double best_[kMost];
   float x_[kMost];
   float y_[kMost];
+  // Of fans with a spread only.
+  alignas(64) double ox_[kMost];
+  alignas(64) double oy_[kMost];
+  /// How far to the right of the ray's line `origin_` lies, metres: cross products of where the ray
+  /// begins, seen from there, and its direction.
+  float beside_[kMost];
 };
 
 }  // namespace eyebridge::world

@@ -19,7 +19,8 @@
 
 namespace eyebridge::world {
 
-#include "fan.ipp"
+#include "fan_discs.ipp"
+#include "fan_walls.ipp"
 
 }  // namespace eyebridge::world
 

@@ -93,6 +93,9 @@ EYEBRIDGE_RAY_TARGET inline Floats floats_of(Get get) {
 #endif
 }
 
+/// `value` in each lane.
+EYEBRIDGE_RAY_TARGET inline Floats filled(float value) { return value - Floats{}; }
+
 /// from[index] in each lane.
 EYEBRIDGE_RAY_TARGET inline Floats picked(const float* from, FloatBits index) {
 #if defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 4
@@ -136,17 +139,6 @@ EYEBRIDGE_RAY_TARGET inline Lanes root_of(Lanes square) {
 #endif
 }
 
-EYEBRIDGE_RAY_TARGET inline Floats root_of(Floats square) {
-#if defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 4
-  return __builtin_ia32_sqrtps256(square);
-#elif defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 2
-  return __builtin_ia32_sqrtps(square);
-#else
-  for (std::size_t lane = 0; lane < kFloats; ++lane) square[lane] = std::sqrt(square[lane]);
-  return square;
-#endif
-}
-
 /// 1 by the root, within a part of 4e-4: not the same on all processors.
 EYEBRIDGE_RAY_TARGET inline Floats inverse_root_of(Floats square) {
 #if defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 4
@@ -154,7 +146,8 @@ EYEBRIDGE_RAY_TARGET inline Floats inverse_root_of(Floats square) {
 #elif defined(__x86_64__) && EYEBRIDGE_RAY_LANES == 2
   return __builtin_ia32_rsqrtps(square);
 #else
-  return 1.0F / root_of(square);
+  for (std::size_t lane = 0; lane < kFloats; ++lane) square[lane] = 1.0F / std::sqrt(square[lane]);
+  return square;
 #endif
 }
 
@@ -195,29 +188,6 @@ EYEBRIDGE_RAY_TARGET inline WallHits hits_of(const SeenWall& wall, const double*
   return {(along_wall >= -slack) & (along_wall <= wall.length * den + slack) &
               (along_ray >= -slack) & ~parallel,
           along_ray, den, parallel};
-}
-
-/// nearer_hit() of `wall` for at least the rays `first` to `last`, as in meet_register(). False
-/// when one may be parallel to the wall.
-template <class Rays>
-EYEBRIDGE_RAY_TARGET inline bool meet(const Segment& wall, Vec2 origin, Rays& rays,
-                                      std::size_t first, std::size_t last) {
-  const SeenWall seen_wall = seen(wall, origin);
-  LaneBits parallel{};
-  for (std::size_t i = first / kLanes * kLanes; i <= last; i += kLanes) {
-    const WallHits hits = hits_of(seen_wall, rays.dx + i, rays.dy + i);
-    parallel |= hits.parallel;
-    Lanes best;
-    load(best, rays.best + i);
-    // Most are missed, or hidden by something nearer: no division for them. The factor is above the
-    // roundings.
-    const LaneBits hit = hits.hit & (hits.along_ray <= best * hits.den * (1.0 + 1e-15));
-    if (!any(hit)) continue;
-    const Lanes range = hits.along_ray / hits.den;
-    best = (hit & (range < best)) ? larger(range, Lanes{}) : best;
-    std::memcpy(rays.best + i, &best, sizeof best);
-  }
-  return !any(parallel);
 }
 
 }  // namespace

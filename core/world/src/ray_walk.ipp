@@ -10,6 +10,29 @@ struct Rays {
   alignas(64) double best[RayGrid::kChunk];
 };
 
+/// nearer_hit() of `wall` for at least the rays `first` to `last`: the same operations on the same
+/// numbers. False when one may be parallel to the wall: such rays are left as they are. `rays` are
+/// filled up to a whole register.
+EYEBRIDGE_RAY_TARGET inline bool meet(const Segment& wall, Vec2 origin, Rays& rays,
+                                      std::size_t first, std::size_t last) {
+  const SeenWall seen_wall = seen(wall, origin);
+  LaneBits parallel{};
+  for (std::size_t i = first / kLanes * kLanes; i <= last; i += kLanes) {
+    const WallHits hits = hits_of(seen_wall, rays.dx + i, rays.dy + i);
+    parallel |= hits.parallel;
+    Lanes best;
+    load(best, rays.best + i);
+    // Most are missed, or hidden by something nearer: no division for them. The factor is above the
+    // roundings.
+    const LaneBits hit = hits.hit & (hits.along_ray <= best * hits.den * (1.0 + 1e-15));
+    if (!any(hit)) continue;
+    const Lanes range = hits.along_ray / hits.den;
+    best = (hit & (range < best)) ? larger(range, Lanes{}) : best;
+    std::memcpy(rays.best + i, &best, sizeof best);
+  }
+  return !any(parallel);
+}
+
 }  // namespace
 
 EYEBRIDGE_RAY_TARGET

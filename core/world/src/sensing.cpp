@@ -28,7 +28,19 @@ void add_once(Vec2 direction, std::size_t first, std::vector<Vec2>& out) {
 }  // namespace
 
 bool World::Impl::are_few(const RayFan& fan) const {
-  return !bodies.any_convex_ && fan.directions.size() > 1 && fan.directions.size() <= Fan::kMost;
+  return !bodies.any_convex_ && !fan.directions.empty() && fan.directions.size() <= Fan::kMost &&
+         fan.spread <= Fan::kMostSpread;
+}
+
+void World::Impl::cast_at_walls(const RayFan& fan, std::span<double> ranges) const {
+  if (fan.origins.empty()) {
+    rays.cast_fan(fan.origin, fan.directions, fan.max_range, ranges);
+    return;
+  }
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    rays.cast_fan(fan.origins[i], fan.directions.subspan(i, 1), fan.max_range,
+                  ranges.subspan(i, 1));
+  }
 }
 
 bool World::Impl::cast_few(std::span<const RayFan> asked) {
@@ -39,11 +51,11 @@ bool World::Impl::cast_few(std::span<const RayFan> asked) {
       fans.clear();
       return false;
     }
-    Fan& fan =
-        fans.emplace_back(ray.origin, ray.directions, ray.max_range, body_map.place_of(ray.ignore));
-    const auto walls_near = by_sweep ? near_walls.around(ray.origin, ray.max_range) : std::nullopt;
+    Fan& fan = fans.emplace_back(ray, body_map.place_of(ray.ignore));
+    const auto walls_near =
+        by_sweep ? near_walls.around(ray.origin, ray.max_range + ray.spread) : std::nullopt;
     if (!walls_near) {
-      rays.cast_fan(ray.origin, ray.directions, ray.max_range, fan.ranges());
+      cast_at_walls(ray, fan.ranges());
     } else if (has_avx2) {
       fan.meet_walls_avx2(near_walls.segments().data(), *walls_near);
     } else {
@@ -96,7 +108,8 @@ void World::cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_r
                      std::span<double> ranges) const {
   if (ranges.empty()) return;
   const RayFan fan{origin, directions, max_range, ignore, ranges};
-  if (impl_->are_few(fan) && impl_->cast_few({&fan, 1})) return;
+  // A single ray finds its way through the grids sooner.
+  if (directions.size() > 1 && impl_->are_few(fan) && impl_->cast_few({&fan, 1})) return;
   impl_->rays.cast_fan(origin, directions, max_range, ranges);
   const Bodies& bodies = impl_->bodies;
   const double farthest = std::min(*std::max_element(ranges.begin(), ranges.end()), kHorizon);
@@ -133,7 +146,12 @@ void World::cast_fans(std::span<const RayFan> fans) const {
     const auto count = static_cast<std::size_t>(std::max(end - some.begin(), std::ptrdiff_t{1}));
     if (end == some.begin() || !impl_->cast_few(some.first(count))) {
       for (const RayFan& fan : some.first(count)) {
-        cast_fan(fan.origin, fan.directions, fan.max_range, fan.ignore, fan.ranges);
+        if (fan.origins.empty()) {
+          cast_fan(fan.origin, fan.directions, fan.max_range, fan.ignore, fan.ranges);
+        }
+        for (std::size_t i = 0; i < fan.origins.size(); ++i) {
+          fan.ranges[i] = cast_ray(fan.origins[i], fan.directions[i], fan.max_range, fan.ignore);
+        }
       }
     }
     fans = fans.subspan(count);

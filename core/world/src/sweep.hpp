@@ -38,7 +38,7 @@ class Sweep {
 
   [[nodiscard]] std::span<double> ranges() { return {best, count_}; }
 
-  /// So many neighbours have a horizon in common.
+  /// A ray's horizon is that of so many neighbours, itself the first.
   static constexpr std::size_t kWindow = 5;
 
   // For the code of the instruction sets, which looks at a register beyond the last ray.

@@ -30,30 +30,6 @@ struct LaneMarks {
   std::uint8_t bytes[kMost + kUsualStarts + kWord];
 };
 
-/// A disc, seen from where rays begin.
-struct SeenDisc {
-  double wx, wy;
-  double radius_squared;
-};
-
-/// nearer_disc_hit() of a register of rays that do not begin in the disc.
-EYEBRIDGE_RAY_TARGET inline void meet_register(const SeenDisc& disc, const double* dxs,
-                                               const double* dys, double* ranges) {
-  const Lanes never = Lanes{} + std::numeric_limits<double>::infinity();
-  Lanes dx;
-  Lanes dy;
-  Lanes nearest;
-  load(dx, dxs);
-  load(dy, dys);
-  load(nearest, ranges);
-  const Lanes along = disc.wx * dx + disc.wy * dy;
-  const Lanes across = dx * disc.wy - dy * disc.wx;
-  // No number for rays that pass by: `nearest` is smaller then.
-  const Lanes range = along - root_of(disc.radius_squared - across * across);
-  nearest = smaller(along > 0.0 ? range : never, nearest);
-  std::memcpy(ranges, &nearest, sizeof nearest);
-}
-
 }  // namespace
 
 /// The rays `first` to `last`, and maybe neighbours of theirs, and a disc at `w` from the origin,
@@ -97,7 +73,7 @@ void Sweep::EYEBRIDGE_OF(meet_discs)(std::span<const Disc> discs, BodyId ignore)
 /// How far each ray and the kWindow - 1 next ones go, at most.
 EYEBRIDGE_RAY_TARGET
 inline void Sweep::EYEBRIDGE_OF(find_horizons)(float* horizons) const {
-  // Ranges beyond the last ray are 0; of what is not filled no ray's horizon is made.
+  // Ranges beyond the last ray are no more than 0; of what is not filled no ray's horizon is made.
   static_assert(kWindow + kLanes - 1 <= kBeyond && kFloats <= kBeyond);
   float ranges[kMost + 2 * kBeyond];
   for (std::size_t i = 0; i < count_ + kWindow; i += kLanes) {

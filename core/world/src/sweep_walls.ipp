@@ -107,8 +107,8 @@ void Sweep::EYEBRIDGE_OF(meet_walls)(const Segment* segments, const WallList& wa
       begin = k;
     }
     const Ends ends = ends_of(walls, k, origin_);
-    const Bearing<Floats> a = bearing_of(ends.ax, ends.ay, ahead);
-    const Bearing<Floats> b = bearing_of(ends.bx, ends.by, ahead);
+    const Bearing a = bearing_of(ends.ax, ends.ay, ahead);
+    const Bearing b = bearing_of(ends.bx, ends.by, ahead);
     const FloatBits forward = turn * ends.area > 0.0F;
     const Floats low = (forward ? a.angle : b.angle) * per_gap;
     const Floats next = (forward ? b.angle : a.angle) * per_gap;
@@ -121,8 +121,8 @@ void Sweep::EYEBRIDGE_OF(meet_walls)(const Segment* segments, const WallList& wa
     const Floats last = all ? Floats{} + period : high + off;
     const FloatBits beside = (first > last_ray) & (last < period);
     const FloatBits one_run = (first >= 0.0F) & (last < period) & ~beside;
-    // Whole registers of rays; the margin is more than what lies behind the points. Not one where
-    // no ray is between the two.
+    // Whole registers of rays. The margin is more than a ray that lies at `first`; where no ray is
+    // between the two, mostly none.
     constexpr auto kWhole = static_cast<std::int32_t>(kLanes);
     const FloatBits start = whole(first + 1.0F) & -kWhole & one_run;
     const FloatBits end = (whole(smaller(last, Floats{} + last_ray)) + kWhole) & one_run;

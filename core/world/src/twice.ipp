@@ -31,7 +31,6 @@ struct TwiceBits {
 EYEBRIDGE_TWICE(+)
 EYEBRIDGE_TWICE(-)
 EYEBRIDGE_TWICE(*)
-EYEBRIDGE_TWICE(/)
 #undef EYEBRIDGE_TWICE
 
 #define EYEBRIDGE_TWICE(op)                                             \
@@ -64,10 +63,6 @@ EYEBRIDGE_RAY_TARGET inline Twice smaller(Twice a, Twice b) {
 EYEBRIDGE_RAY_TARGET inline Twice larger(Twice a, Twice b) {
   return {larger(a.one, b.one), larger(a.other, b.other)};
 }
-EYEBRIDGE_RAY_TARGET inline Twice root_of(Twice square) {
-  return {root_of(square.one), root_of(square.other)};
-}
-
 EYEBRIDGE_RAY_TARGET inline Twice inverse_root_of(Twice square) {
   return {inverse_root_of(square.one), inverse_root_of(square.other)};
 }

@@ -15,6 +15,7 @@ constexpr float kNear = 1e-3F;
 struct Ends {
   Floats ax, ay, bx, by;
   Floats area;      ///< Positive where b is to the left of a, seen from there.
+  Floats length;    ///< Up to sqrt(2) times as much.
   FloatBits along;  ///< Set where rays begin so near the wall's line that they all may meet it.
 };
 
@@ -30,10 +31,10 @@ EYEBRIDGE_RAY_TARGET inline Ends ends_of(const WallList& walls, std::size_t k, V
   ends.by = load(walls.ends + 3 * walls.stride + k) - y0;
   ends.area = ends.ax * ends.by - ends.ay * ends.bx;
   // There the tolerances of rays are wide angles: the area by the length.
-  const Floats length = magnitude(ends.ax - ends.bx) + magnitude(ends.ay - ends.by);
+  ends.length = magnitude(ends.ax - ends.bx) + magnitude(ends.ay - ends.by);
   const Floats size =
       (magnitude(ends.ax) + magnitude(ends.ay)) * (magnitude(ends.bx) + magnitude(ends.by));
-  ends.along = magnitude(ends.area) <= (kNear + 2 * error) * length + 1e-5F * size;
+  ends.along = magnitude(ends.area) <= (kNear + 2 * error) * ends.length + 1e-5F * size;
   return ends;
 }
 

@@ -115,8 +115,10 @@ struct World::Impl {
   [[nodiscard]] double wall_gap(BodyId id) const;
 
   // sensing.cpp
-  /// Whether they are what cast_few() is for: 2 to Fan::kMost rays, among discs only.
+  /// Whether they are what cast_few() is for: up to Fan::kMost rays, among discs only.
   [[nodiscard]] bool are_few(const RayFan& fan) const;
+  /// How far the rays of `fan` go until they meet walls.
+  void cast_at_walls(const RayFan& fan, std::span<double> ranges) const;
   /// World::cast_fans(), for 1 to kFansTogether fans that are few; false in worlds that are too
   /// large for it.
   bool cast_few(std::span<const RayFan> asked);

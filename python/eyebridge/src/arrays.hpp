@@ -27,11 +27,16 @@ pybind11::array_t<Value> view_of(const Value* data, std::vector<pybind11::ssize_
   return array;
 }
 
-/// A numpy array that owns `values`, without copying them.
-inline pybind11::array_t<double> array_of(std::vector<double> values) {
+/// A numpy array of that shape that owns `values`, without copying them.
+inline pybind11::array_t<double> array_of(std::vector<double> values,
+                                          std::vector<pybind11::ssize_t> shape) {
   const auto owner = std::make_shared<std::vector<double>>(std::move(values));
-  return pybind11::array_t<double>(static_cast<pybind11::ssize_t>(owner->size()), owner->data(),
-                                   keep(owner));
+  return pybind11::array_t<double>(std::move(shape), owner->data(), keep(owner));
+}
+/// One row of them.
+inline pybind11::array_t<double> array_of(std::vector<double> values) {
+  const auto count = static_cast<pybind11::ssize_t>(values.size());
+  return array_of(std::move(values), {count});
 }
 
 }  // namespace eyebridge::python

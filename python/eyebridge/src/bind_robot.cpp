@@ -47,7 +47,7 @@ double psd(const RobotHandle& robot, int id) {
 py::array_t<double> psds(const RobotHandle& robot) {
   return array_of(of(robot, [](auto& sim, auto index) {
     std::vector<double> ranges(sim.model(index).range_sensors.size());
-    for (std::size_t i = 0; i < ranges.size(); ++i) ranges[i] = sim.read_range(index, i);
+    sim.read_ranges(index, ranges);
     return ranges;
   }));
 }

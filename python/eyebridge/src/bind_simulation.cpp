@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -96,6 +99,29 @@ py::array_t<double> cast_rays(const SharedSimulation& shared, double x, double y
   return array_of(std::move(ranges));
 }
 
+/// A row a robot; NaN beyond its sensors.
+py::array_t<double> all_psds(const SharedSimulation& shared) {
+  const std::size_t robots = shared.robot_count();
+  std::size_t most = 0;
+  std::vector<double> table = of(shared, [&](auto& sim) {
+    std::vector<std::size_t> counts;
+    for (robot::RobotIndex i = 0; i < robots; ++i) {
+      counts.push_back(sim.model(i).range_sensors.size());
+      most = std::max(most, counts.back());
+    }
+    std::vector<double> ranges(std::accumulate(counts.begin(), counts.end(), std::size_t{0}));
+    sim.read_all_ranges(ranges);
+    std::vector<double> rows(robots * most, std::numeric_limits<double>::quiet_NaN());
+    auto next = ranges.begin();
+    for (robot::RobotIndex i = 0; i < robots; next += static_cast<std::ptrdiff_t>(counts[i++])) {
+      std::copy_n(next, counts[i], rows.data() + i * most);
+    }
+    return rows;
+  });
+  return array_of(std::move(table),
+                  {static_cast<py::ssize_t>(robots), static_cast<py::ssize_t>(most)});
+}
+
 std::vector<RobotHandle> robot_handles(const Shared& shared) {
   std::vector<RobotHandle> out;
   for (robot::RobotIndex i = 0; i < shared->robot_count(); ++i) out.push_back({shared, i});
@@ -123,6 +149,7 @@ void bind_simulation(py::module_& module) {
       .def_property_readonly("robots", &robot_handles)
       .def_property_readonly("poses", &poses)
       .def_property_readonly("twists", &twists)
+      .def("psds", &all_psds)
       .def("set_speeds", &set_speeds, py::arg("speeds"))
       .def("cast_rays", &cast_rays, py::arg("x"), py::arg("y"), py::arg("angles"),
            py::arg("max_range") = 9.999, py::arg("ignore") = py::none())

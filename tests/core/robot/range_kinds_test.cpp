@@ -183,21 +183,33 @@ TEST(RangeKinds, ReadingAllAtOnceIsReadingOneByOne) {
 
 TEST(RangeKinds, ReadingAllRobotsIsReadingOneAfterTheOther) {
   std::vector<RangeSensorModel> kinds = {RangeSensorModel{}, sonar(), sharp()};
-  // Pairs of rays from many places: more fans than are cast at once, of one robot.
+  // Pairs of rays that look equally far: more fans than are cast at once, of one robot.
   std::vector<RangeSensorModel> rays(40);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     rays[i].pose_in_robot = {i % 4 < 2 ? 0.02 : 0.03, 0.0, 0.3 * static_cast<double>(i)};
+    rays[i].max_range = i % 4 < 2 ? 3.0 : 4.0;
     rays[i].error = {{0.01, 0.02, 0.01}};
   }
   std::vector<RangeSensorModel> few(8);
   for (std::size_t i = 0; i < few.size(); ++i) {
     few[i].pose_in_robot.theta = 0.7 * static_cast<double>(i);
   }
+  // Around the rim, as most robots have them, all of them straight outward or not.
+  std::vector<RangeSensorModel> rim(8);
+  std::vector<RangeSensorModel> askew(8);
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const double bearing = kPi / 4 * static_cast<double>(i);
+    rim[i].pose_in_robot = {0.09 * std::cos(bearing), 0.09 * std::sin(bearing), bearing};
+    askew[i].pose_in_robot = rim[i].pose_in_robot;
+    askew[i].pose_in_robot.theta += 0.2 * static_cast<double>(i);
+  }
+  const std::vector<RangeSensorModel>* const types[] = {&few, &rim,  &askew, &kinds,
+                                                        &rim, &rays, &few};
   Simulation one(one_wall(), {});
   Simulation all(one_wall(), {});
   std::vector<std::size_t> counts;
   for (int i = 0; i < 60; ++i) {
-    const auto& sensors = i % 7 == 3 ? kinds : i % 7 == 5 ? rays : few;
+    const auto& sensors = *types[i % 7];
     const int row = i / 8;
     const bool has_none = i % 13 == 12;
     const RobotModel model = with(has_none ? std::vector<RangeSensorModel>{} : sensors);

@@ -56,12 +56,13 @@ TEST(RangeSensor, ItsTruthHasNoErrorAndDrawsNothing) {
   EXPECT_EQ(asked.sim.read_range(asked.robot, 0), unasked.sim.read_range(unasked.robot, 0));
 }
 
-TEST(RangeSensor, AllAtOnceReadAsOneByOne) {
+/// `place(i)` is the pose of sensor i.
+template <class Place>
+void expect_one_by_one(Place place) {
   RobotModel model;
-  Random random(7);
   for (int i = 0; i < 30; ++i) {
     RangeSensorModel psd;
-    psd.pose_in_robot = {i < 20 ? 0.0 : 0.05, i < 24 ? 0.0 : -0.02, 2 * kPi * random.uniform()};
+    psd.pose_in_robot = place(i);
     psd.max_range = psd.out_of_range = i % 7 == 0 ? 1.5 : 4.0;
     psd.min_range = 0.2;
     if (i % 3 == 0) psd.error = {{0.01, 0.02, 0.03}};
@@ -79,6 +80,18 @@ TEST(RangeSensor, AllAtOnceReadAsOneByOne) {
   }
   EXPECT_THROW(together.sim.read_ranges(together.robot, std::span(ranges).first(3)),
                std::out_of_range);
+}
+
+TEST(RangeSensor, AllAtOnceReadAsOneByOne) {
+  Random random(7);
+  const auto turn = [&] { return 2 * kPi * random.uniform(); };
+  // From few places; from anywhere upon the robot; from farther apart than are cast at once.
+  expect_one_by_one([&](int i) { return Pose{i < 20 ? 0.0 : 0.05, i < 24 ? 0.0 : -0.02, turn()}; });
+  for (const double size : {1e-12, 0.1, 0.9}) {
+    expect_one_by_one([&](int) {
+      return Pose{size * (random.uniform() - 0.5), size * (random.uniform() - 0.5), turn()};
+    });
+  }
 }
 
 TEST(RangeSensor, SeesOtherRobotsButNotItself) {

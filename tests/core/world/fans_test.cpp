@@ -31,7 +31,8 @@ TEST(Fans, TogetherMeetTheSameDiscsInEveryInstructionSet) {
       const auto fans = [&] {
         std::vector<Fan> made;
         for (std::size_t i = 0; i < rays.size(); ++i) {
-          made.emplace_back(rays[i].origin, rays[i].directions, 5.0, crowd.map.place_of(selves[i]));
+          const RayFan asked{rays[i].origin, rays[i].directions, 5.0, selves[i], {}};
+          made.emplace_back(asked, crowd.map.place_of(selves[i]));
         }
         return made;
       };
@@ -94,59 +95,88 @@ double range_by_loop(const World& world, const std::vector<Segment>& walls, Vec2
 /// Many fans of World::cast_fans(), and what they lend it.
 struct ManyFans {
   std::vector<Rays> rays;
+  std::vector<std::vector<Vec2>> origins;
   std::vector<std::vector<double>> ranges;
   std::vector<RayFan> fans;
 
-  /// From the places of bodies; of 2 up to `most` rays each.
-  ManyFans(const World& world, std::size_t count, std::size_t most, Random& random) {
+  /// From the places of bodies; of 1 up to `most` rays each. Half of them begin at places of their
+  /// own, up to `spread` metres from there: outward on a circle, or anywhere.
+  ManyFans(const World& world, std::size_t count, std::size_t most, double spread, Random& random) {
     for (std::size_t i = 0; i < count; ++i) {
       const auto id = static_cast<BodyId>(random.bits() % world.body_count());
-      const auto some = static_cast<int>(2 + random.bits() % (most - 1));
+      const auto some = static_cast<int>(1 + random.bits() % most);
       const double gap = 2 * kPi / (random.chance(0.5) ? some : 20);
       rays.push_back(fan(world.position(id) + Vec2{0.001 * random.uniform(), 0.0},
                          7 * random.uniform(), gap, some));
       ranges.emplace_back(rays.back().directions.size(), -1.0);
-      const double reach = random.chance(0.2) ? std::numeric_limits<double>::infinity()
-                                              : 6.0 * random.uniform() + 0.1;
+      // No more of them than lists of walls are kept for.
+      const double reach = std::vector<double>{
+          0.2, 1.5, 6.0, std::numeric_limits<double>::infinity()}[random.bits() % 4];
       fans.push_back({rays.back().origin, {}, reach, random.chance(0.9) ? id : kNoBody, {}});
+      origins.emplace_back();
+      if (random.chance(0.5)) continue;
+      const bool outward = random.chance(0.5);
+      for (const Vec2 direction : rays.back().directions) {
+        const Vec2 way =
+            outward ? direction
+                    : random.uniform() * Heading::from_angle(7 * random.uniform()).forward();
+        origins.back().push_back(rays.back().origin + 0.999 * spread * way);
+      }
+      fans.back().spread = spread;
     }
     for (std::size_t i = 0; i < count; ++i) {
       fans[i].directions = rays[i].directions;
+      fans[i].origins = origins[i];
       fans[i].ranges = ranges[i];
     }
   }
 };
 
-TEST(Fans, TogetherGiveExactlyTheRangesOfALoopOverAllWallsAndBodies) {
-  for (const unsigned bodies : {9U, 60U, 3000U}) {
-    World world(shared(random_walls(96, 30, 6.0, 0.05)));
-    const std::vector<Segment> walls = outlines_of(world.model().walls);
-    Random random(97);
-    while (world.body_count() < bodies) {
-      const Pose pose{6 * random.uniform(), 6 * random.uniform(), 0};
-      const double radius = 0.01 + 0.02 * random.uniform();
-      if (world.is_free(pose.position(), radius)) world.add_robot(pose, radius, 0.1, {});
-    }
-    int by_bodies = 0;
-    for (int round = 0; round < 20; ++round) {
-      world.set_pose(static_cast<BodyId>(round % 9), {7 * random.uniform(), random.uniform(), 0});
-      // The last ones also have some that are cast alone.
-      const std::size_t most = round < 8 ? 8 : round < 16 ? 16 : 20;
-      const ManyFans many(world, 1 + random.bits() % 40, most, random);
-      world.cast_fans(many.fans);
-      for (const RayFan& each : many.fans) {
-        for (std::size_t k = 0; k < each.directions.size(); ++k) {
-          const double expected = range_by_loop(world, walls, each.origin, each.directions[k],
-                                                each.max_range, each.ignore);
-          ASSERT_EQ(each.ranges[k], expected) << bodies << " bodies, round " << round;
-          const double wall =
-              range_to_walls(walls, each.origin, each.directions[k], each.max_range);
-          by_bodies += expected < wall ? 1 : 0;
-        }
+Vec2 origin_of(const RayFan& fan, std::size_t ray) {
+  return fan.origins.empty() ? fan.origin : fan.origins[ray];
+}
+
+void expect_ranges_of_a_loop(unsigned bodies, double spread) {
+  World world(shared(random_walls(96, 30, 6.0, 0.05)));
+  const std::vector<Segment> walls = outlines_of(world.model().walls);
+  Random random(97);
+  while (world.body_count() < bodies) {
+    const Pose pose{6 * random.uniform(), 6 * random.uniform(), 0};
+    const double radius = 0.01 + 0.02 * random.uniform();
+    if (world.is_free(pose.position(), radius)) world.add_robot(pose, radius, 0.1, {});
+  }
+  int by_bodies = 0;
+  int inside = 0;
+  const int rounds = bodies > 1000 ? 4 : 16;
+  for (int round = 0; round < rounds; ++round) {
+    world.set_pose(static_cast<BodyId>(round % 9), {7 * random.uniform(), random.uniform(), 0});
+    // Each fourth one also has some that are cast alone.
+    const std::size_t most = std::vector<std::size_t>{8, 16, 16, 20}[round % 4U];
+    const ManyFans many(world, 1 + random.bits() % 40, most, spread, random);
+    world.cast_fans(many.fans);
+    for (const RayFan& each : many.fans) {
+      for (std::size_t k = 0; k < each.directions.size(); ++k) {
+        const Vec2 origin = origin_of(each, k);
+        const double expected =
+            range_by_loop(world, walls, origin, each.directions[k], each.max_range, each.ignore);
+        ASSERT_EQ(each.ranges[k], expected)
+            << bodies << " bodies, spread " << spread << ", round " << round << ", ray " << k;
+        const double wall = range_to_walls(walls, origin, each.directions[k], each.max_range);
+        by_bodies += expected < wall ? 1 : 0;
+        inside += expected == 0.0 && !each.origins.empty() ? 1 : 0;
       }
     }
-    EXPECT_GT(by_bodies, 100) << bodies << " bodies";
   }
+  EXPECT_GT(by_bodies, 100) << bodies << " bodies";
+  EXPECT_GT(inside, bodies > 1000 ? 10 : -1) << "rays that begin in others";
+}
+
+TEST(Fans, TogetherGiveExactlyTheRangesOfALoopOverAllWallsAndBodies) {
+  for (const unsigned bodies : {9U, 60U}) {
+    // The last one is too much for a fan.
+    for (const double spread : {0.02, 0.1, 0.5, 3.0}) expect_ranges_of_a_loop(bodies, spread);
+  }
+  expect_ranges_of_a_loop(3000U, 0.1);
 }
 
 TEST(Fans, AmongThingsWithCornersAreCastToo) {
@@ -162,12 +192,13 @@ TEST(Fans, AmongThingsWithCornersAreCastToo) {
     const Pose pose{6 * random.uniform(), 6 * random.uniform(), 0};
     if (world.is_free(pose.position(), 0.03)) world.add_robot(pose, 0.03, 0.1, {});
   }
-  const ManyFans many(world, 30, 8, random);
+  const ManyFans many(world, 30, 8, 0.2, random);
   world.cast_fans(many.fans);
   for (const RayFan& each : many.fans) {
-    std::vector<double> alone(each.ranges.size());
-    world.cast_fan(each.origin, each.directions, each.max_range, each.ignore, alone);
-    ASSERT_TRUE(std::ranges::equal(each.ranges, alone));
+    for (std::size_t k = 0; k < each.ranges.size(); ++k) {
+      ASSERT_EQ(each.ranges[k], world.cast_ray(origin_of(each, k), each.directions[k],
+                                               each.max_range, each.ignore));
+    }
   }
 }
 

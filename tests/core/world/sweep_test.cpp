@@ -172,12 +172,13 @@ TEST(Sweep, EveryInstructionSetGivesTheSameBits) {
     }
     if (rays.directions.size() > Fan::kMost) continue;
     const std::uint32_t self = crowd.map.place_of(ignore);
-    Fan few(rays.origin, rays.directions, 5.0, self);
+    const RayFan asked{rays.origin, rays.directions, 5.0, ignore, {}};
+    Fan few(asked, self);
     few.meet_walls_scalar(segments.data(), all);
     Fan::meet_discs_scalar({&few, 1}, crowd.map, largest);
     check(few.ranges(), "fan");
     if (RayGrid::has_avx2()) {
-      Fan avx2(rays.origin, rays.directions, 5.0, self);
+      Fan avx2(asked, self);
       avx2.meet_walls_avx2(segments.data(), all);
       Fan::meet_discs_avx2({&avx2, 1}, crowd.map, largest);
       check(avx2.ranges(), "fan by AVX2");

@@ -45,6 +45,8 @@ class Observer {
 
   void add(std::string_view word, const robot::RobotModel& model);
   void add_part(Kind kind, std::size_t count, double low, double high);
+  void read_psds(robot::Simulation& simulation, robot::RobotIndex robot,
+                 std::span<double> row) const;
 
   std::vector<Part> parts_;
   std::vector<std::size_t> psds_;  ///< Indices of the distance sensors, in order of their numbers.

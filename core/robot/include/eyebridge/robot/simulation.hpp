@@ -157,9 +157,8 @@ class Simulation {
   /// `ranges` has room for as many as there are, else std::out_of_range.
   void read_ranges(RobotIndex robot, std::span<double> ranges);
   /// read_ranges() of all robots, those of the first one first: the same readings, in less time
-  /// where there are many whose sensors look from few places. Those of robots that were removed
-  /// mean nothing, but need their room. Throws std::out_of_range unless there is room for exactly
-  /// all.
+  /// where there are many. Those of robots that were removed mean nothing, but need their room.
+  /// Throws std::out_of_range unless there is room for exactly all.
   void read_all_ranges(std::span<double> ranges);
   /// What read_range() would give without the sensor's error. Draws nothing: asking for it does not
   /// change a run.

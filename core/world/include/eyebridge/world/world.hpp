@@ -49,14 +49,16 @@ struct Bump {
 /// So many fans are cast at once.
 inline constexpr std::size_t kFansTogether = 16;
 
-/// Rays from one place, which do not meet the body `ignore`; see World::cast_fan(). The spans are
-/// lent for the call.
+/// Rays from one place, or from places near it, which do not meet the body `ignore`; see
+/// World::cast_fan(). The spans are lent for the call.
 struct RayFan {
   Vec2 origin;                       ///< Metres.
   std::span<const Vec2> directions;  ///< Unit vectors.
   double max_range = 0.0;            ///< Metres.
   BodyId ignore = kNoBody;
-  std::span<double> ranges;  ///< As many as directions.
+  std::span<double> ranges;         ///< As many as directions.
+  std::span<const Vec2> origins{};  ///< Where each begins; empty: all at `origin`.
+  double spread = 0.0;  ///< None of `origins` is farther from `origin` than so many metres.
 };
 
 /// Walls and bodies: who is where, who touches whom, how far a ray goes.
@@ -152,7 +154,7 @@ class World {
   void cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_range, BodyId ignore,
                 std::span<double> ranges) const;
   /// The same for many fans, in less time than one after the other: kFansTogether at once, where
-  /// neighbours have 2 to 16 rays each and no body has corners.
+  /// neighbours have up to 16 rays each, from places near each other, and no body has corners.
   void cast_fans(std::span<const RayFan> fans) const;
   /// The same ranges, faster, for directions that are evenly spaced: each is the one before turned
   /// by `gap` radians, not 0, to either side, all of them one turn at most.
