@@ -67,21 +67,29 @@ struct SeenDisc {
   double radius_squared;
 };
 
-/// nearer_disc_hit() of a register of rays that do not begin in the disc.
+/// nearer_disc_hit() of rays that do not begin in the disc; `wx`, `wy`: its centre, seen from where
+/// they do, one for all or one each. Where they pass by, infinity or no number.
+template <class Values>
+EYEBRIDGE_RAY_TARGET inline Lanes range_to_disc(Values wx, Values wy, double radius_squared,
+                                                Lanes dx, Lanes dy) {
+  const Lanes never = Lanes{} + std::numeric_limits<double>::infinity();
+  const Lanes along = wx * dx + wy * dy;
+  const Lanes across = dx * wy - dy * wx;
+  const Lanes range = along - root_of(radius_squared - across * across);
+  return along > 0.0 ? range : never;
+}
+
+/// The same for a register of rays from one place.
 EYEBRIDGE_RAY_TARGET inline void meet_register(const SeenDisc& disc, const double* dxs,
                                                const double* dys, double* ranges) {
-  const Lanes never = Lanes{} + std::numeric_limits<double>::infinity();
   Lanes dx;
   Lanes dy;
   Lanes nearest;
   load(dx, dxs);
   load(dy, dys);
   load(nearest, ranges);
-  const Lanes along = disc.wx * dx + disc.wy * dy;
-  const Lanes across = dx * disc.wy - dy * disc.wx;
-  // No number for rays that pass by: `nearest` is smaller then.
-  const Lanes range = along - root_of(disc.radius_squared - across * across);
-  nearest = smaller(along > 0.0 ? range : never, nearest);
+  // Than what is no number, `nearest` is smaller.
+  nearest = smaller(range_to_disc(disc.wx, disc.wy, disc.radius_squared, dx, dy), nearest);
   std::memcpy(ranges, &nearest, sizeof nearest);
 }
 

@@ -15,12 +15,23 @@ namespace {
 constexpr double kOpposite = 1e-9;
 /// And their lines are the same, but for so many metres: far less than any look is off.
 constexpr float kOneLine = 1e-6F;
+/// What the places of origins may be off by, metres: far less, too.
+constexpr double kRounding = 1e-9;
+constexpr double kLeastReach = 1.0 / 32;  // metres beyond the longest ray
 
 }  // namespace
 
+double Fan::reach_of(const RayFan& rays) {
+  if (rays.origins.empty()) return rays.max_range;
+  double beyond = kLeastReach;
+  while (beyond < rays.spread) beyond *= 2;
+  return rays.max_range + beyond;
+}
+
 Fan::Fan(const RayFan& rays, std::uint32_t self)
     : origin_(rays.origin),
-      spread_(rays.origins.empty() ? 0.0 : rays.spread),
+      apart_(!rays.origins.empty()),
+      spread_(apart_ ? rays.spread : 0.0),
       self_(self),
       directions_(rays.directions),
       lines_(rays.directions.size()) {
@@ -52,8 +63,9 @@ Fan::Fan(const RayFan& rays, std::uint32_t self)
 }
 
 void Fan::place(std::span<const Vec2> origins) {
+  assert(origins.size() == directions_.size());
   for (std::size_t i = 0; i < origins.size(); ++i) {
-    assert(norm(origins[i] - origin_) <= spread_);
+    assert(norm(origins[i] - origin_) <= spread_ + kRounding);
     ox_[i] = origins[i].x;
     oy_[i] = origins[i].y;
     beside_[i] = static_cast<float>(cross(origins[i] - origin_, directions_[i]));

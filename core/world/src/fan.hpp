@@ -20,8 +20,12 @@ class Fan {
   /// So many rays at most.
   static constexpr std::size_t kMost = 16;
 
-  /// Origins that are farther apart than this, metres, are better cast one by one.
+  /// Rays that begin farther from the origin than this, metres, are better cast one by one.
   static constexpr double kMostSpread = 1.0;
+
+  /// How far around the origin of `rays` walls are to be looked for, metres: so many different
+  /// spreads come to few different reaches, as NearWalls needs them.
+  [[nodiscard]] static double reach_of(const RayFan& rays);
 
   /// No ray has met anything yet. What `rays` lend is lent for as long as the fan is there. No ray
   /// will meet the disc at `self`, BodyMap::place_of() of who looks.
@@ -61,12 +65,13 @@ class Fan {
   void place(std::span<const Vec2> origins);
   /// Whether each ray of the first half begins on the line of one of the second.
   [[nodiscard]] bool have_one_line_each(std::size_t half) const;
-  [[nodiscard]] bool is_apart() const { return spread_ > 0.0; }
+  [[nodiscard]] bool is_apart() const { return apart_; }
   [[nodiscard]] Vec2 origin_of(std::size_t ray) const {
     return is_apart() ? Vec2{ox_[ray], oy_[ray]} : origin_;
   }
 
   Vec2 origin_;
+  bool apart_;          ///< The rays begin at places of their own,
   double spread_;       ///< Of the rays' origins around it; 0 where they all begin there.
   std::uint32_t self_;  ///< Who looks: its place in the map of bodies.
   std::span<const Vec2> directions_;
@@ -81,8 +86,8 @@ class Fan {
   // Of fans with a spread only.
   alignas(64) double ox_[kMost];
   alignas(64) double oy_[kMost];
-  /// How far to the right of the ray's line `origin_` lies, metres: cross products of where the ray
-  /// begins, seen from there, and its direction.
+  /// How far to the right of `origin_` the ray's line passes, metres: cross products of where the
+  /// ray begins, seen from there, and its direction.
   float beside_[kMost];
 };
 

@@ -173,8 +173,6 @@ EYEBRIDGE_RAY_TARGET __attribute__((always_inline)) inline void Fan::EYEBRIDGE_O
 /// The same for rays that begin at places of their own.
 EYEBRIDGE_RAY_TARGET void Fan::EYEBRIDGE_OF(meet_apart)(const Disc& disc) {
   const double radius_squared = disc.radius * disc.radius;
-  const Lanes zero{};
-  const Lanes never = zero + std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < directions_.size(); i += kLanes) {
     Lanes dx;
     Lanes dy;
@@ -188,12 +186,9 @@ EYEBRIDGE_RAY_TARGET void Fan::EYEBRIDGE_OF(meet_apart)(const Disc& disc) {
     load(best, best_ + i);
     wx = disc.x - wx;
     wy = disc.y - wy;
-    const LaneBits inside = wx * wx + wy * wy - radius_squared <= zero;
-    const Lanes along = wx * dx + wy * dy;
-    const Lanes across = dx * wy - dy * wx;
-    const Lanes range = along - root_of(radius_squared - across * across);
-    const Lanes met = inside ? zero : (along > zero ? range : never);
-    best = smaller(met, best);
+    const LaneBits inside = wx * wx + wy * wy - radius_squared <= 0.0;
+    const Lanes range = range_to_disc(wx, wy, radius_squared, dx, dy);
+    best = smaller(inside ? Lanes{} : range, best);
     std::memcpy(best_ + i, &best, sizeof best);
   }
 }

@@ -56,7 +56,7 @@ inline double nearer_hit(const Segment& wall, Vec2 origin, Vec2 direction, doubl
   // The factor is above the roundings of this test, so that the least range wins in any order.
   if (along_ray < -slack || along_ray > best * den * (1.0 + 1e-15)) return best;
   const double range = along_ray / den;
-  return range > 0.0 ? (range < best ? range : best) : 0.0;  // and not -0
+  return range <= 0.0 ? 0.0 : (range < best ? range : best);  // not -0
 }
 
 /// Same for a disc. From within the disc the range is 0.

@@ -41,8 +41,8 @@ EYEBRIDGE_RAY_TARGET inline Reaches most_of(Lanes left, Lanes down, Lanes right,
   return reaches;
 }
 
-/// Of `count` rays that begin at one place and end at `best`, and `margin` metres more. The arrays
-/// are filled up to a whole register.
+/// Of `count` rays that begin at one place, or less than `margin` metres off, and end at `best`;
+/// and `margin` metres more. The arrays are filled up to a whole register.
 EYEBRIDGE_RAY_TARGET inline Reaches reaches_of(const double* dx, const double* dy,
                                                const double* best, std::size_t count,
                                                double margin) {

@@ -53,7 +53,7 @@ bool World::Impl::cast_few(std::span<const RayFan> asked) {
     }
     Fan& fan = fans.emplace_back(ray, body_map.place_of(ray.ignore));
     const auto walls_near =
-        by_sweep ? near_walls.around(ray.origin, ray.max_range + ray.spread) : std::nullopt;
+        by_sweep ? near_walls.around(ray.origin, Fan::reach_of(ray)) : std::nullopt;
     if (!walls_near) {
       cast_at_walls(ray, fan.ranges());
     } else if (has_avx2) {

@@ -100,7 +100,7 @@ struct ManyFans {
   std::vector<RayFan> fans;
 
   /// From the places of bodies; of 1 up to `most` rays each. Half of them begin at places of their
-  /// own, up to `spread` metres from there: outward on a circle, or anywhere.
+  /// own, up to `spread` metres from there: outward on a circle, next to that, or anywhere.
   ManyFans(const World& world, std::size_t count, std::size_t most, double spread, Random& random) {
     for (std::size_t i = 0; i < count; ++i) {
       const auto id = static_cast<BodyId>(random.bits() % world.body_count());
@@ -115,12 +115,14 @@ struct ManyFans {
       fans.push_back({rays.back().origin, {}, reach, random.chance(0.9) ? id : kNoBody, {}});
       origins.emplace_back();
       if (random.chance(0.5)) continue;
-      const bool outward = random.chance(0.5);
+      const double kind = random.uniform();
       for (const Vec2 direction : rays.back().directions) {
-        const Vec2 way =
-            outward ? direction
-                    : random.uniform() * Heading::from_angle(7 * random.uniform()).forward();
-        origins.back().push_back(rays.back().origin + 0.999 * spread * way);
+        const Vec2 left{-direction.y, direction.x};
+        Vec2 from = direction;
+        if (kind > 0.4) from = 0.9 * direction + 0.05 * left;
+        if (kind > 0.7)
+          from = random.uniform() * Heading::from_angle(7 * random.uniform()).forward();
+        origins.back().push_back(rays.back().origin + spread * from);
       }
       fans.back().spread = spread;
     }
@@ -177,6 +179,18 @@ TEST(Fans, TogetherGiveExactlyTheRangesOfALoopOverAllWallsAndBodies) {
     for (const double spread : {0.02, 0.1, 0.5, 3.0}) expect_ranges_of_a_loop(bodies, spread);
   }
   expect_ranges_of_a_loop(3000U, 0.1);
+}
+
+TEST(Fans, OfManySpreadsAskForFewReaches) {
+  const std::vector<Vec2> origins(8);
+  std::vector<double> reaches;
+  for (double spread = 1e-9; spread <= Fan::kMostSpread; spread *= 1.1) {
+    const RayFan rays{{}, {}, 4.0, kNoBody, {}, origins, spread};
+    ASSERT_GE(Fan::reach_of(rays), 4.0 + spread);
+    reaches.push_back(Fan::reach_of(rays));
+  }
+  EXPECT_LE(std::unique(reaches.begin(), reaches.end()) - reaches.begin(), 6);
+  EXPECT_EQ(Fan::reach_of({{}, {}, 4.0, kNoBody, {}}), 4.0);
 }
 
 TEST(Fans, AmongThingsWithCornersAreCastToo) {

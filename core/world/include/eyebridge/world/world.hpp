@@ -57,7 +57,7 @@ struct RayFan {
   double max_range = 0.0;            ///< Metres.
   BodyId ignore = kNoBody;
   std::span<double> ranges;         ///< As many as directions.
-  std::span<const Vec2> origins{};  ///< Where each begins; empty: all at `origin`.
+  std::span<const Vec2> origins{};  ///< Where each begins, as many; empty: all at `origin`.
   double spread = 0.0;  ///< None of `origins` is farther from `origin` than so many metres.
 };
 
