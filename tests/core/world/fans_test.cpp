@@ -153,7 +153,8 @@ void expect_ranges_of_a_loop(unsigned bodies, double spread) {
   for (int round = 0; round < rounds; ++round) {
     world.set_pose(static_cast<BodyId>(round % 9), {7 * random.uniform(), random.uniform(), 0});
     // Each fourth one also has some that are cast alone.
-    const std::size_t most = std::vector<std::size_t>{8, 16, 16, 20}[round % 4U];
+    const std::size_t most =
+        std::vector<std::size_t>{8, 16, 16, 20}[static_cast<std::size_t>(round % 4)];
     const ManyFans many(world, 1 + random.bits() % 40, most, spread, random);
     world.cast_fans(many.fans);
     for (const RayFan& each : many.fans) {
