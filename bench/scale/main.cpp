@@ -1,7 +1,7 @@
 // How many robots: the work that peers were measured with, and crowds. See docs/scale.md.
 
-#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -136,8 +136,8 @@ int run(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string_view argument = argv[i];
     double runs = 0.0;
-    if (number(argument, "--runs=", runs)) {
-      options.effort.runs = std::max(static_cast<int>(runs), 1);
+    if (number(argument, "--runs=", runs) && runs == std::floor(runs)) {
+      options.effort.runs = static_cast<int>(runs);
     } else if (argument.starts_with("--data=")) {
       options.data = argument.substr(7);
     } else if (argument.starts_with("--sense=")) {

@@ -49,7 +49,7 @@ Fan::Fan(const RayFan& rays, std::uint32_t self)
     x_[i] = y_[i] = std::numeric_limits<float>::quiet_NaN();
     best_[i] = rays.max_range;
   }
-  if (is_apart()) place(rays.origins);
+  if (apart_) place(rays.origins);
   if (directions.size() % 2 == 0) {
     const std::size_t half = directions.size() / 2;
     double most = 0.0;
@@ -77,7 +77,7 @@ void Fan::place(std::span<const Vec2> origins) {
 }
 
 bool Fan::have_one_line_each(std::size_t half) const {
-  if (!is_apart()) return true;
+  if (!apart_) return true;
   for (std::size_t i = 0; i < half; ++i) {
     if (std::fabs(beside_[i] + beside_[half + i]) > kOneLine) return false;
   }

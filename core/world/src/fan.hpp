@@ -65,13 +65,12 @@ class Fan {
   void place(std::span<const Vec2> origins);
   /// Whether each ray of the first half begins on the line of one of the second.
   [[nodiscard]] bool have_one_line_each(std::size_t half) const;
-  [[nodiscard]] bool is_apart() const { return apart_; }
   [[nodiscard]] Vec2 origin_of(std::size_t ray) const {
-    return is_apart() ? Vec2{ox_[ray], oy_[ray]} : origin_;
+    return apart_ ? Vec2{ox_[ray], oy_[ray]} : origin_;
   }
 
   Vec2 origin_;
-  bool apart_;          ///< The rays begin at places of their own,
+  bool apart_;          ///< The rays begin at places of their own.
   double spread_;       ///< Of the rays' origins around it; 0 where they all begin there.
   std::uint32_t self_;  ///< Who looks: its place in the map of bodies.
   std::span<const Vec2> directions_;
@@ -83,7 +82,7 @@ class Fan {
   alignas(64) double best_[kMost];
   float x_[kMost];
   float y_[kMost];
-  // Of fans with a spread only.
+  // Where rays begin at places of their own only.
   alignas(64) double ox_[kMost];
   alignas(64) double oy_[kMost];
   /// How far to the right of `origin_` the ray's line passes, metres: cross products of where the

@@ -71,7 +71,7 @@ EYEBRIDGE_RAY_TARGET __attribute__((always_inline)) inline std::uint32_t* Fan::E
   const std::size_t lines = lines_;
   const std::uint32_t self = self_;
   Floats beside[4]{};
-  if (is_apart()) {
+  if (apart_) {
     for (std::size_t i = 0; i < 4; ++i) beside[i] = filled(beside_[i]);
   }
   const auto list = [&](auto has_more, auto apart) EYEBRIDGE_RAY_TARGET {
@@ -101,7 +101,7 @@ EYEBRIDGE_RAY_TARGET __attribute__((always_inline)) inline std::uint32_t* Fan::E
     }
   };
   const bool few = lines <= 4;
-  if (is_apart()) {
+  if (apart_) {
     few ? list(std::false_type{}, std::true_type{}) : list(std::true_type{}, std::true_type{});
   } else {
     few ? list(std::false_type{}, std::false_type{}) : list(std::true_type{}, std::false_type{});
@@ -130,7 +130,7 @@ void Fan::EYEBRIDGE_OF(meet_discs)(std::span<Fan> fans, const BodyMap& map, doub
     for (const std::uint32_t* pair = looks.pairs; pair != end; ++pair) {
       Fan& fan = fans[*pair >> Looks::kDiscBits];
       const Disc& disc = rows.discs[*pair & Looks::kDisc];
-      if (fan.is_apart()) {
+      if (fan.apart_) {
         fan.EYEBRIDGE_OF(meet_apart)(disc);
       } else {
         fan.EYEBRIDGE_OF(meet)(disc);

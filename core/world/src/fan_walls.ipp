@@ -97,7 +97,7 @@ void Fan::EYEBRIDGE_OF(meet_walls)(const Segment* segments, const WallList& wall
       }
     }
   };
-  if (is_apart()) {
+  if (apart_) {
     find(std::true_type{});
   } else {
     find(std::false_type{});
@@ -105,49 +105,39 @@ void Fan::EYEBRIDGE_OF(meet_walls)(const Segment* segments, const WallList& wall
   if (pairs.size() != 0) EYEBRIDGE_OF(meet)(segments, walls.indices.data(), pairs);
 }
 
-/// nearer_hit() of the pairs: the same operations on the same numbers.
+/// nearer_hit() of the pairs.
 EYEBRIDGE_RAY_TARGET
 void Fan::EYEBRIDGE_OF(meet)(const Segment* segments, const std::uint32_t* indices, Pairs& pairs) {
-  const LaneBits sign_bit = LaneBits{} + std::numeric_limits<std::int64_t>::min();
-  const Lanes zero{};
-  const Lanes never = zero + std::numeric_limits<double>::infinity();
-  const bool apart = is_apart();
+  const Lanes never = Lanes{} + std::numeric_limits<double>::infinity();
   pairs.fill_up(kLanes);
   for (std::size_t k = 0; k < pairs.size(); k += kLanes) {
     const auto wall = [&](std::size_t lane) -> const Segment& {
       return segments[indices[pairs.thing(k + lane)]];
     };
     const auto ray = [&](std::size_t lane) { return directions_[pairs.ray(k + lane)]; };
-    Lanes wx = lanes_of([&](std::size_t i) { return wall(i).a.x; });
-    Lanes wy = lanes_of([&](std::size_t i) { return wall(i).a.y; });
-    if (apart) {
-      wx -= lanes_of([&](std::size_t i) { return ox_[pairs.ray(k + i)]; });
-      wy -= lanes_of([&](std::size_t i) { return oy_[pairs.ray(k + i)]; });
+    SeenWalls<Lanes> walls;
+    walls.wx = lanes_of([&](std::size_t i) { return wall(i).a.x; });
+    walls.wy = lanes_of([&](std::size_t i) { return wall(i).a.y; });
+    if (apart_) {
+      walls.wx -= lanes_of([&](std::size_t i) { return ox_[pairs.ray(k + i)]; });
+      walls.wy -= lanes_of([&](std::size_t i) { return oy_[pairs.ray(k + i)]; });
     } else {
-      wx -= origin_.x;
-      wy -= origin_.y;
+      walls.wx -= origin_.x;
+      walls.wy -= origin_.y;
     }
-    const Lanes ux = lanes_of([&](std::size_t i) { return wall(i).u.x; });
-    const Lanes uy = lanes_of([&](std::size_t i) { return wall(i).u.y; });
-    const Lanes length = lanes_of([&](std::size_t i) { return wall(i).length; });
+    walls.ux = lanes_of([&](std::size_t i) { return wall(i).u.x; });
+    walls.uy = lanes_of([&](std::size_t i) { return wall(i).u.y; });
+    walls.length = lanes_of([&](std::size_t i) { return wall(i).length; });
+    walls.along = walls.wx * walls.uy - walls.wy * walls.ux;
     const Lanes dx = lanes_of([&](std::size_t i) { return ray(i).x; });
     const Lanes dy = lanes_of([&](std::size_t i) { return ray(i).y; });
-    const LaneBits signed_den = (LaneBits)(dx * uy - dy * ux);
-    const LaneBits sign = signed_den & sign_bit;
-    const Lanes den = (Lanes)(signed_den ^ sign);
-    const Lanes along_ray = (Lanes)((LaneBits)(wx * uy - wy * ux) ^ sign);
-    const Lanes along_wall = (Lanes)((LaneBits)(wx * dy - wy * dx) ^ sign);
-    const Lanes slack = kRayTolerance * den;
-    const LaneBits parallel = den < kParallel;
-    const LaneBits hit = (along_wall >= -slack) & (along_wall <= length * den + slack) &
-                         (along_ray >= -slack) & ~parallel;
-    const Lanes along = along_ray / den;
-    const Lanes range = hit ? (along > zero ? along : zero) : never;
+    const WallHits hits = hits_of(walls, dx, dy);
+    const Lanes range = hits.hit ? larger(hits.along_ray / hits.den, Lanes{}) : never;
     for (std::size_t lane = 0; lane < kLanes; ++lane) {
       double& best = best_[pairs.ray(k + lane)];
       best = range[lane] < best ? range[lane] : best;
     }
-    if (!any(parallel)) [[likely]] {
+    if (!any(hits.parallel)) [[likely]] {
       continue;
     }
     for (std::size_t lane = 0; lane < kLanes; ++lane) {

@@ -151,13 +151,15 @@ EYEBRIDGE_RAY_TARGET inline Floats inverse_root_of(Floats square) {
 #endif
 }
 
-/// A wall, seen from where rays begin.
-struct SeenWall {
-  double wx, wy;  ///< From there to its end a.
-  double ux, uy;
-  double length;
-  double along;  ///< Of the cross products w x u.
+/// A wall, or one in each lane, seen from where rays begin.
+template <class Values>
+struct SeenWalls {
+  Values wx, wy;  ///< From there to its end a.
+  Values ux, uy;
+  Values length;
+  Values along;  ///< Of the cross products w x u.
 };
+using SeenWall = SeenWalls<double>;
 inline SeenWall seen(const Segment& wall, Vec2 origin) {
   const Vec2 w = wall.a - origin;
   return {w.x, w.y, wall.u.x, wall.u.y, wall.length, cross(w, wall.u)};
@@ -171,12 +173,8 @@ struct WallHits {
 };
 
 /// As nearer_hit() does: the same operations on the same numbers.
-EYEBRIDGE_RAY_TARGET inline WallHits hits_of(const SeenWall& wall, const double* dxs,
-                                             const double* dys) {
-  Lanes dx;
-  Lanes dy;
-  load(dx, dxs);
-  load(dy, dys);
+template <class Values>
+EYEBRIDGE_RAY_TARGET inline WallHits hits_of(const SeenWalls<Values>& wall, Lanes dx, Lanes dy) {
   const LaneBits sign_bit = LaneBits{} + std::numeric_limits<std::int64_t>::min();
   const LaneBits signed_den = (LaneBits)(dx * wall.uy - dy * wall.ux);
   const LaneBits sign = signed_den & sign_bit;

@@ -18,7 +18,11 @@ EYEBRIDGE_RAY_TARGET inline bool meet(const Segment& wall, Vec2 origin, Rays& ra
   const SeenWall seen_wall = seen(wall, origin);
   LaneBits parallel{};
   for (std::size_t i = first / kLanes * kLanes; i <= last; i += kLanes) {
-    const WallHits hits = hits_of(seen_wall, rays.dx + i, rays.dy + i);
+    Lanes dx;
+    Lanes dy;
+    load(dx, rays.dx + i);
+    load(dy, rays.dy + i);
+    const WallHits hits = hits_of(seen_wall, dx, dy);
     parallel |= hits.parallel;
     Lanes best;
     load(best, rays.best + i);

@@ -58,7 +58,11 @@ struct WallMeetings {
     LaneBits parallel{};
     for (std::size_t k = 0; k < size; ++k) {
       const std::size_t ray = ray_of(k);
-      const WallHits hits = hits_of(walls[wall_of(k)], dx + ray, dy + ray);
+      Lanes x;
+      Lanes y;
+      load(x, dx + ray);
+      load(y, dy + ray);
+      const WallHits hits = hits_of(walls[wall_of(k)], x, y);
       parallel |= hits.parallel;
       // Nobody can foresee which of them are met: dividing is cheaper than asking.
       const Lanes range = hits.along_ray / hits.den;
