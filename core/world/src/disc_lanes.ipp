@@ -5,6 +5,7 @@
 #define EYEBRIDGE_DISC_LANES_IPP
 
 #include "ray_extent.ipp"
+#include "run_list.ipp"
 
 namespace {
 
@@ -14,35 +15,14 @@ constexpr std::size_t kFewDiscs = 24;
 /// So many registers of a row of cells are listed at once.
 constexpr std::size_t kUsualStarts = 4;
 
-/// Where registers of BodyMap::Rows begin.
-///
-/// They are listed over many rows of cells: one loop through them instead of short ones, of which
-/// nobody can foresee the ends.
+/// Where registers of BodyMap::Rows begin, over many rows of cells.
 template <std::size_t kMost>
-struct Registers {
-  std::uint32_t starts[kMost + kUsualStarts];
-  std::size_t size = 0;
-
-  /// Adds those with the discs from `begin` to `end`. Calls full() when there may be no more room:
-  /// it takes what is listed, and sets `size` to 0. Who adds takes the rest at the end.
+struct Registers : RunList<kMost, kUsualStarts, kFloats> {
+  /// Adds those with the discs from `begin` to `end`, as RunList does.
   template <class Full>
   EYEBRIDGE_RAY_TARGET void add(std::size_t begin, std::size_t end, Full full) {
-    for (;;) {
-      using Four = std::uint32_t __attribute__((vector_size(4 * kUsualStarts)));
-      constexpr auto kStep = static_cast<std::uint32_t>(kFloats);
-      // So many, whether there are or not.
-      const Four four = Four{0, kStep, 2 * kStep, 3 * kStep} + static_cast<std::uint32_t>(begin);
-      std::memcpy(starts + size, &four, sizeof four);
-      const std::size_t registers = (end - begin + kFloats - 1) / kFloats;
-      size += registers < kUsualStarts ? registers : kUsualStarts;
-      if (size >= kMost) [[unlikely]] {
-        full();
-      }
-      if (registers <= kUsualStarts) [[likely]] {
-        return;
-      }
-      begin += kUsualStarts * kFloats;
-    }
+    RunList<kMost, kUsualStarts, kFloats>::add(static_cast<std::uint32_t>(begin),
+                                               (end - begin + kFloats - 1) / kFloats, full);
   }
 
   /// Adds those with all discs of `map`, of which there are `discs`, that lie so far from `origin`

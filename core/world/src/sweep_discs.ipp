@@ -112,7 +112,7 @@ void Sweep::EYEBRIDGE_OF(meet_discs)(const BodyMap& map, double largest_radius) 
   // disc.
   constexpr std::size_t kListed = 64;
   using List = Registers<kListed>;
-  constexpr std::size_t kRoom = (sizeof(List::starts) / sizeof(std::uint32_t) + 1) * kFloats;
+  constexpr std::size_t kRoom = (sizeof(List::items) / sizeof(std::uint32_t) + 1) * kFloats;
   List list;
   std::int32_t firsts_of[kRoom];
   std::int32_t lasts_of[kRoom];
@@ -158,7 +158,7 @@ void Sweep::EYEBRIDGE_OF(meet_discs)(const BodyMap& map, double largest_radius) 
     const std::size_t size = list.size;
     for (std::size_t n = 0; n < size; n += 2) {
       const std::size_t other = n + 1 < size ? n + 1 : n;
-      const Seen seen = look_here(list.starts[n], list.starts[other], n * kFloats);
+      const Seen seen = look_here(list.items[n], list.items[other], n * kFloats);
       plain.bytes[n] = static_cast<std::uint8_t>(bits_of(seen.plain.one));
       plain.bytes[n + 1] = static_cast<std::uint8_t>(bits_of(seen.plain.other));
       others.bytes[n] = static_cast<std::uint8_t>(bits_of(seen.others.one));
@@ -166,14 +166,14 @@ void Sweep::EYEBRIDGE_OF(meet_discs)(const BodyMap& map, double largest_radius) 
     }
     if (size % 2 != 0) plain.bytes[size] = others.bytes[size] = 0;
     plain.each(list.size, [&](std::size_t n, std::size_t lane) EYEBRIDGE_RAY_TARGET {
-      const Disc& disc = rows.discs[list.starts[n] + lane];
+      const Disc& disc = rows.discs[list.items[n] + lane];
       const std::size_t k = n * kFloats + lane;
       EYEBRIDGE_OF(meet_run)
       (Vec2{disc.x, disc.y} - origin_, disc.radius, static_cast<std::size_t>(firsts[k]),
        static_cast<std::size_t>(lasts[k]));
     });
     others.each(list.size, [&](std::size_t n, std::size_t lane) EYEBRIDGE_RAY_TARGET {
-      EYEBRIDGE_OF(meet_disc)(rows.discs[list.starts[n] + lane]);
+      EYEBRIDGE_OF(meet_disc)(rows.discs[list.items[n] + lane]);
     });
     list.size = 0;
   };

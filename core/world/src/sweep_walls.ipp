@@ -3,52 +3,29 @@
 // asks for.
 
 #include "bearing_lanes.ipp"
+#include "run_list.ipp"
 #include "wall_lanes.ipp"
 
 namespace {
 
 /// Some walls of a WallList, and the registers of rays that each of them may meet.
-///
-/// They are listed over many walls: one loop through them instead of short ones, of which nobody
-/// can foresee the ends.
 struct WallMeetings {
-  /// So many registers of one wall are listed at once.
-  static constexpr std::size_t kUsual = 8;
-  static constexpr std::size_t kMost = 1024;
   static constexpr std::size_t kWalls = 256;
   static constexpr unsigned kRayBits = 16;
   static_assert(Sweep::kMost <= std::size_t{1} << kRayBits && kWalls % kFloats == 0);
 
   SeenWall walls[kWalls];
-  std::uint32_t items[kMost + kUsual];  ///< A wall and, in the lower bits, the first ray.
-  std::size_t size = 0;
+  RunList<1024, 8, kLanes> list;  ///< A wall and, in the lower bits, the first ray.
 
-  [[nodiscard]] std::size_t wall_of(std::size_t item) const { return items[item] >> kRayBits; }
+  [[nodiscard]] std::size_t wall_of(std::size_t item) const { return list.items[item] >> kRayBits; }
   [[nodiscard]] std::size_t ray_of(std::size_t item) const {
-    return items[item] & ((std::uint32_t{1} << kRayBits) - 1);
+    return list.items[item] & ((std::uint32_t{1} << kRayBits) - 1);
   }
 
-  /// Adds `count` registers that begin with `ray`. Calls full() when there may be no more room: it
-  /// takes what is listed, and sets `size` to 0. Who adds takes the rest at the end.
+  /// Adds `count` registers that begin with `ray`, as RunList does.
   template <class Full>
   EYEBRIDGE_RAY_TARGET void add(std::size_t wall, std::size_t ray, std::size_t count, Full full) {
-    auto first = static_cast<std::uint32_t>(wall << kRayBits | ray);
-    for (;;) {
-      using Eight = std::uint32_t __attribute__((vector_size(4 * kUsual)));
-      constexpr auto n = static_cast<std::uint32_t>(kLanes);
-      // So many, whether there are or not.
-      const Eight eight = Eight{0, n, 2 * n, 3 * n, 4 * n, 5 * n, 6 * n, 7 * n} + first;
-      std::memcpy(items + size, &eight, sizeof eight);
-      size += count < kUsual ? count : kUsual;
-      if (size >= kMost) [[unlikely]] {
-        full();
-      }
-      if (count <= kUsual) [[likely]] {
-        return;
-      }
-      count -= kUsual;
-      first += static_cast<std::uint32_t>(kUsual) * n;
-    }
+    list.add(static_cast<std::uint32_t>(wall << kRayBits | ray), count, full);
   }
 
   /// nearer_hit() of all that are listed. False when a ray may be parallel to a wall: such rays are
@@ -56,7 +33,7 @@ struct WallMeetings {
   EYEBRIDGE_RAY_TARGET bool meet(const double* dx, const double* dy, double* best) const {
     const Lanes never = Lanes{} + std::numeric_limits<double>::infinity();
     LaneBits parallel{};
-    for (std::size_t k = 0; k < size; ++k) {
+    for (std::size_t k = 0; k < list.size; ++k) {
       const std::size_t ray = ray_of(k);
       Lanes x;
       Lanes y;
@@ -90,7 +67,7 @@ void Sweep::EYEBRIDGE_OF(meet_walls)(const Segment* segments, const WallList& wa
   std::size_t begin = 0;  // of `meetings`, in the list
   const auto meet_listed = [&]() EYEBRIDGE_RAY_TARGET {
     if (!meetings.meet(dx, dy, best)) {
-      for (std::size_t k = 0; k < meetings.size; ++k) {
+      for (std::size_t k = 0; k < meetings.list.size; ++k) {
         const Segment& wall = segments[walls.indices[begin + meetings.wall_of(k)]];
         const std::size_t first = meetings.ray_of(k);
         for (std::size_t ray = first; ray < first + kLanes; ++ray) {
@@ -101,7 +78,7 @@ void Sweep::EYEBRIDGE_OF(meet_walls)(const Segment* segments, const WallList& wa
         }
       }
     }
-    meetings.size = 0;
+    meetings.list.size = 0;
   };
   std::int32_t starts[kFloats];
   std::int32_t counts[kFloats];
