@@ -2,6 +2,12 @@
 
 option(EYEBRIDGE_WITH_TESTS "Build the tests" ON)
 option(EYEBRIDGE_WITH_BENCH "Build the benchmarks" OFF)
+option(EYEBRIDGE_WITH_PYTHON "Build and install the Python packages" ON)
+option(EYEBRIDGE_WITH_OPENCV "Build videos as cameras, fiducials and calibration, where OpenCV is installed" ON)
+option(EYEBRIDGE_WITH_MPI "Build sweeps over several computers, where MPI is installed" ON)
+option(EYEBRIDGE_WITH_CORTEX "Build the firmware for an emulated Cortex-M3, where its compiler is installed" ON)
+option(EYEBRIDGE_WERROR "Warnings are errors, as the presets have it" OFF)
+option(EYEBRIDGE_WITH_OSMESA "Render cameras with OSMesa, where Mesa has it; otherwise only with EGL" ON)
 option(EYEBRIDGE_TEST_PROGRAMS "Run all tests of a program in one process" OFF)
 option(EYEBRIDGE_FUZZ "Build the fuzz targets (clang only)" OFF)
 set(EYEBRIDGE_SANITIZE "" CACHE STRING "Comma-separated sanitizers: address,undefined or thread")
@@ -15,9 +21,6 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_CXX_VISIBILITY_PRESET hidden)
 set(CMAKE_C_VISIBILITY_PRESET hidden)
 set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
-set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
-set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
-set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/bin")
 
 find_program(EYEBRIDGE_CCACHE ccache)
 if(EYEBRIDGE_CCACHE)
@@ -46,7 +49,7 @@ endif()
 
 add_library(eyebridge_warnings INTERFACE)
 target_compile_options(eyebridge_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-                       -Werror)
+                       $<$<BOOL:${EYEBRIDGE_WERROR}>:-Werror>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 at -O2 and above reports std::string members of temporaries as uninitialised (its bug
   # 105562) and operator+ of strings as overlapping or endless copies (its bug 105651). The dev build, without

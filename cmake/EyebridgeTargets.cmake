@@ -37,6 +37,10 @@ function(eyebridge_hot name)
   target_compile_options(eyebridge_${name} PRIVATE $<$<CONFIG:Release>:-O3>)
 endfunction()
 
+# The compiler's time counts more than that of tests; UBSan, for what they test, would nearly double it.
+add_library(eyebridge_test_options INTERFACE)
+target_compile_options(eyebridge_test_options INTERFACE $<$<CONFIG:Release>:-O1> -fno-sanitize=undefined)
+
 # eyebridge_test(core_base SOURCES … LIBRARIES … [LABEL slow]): one GoogleTest program. In the
 # dev preset every test in it becomes a ctest named core_base.Suite.Test@dev; elsewhere the program is
 # one ctest, core_base@preset (EYEBRIDGE_TEST_PROGRAMS): a process with a sanitizer starts in a tenth of
@@ -44,19 +48,17 @@ endfunction()
 # two minutes. Those with LABEL threads or realtime are all that the thread sanitizer runs; the fuzz preset
 # runs only fuzzers.
 # SHARDS n, for tests that mostly wait: a single ctest, named after the program, runs them in n
-# processes at once.
+# processes at once. ALONE: no other test runs beside it.
 # CASES a b …, for a test with parameters of these names: one ctest for each, name.a@preset, and one for the program's other tests.
 function(eyebridge_test name)
-  cmake_parse_arguments(arg "" "LABEL;SHARDS" "SOURCES;LIBRARIES;CASES" ${ARGN})
+  cmake_parse_arguments(arg "ALONE" "LABEL;SHARDS" "SOURCES;LIBRARIES;CASES" ${ARGN})
   if(NOT arg_LABEL)
     set(arg_LABEL unit)
   endif()
   add_executable(test_${name} ${arg_SOURCES})
   target_link_libraries(test_${name} PRIVATE ${arg_LIBRARIES} GTest::gmock GTest::gtest_main
-                        eyebridge_warnings)
+                        eyebridge_test_options eyebridge_warnings)
   target_precompile_headers(test_${name} REUSE_FROM headers_tests)
-  # The compiler's time counts more than theirs; UBSan, for what they test, would nearly double it.
-  target_compile_options(test_${name} PRIVATE $<$<CONFIG:Release>:-O1> -fno-sanitize=undefined)
   target_compile_definitions(test_${name} PRIVATE
                              EYEBRIDGE_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
                              EYEBRIDGE_SHARED_DIR="${CMAKE_SOURCE_DIR}/../shared")
@@ -79,10 +81,10 @@ function(eyebridge_test name)
     endforeach()
   elseif(EYEBRIDGE_TEST_PROGRAMS)
     add_test(NAME ${name}@${preset} COMMAND test_${name} --gtest_brief=1)
-    set_tests_properties(${name}@${preset} PROPERTIES LABELS "${arg_LABEL}" TIMEOUT 600)
+    set_tests_properties(${name}@${preset} PROPERTIES LABELS "${arg_LABEL}" TIMEOUT 600 RUN_SERIAL ${arg_ALONE})
   else()
     gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_SUFFIX @${preset} NO_PRETTY_VALUES
-                         DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${arg_LABEL}" TIMEOUT 300)
+                         DISCOVERY_TIMEOUT 60 PROPERTIES LABELS "${arg_LABEL}" TIMEOUT 300 RUN_SERIAL ${arg_ALONE})
   endif()
   if(arg_LABEL MATCHES "^(threads|realtime)$")
     add_dependencies(threaded_tests test_${name})

@@ -11,18 +11,28 @@ die() {
   exit 1
 }
 
-# Names of the packages in cmake/packages.txt: those above all sections, and of the sections given.
+# Lines of cmake/packages.txt without comments: those above all sections, and of the sections given.
 wanted_packages() {
   awk -v sections=" $* " 'BEGIN { wanted = 1 } { sub(/#.*/, "") }
     /^\[/ { wanted = index(sections, " " substr($1, 2, length($1) - 2) " "); next }
-    NF && wanted { print $1 }' cmake/packages.txt
+    NF && wanted { gsub(/[ \t]+/, ""); print }' cmake/packages.txt
 }
 
+is_installed() { dpkg-query -W -f '${db:Status-Status}\n' "$1" 2>/dev/null | grep -qx installed; }
+is_known() { [ -n "$(apt-cache madison "$1" 2>/dev/null)" ]; }
+
+# Names of the packages that are to be installed. Of alternatives (A|B) the first that the release has.
 missing_packages() {
-  local package
-  for package in $(wanted_packages "$@"); do
-    dpkg-query -W -f '${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed ||
-      printf '%s\n' "$package"
+  local alternatives package chosen
+  wanted_packages "$@" | while read -r alternatives; do
+    chosen=${alternatives%%|*}
+    for package in ${alternatives//|/ }; do
+      if is_installed "$package" || { [ "$package" != "$alternatives" ] && is_known "$package"; }; then
+        chosen=$package
+        break
+      fi
+    done
+    is_installed "$chosen" || printf '%s\n' "$chosen"
   done
 }
 
@@ -46,11 +56,13 @@ install_packages() {
     tail -n 3 "$log" >&2
     say "the package lists could not be refreshed; trying with the old ones"
   fi
+  missing=$(missing_packages "$@")  # a machine without package lists does not know which alternatives it has
+  [ -n "$missing" ] || return 0
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
     $missing >"$log" 2>&1 </dev/null || {
     tail -n 5 "$log" >&2
     die "apt-get could not install the packages above" \
-      "no network, or not Debian 12? The list is cmake/packages.txt."
+      "no network, or older than Debian 12? The list is cmake/packages.txt."
   }
   rm -f "$log"
 }
