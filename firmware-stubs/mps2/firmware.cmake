@@ -9,8 +9,6 @@ if(EYEBRIDGE_ARM_GCC)
                   OUTPUT_VARIABLE specs OUTPUT_STRIP_TRAILING_WHITESPACE)
 endif()
 if(NOT specs MATCHES "/")
-  message(STATUS "The firmware of the emulated Cortex-M3 is off: its compiler is missing "
-                 "(gcc-arm-none-eabi, libnewlib-arm-none-eabi)")
   return()
 endif()
 
@@ -22,7 +20,9 @@ get_target_property(opcodes eyebridge::opcodes INTERFACE_INCLUDE_DIRECTORIES)
 set(sources ${board_sources} "${target}/board_app.c" "${target}/cortex_m3.c" "${target}/main.c"
             "${target}/plant_link.c" "${target}/startup.c" "${target}/uart.c")
 set(flags -mcpu=cortex-m3 -mthumb -std=c99 -O2 -g -ffp-contract=off -ffunction-sections -fdata-sections
-          ${EYEBRIDGE_FIRMWARE_WARNINGS} "-I${board_folder}/include" "-I${target}")
+          ${EYEBRIDGE_FIRMWARE_WARNINGS} "-I${board_folder}/include" "-I${target}"
+          # It is installed: its debugging information names files from the root of the source on.
+          "-ffile-prefix-map=${CMAKE_BINARY_DIR}=build" "-ffile-prefix-map=${CMAKE_SOURCE_DIR}=.")
 foreach(folder IN LISTS opcodes)
   list(APPEND flags "-I${folder}")
 endforeach()
@@ -51,4 +51,5 @@ add_custom_command(
   COMMENT "Linking eyebridge-mps2.elf"
   VERBATIM)
 add_custom_target(eyebridge_mps2_elf ALL DEPENDS "${elf}")
-install(FILES "${elf}" DESTINATION share/eyebridge/firmware OPTIONAL)
+install(FILES "${elf}" DESTINATION share/eyebridge/firmware COMPONENT firmware)
+add_dependencies(installable eyebridge_mps2_elf)

@@ -1,6 +1,6 @@
 #include "board/board_tables.hpp"
 
-#include <cmath>
+#include "eyebridge/base/math.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -16,7 +16,7 @@ std::vector<double> sharp_curve() {
   constexpr double kReference = 2.7;
   std::vector<double> metres(kEntries, kBoardOutOfRange);
   for (int i = 1; i < kEntries; ++i) {
-    const double range = 0.29988 * std::pow(kReference * i / (kEntries - 1), -1.173);
+    const double range = 0.29988 * exp_of(-1.173 * log_of(kReference * i / (kEntries - 1)));
     if (range <= 0.8) metres[static_cast<std::size_t>(i)] = range;
   }
   return metres;

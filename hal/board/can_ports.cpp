@@ -8,7 +8,7 @@ namespace {
 
 namespace can = bridges::can;
 
-constexpr double kCentivolts = 100;
+constexpr double kCanCentivolts = 100;
 
 std::uint8_t code_of(LineMode mode) {
   switch (mode) {
@@ -71,7 +71,7 @@ Result<double> CanLink::supply_voltage() {
       .and_then([](const can::BoardStatus& status) {
         return measured(status.battery_cv, "its supply voltage");
       })
-      .map([](int value) { return value / kCentivolts; });
+      .map([](int value) { return value / kCanCentivolts; });
 }
 
 Result<std::string> CanLink::version() {

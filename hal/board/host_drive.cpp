@@ -70,7 +70,7 @@ struct Side {
   }
   void ask(double metres_per_second) {
     const double exact = metres_per_second * ticks_per_metre * kPeriodSeconds + carry;
-    speed = std::clamp(static_cast<int>(std::lround(exact)), -kTopTicks, kTopTicks);
+    speed = static_cast<int>(std::lround(std::clamp<double>(exact, -kTopTicks, kTopTicks)));
     carry = std::clamp(exact - speed, -0.5, 0.5);
   }
   void stand() {

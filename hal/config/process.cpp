@@ -1,6 +1,11 @@
+#include <system_error>
+#include <utility>
+
 #include <unistd.h>
 
+#include "eyebridge/files/search.hpp"
 #include "eyebridge/hal/config.hpp"
+#include "eyebridge/hal/world_file.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -30,7 +35,39 @@ std::filesystem::path user_file(const std::map<std::string, std::string>& enviro
   return std::filesystem::path(home->second) / ".config" / "eyebridge" / kFileName;
 }
 
+struct Written {
+  std::string name;
+  std::filesystem::path folder;  ///< Of the file that it is written in; empty: of none.
+};
+
+/// The reader of a TOML file has put its folder in front of a relative path.
+Written as_written(const ConfigValue& world) {
+  const std::filesystem::path folder = std::filesystem::path(world.where.file).parent_path();
+  if (world.where.line > 0 && !folder.empty()) {
+    std::string name = std::filesystem::path(world.text).lexically_relative(folder).string();
+    if (!name.empty() && !name.starts_with("..")) return {std::move(name), folder};
+  }
+  return {world.text, {}};
+}
+
 }  // namespace
+
+std::string world_file(const ConfigValue& world, const std::filesystem::path& program) {
+  std::error_code error;
+  if (std::filesystem::exists(world.text, error)) return world.text;
+  const Written written = as_written(world);
+  const auto places = files::SearchPlaces::of_process(program);
+  const auto found = files::try_find_file(written.name, written.folder, places);
+  return found ? found->string() : world.text;
+}
+
+std::filesystem::path find_world(const ConfigValue& world, const std::filesystem::path& program) {
+  std::error_code error;
+  if (std::filesystem::exists(world.text, error)) return world.text;
+  const Written written = as_written(world);
+  return files::find_file(written.name, written.folder, files::SearchPlaces::of_process(program),
+                          world.where);
+}
 
 Config Config::from_process(const std::filesystem::path& program) {
   Sources sources;
@@ -42,7 +79,11 @@ Config Config::from_process(const std::filesystem::path& program) {
   if (const auto user = user_file(sources.environment); !user.empty()) {
     sources.toml_files.push_back(user);
   }
-  return load(sources);
+  Config config = load(sources);
+  config.program_ = program;
+  ConfigValue& world = config.values_.at("world");
+  if (!world.text.empty()) world.text = world_file(world, program);
+  return config;
 }
 
 }  // namespace eyebridge::hal

@@ -17,14 +17,14 @@
 #include "replay/open_replay.hpp"
 #include "replay/record_tap.hpp"
 #include "seat/open_seat_line.hpp"
+#include "shared/open_only.hpp"
 #include "shared/open_seat.hpp"
-#include "sim/open_sim.hpp"
 
 namespace eyebridge::hal {
 namespace {
 
 constexpr auto kBackends = std::to_array<BackendFactory>({
-    {"sim", "a simulated robot in the world that --world names", open_sim},
+    {"sim", "a simulated robot in the world that --world names", open_sim, false, true},
     {"serial", "a board on a serial port: serial:/dev/ttyACM0?profile=io7&baud=115200&hdt=FILE",
      open_io7_board, true},
     {"tcp", "a board behind a TCP port: tcp:HOST:PORT?profile=io7&hdt=FILE", open_io7_board, true},
@@ -59,7 +59,7 @@ std::vector<MixEntry> mix_of(const Config& config) {
   }
 }
 
-/// The robot of `row`, and what this computer adds to it; a recording has recorded that.
+/// The robot of `row`, and what this computer adds to it, unless the row does so itself.
 std::unique_ptr<Backend> opened(const BackendFactory& row, const std::string& text,
                                 const SourceLocation& where, const BackendContext& context) {
   auto robot = row.open(parse_backend_url(text, where), context);

@@ -60,10 +60,9 @@ files::Scenario scenario_for_all(const Config& config) {
 
 }  // namespace
 
-SharedSim::SharedSim(files::Scenario scenario, const Config& config, Turns* turns, LogSink& log)
+SharedSim::SharedSim(files::Scenario scenario, const Config& config, LogSink& log)
     : config_(config),
       step_(from_seconds(simulation_settings(config).step)),
-      turns_(turns),
       models_(scenario.models) {
   for (const files::RobotPlacement& robot : scenario.robots) {
     robots_.push_back({models_.at(robot.model).name, robot.program, robot.arguments});
@@ -73,16 +72,64 @@ SharedSim::SharedSim(files::Scenario scenario, const Config& config, Turns* turn
                           late.robot.arguments, from_seconds(late.time), late.where});
   }
   world_ = std::make_shared<SimWorld>(std::move(scenario), simulation_settings(config), log);
+}
+
+SharedSim::SharedSim(files::Scenario scenario, const Config& config, Turns* turns, LogSink& log)
+    : SharedSim(std::move(scenario), config, log) {
   if (turns != nullptr) {
-    gate_ = std::make_shared<TimeGate>(step_);
-    view_ = std::make_shared<SimEnvironment>(*world_, gate_);
-    return;
+    begin_virtual(turns);
+  } else {
+    begin_real(RealTimeClock::Start::Later, log);
   }
+}
+
+std::shared_ptr<SharedSim> SharedSim::for_one(files::Scenario scenario, const Config& config,
+                                              JoiningTurns* joining, LogSink& log) {
+  std::shared_ptr<SharedSim> shared(new SharedSim(std::move(scenario), config, log));
+  if (!config.boolean("fast")) {
+    shared->begin_real(RealTimeClock::Start::AtOnce, log);
+    return shared;
+  }
+  shared->begin_virtual(joining);
+  auto make_step = [world = shared->world_, gate = shared->gate_] {
+    gate->pass();
+    world->step();
+  };
+  const Time step = shared->step_;
+  if (joining == nullptr) {
+    shared->first_ = std::make_shared<LockstepClock>(step, std::move(make_step));
+    return shared;
+  }
+  shared->first_ = std::make_shared<LockstepClock>(
+      step, [make_step = std::move(make_step), joining, step, end = Time(0)]() mutable {
+        end += step;
+        if (joining->has_any()) joining->before_step(end);
+        make_step();
+        if (joining->has_any()) joining->after_step();
+      });
+  return shared;
+}
+
+void SharedSim::begin_virtual(Turns* turns) {
+  turns_ = turns;
+  gate_ = std::make_shared<TimeGate>(step_);
+  view_ = std::make_shared<SimEnvironment>(*world_, gate_);
+}
+
+void SharedSim::begin_real(RealTimeClock::Start start, LogSink& log) {
   wall_ = std::make_shared<RealTimeClock>(
-      step_, config.number("factor"), [world = world_] { world->step(); },
-      RealTimeClock::Start::Later);
+      step_, config_.number("factor"), [world = world_] { world->step(); }, start);
   log.write(Severity::Info, "the world's thread has " + wall_->priority().str());
   view_ = std::make_shared<SimEnvironment>(*world_, wall_);
+}
+
+void SharedSim::step() {
+  if (first_) {
+    first_->wait_until(now() + step_);
+    return;
+  }
+  gate_->pass();
+  world_->step();
 }
 
 StateHash SharedSim::hash() {
@@ -97,6 +144,7 @@ std::uint64_t SharedSim::overruns() const { return wall_ ? wall_->overruns() : 0
 
 std::shared_ptr<Clock> SharedSim::clock_of(std::size_t index) {
   if (wall_) return wall_;
+  if (first_ && index == 0) return first_;
   return std::make_shared<RoundClock>(*turns_, index, now());
 }
 
@@ -125,6 +173,16 @@ std::size_t programs_wanted(const Config& config) {
   if (count != kAll) return count;
   const files::Scenario scenario = named_scenario(config);
   return files::robots_meant(scenario) + scenario.newcomers.size();
+}
+
+void check_can_join(const Config& config) {
+  for (const char* key : {"mix", "drive", "record"}) {
+    if (!config.is_set(key)) continue;
+    throw ConfigError(config.value(key).where,
+                      fmt::format("found {}, which only a robot that is alone can have; no robot "
+                                  "can be added to this run: start it without",
+                                  Config::flag_name(key)));
+  }
 }
 
 std::shared_ptr<SharedWorld> open_shared_world(const Config& config, LogSink& log, Turns* turns) {

@@ -1,10 +1,7 @@
 #include "sim/open_sim.hpp"
 
-#include <utility>
-
-#include <fmt/format.h>
-
 #include "eyebridge/files/load.hpp"
+#include "eyebridge/hal/world_file.hpp"
 #include "sim/error_settings.hpp"
 
 namespace eyebridge::hal {
@@ -23,7 +20,8 @@ files::Scenario empty_room(const Config& config) {
 files::Scenario named_scenario(const Config& config) {
   if (!config.is_set("world")) return empty_room(config);
   const auto& robot = config.value("robot");
-  return files::load_scenario(config.path("world"), robot.text, {}, robot.where);
+  return files::load_scenario(find_world(config.value("world"), config.program()), robot.text,
+                              files::SearchPlaces::of_process(config.program()), robot.where);
 }
 
 files::Scenario configured_scenario(const Config& config) {
@@ -32,16 +30,26 @@ files::Scenario configured_scenario(const Config& config) {
   return scenario;
 }
 
-std::unique_ptr<Backend> open_sim(const BackendUrl& url, const BackendContext& context) {
-  const Config& config = context.config;
-  if (!url.rest.empty() || !url.options.empty()) {
-    throw ConfigError(
-        config.value("hal").where,
-        fmt::format("found '{}', expected sim alone: --world names the world", config.text("hal")));
+robot::SimulationSettings simulation_settings(const Config& config) {
+  robot::SimulationSettings settings;
+  // Through the clock's unit, so that the world and the clock agree about what a step is.
+  settings.step = to_seconds(from_seconds(config.number("step")));
+  settings.seed = static_cast<std::uint64_t>(config.integer("seed"));
+  settings.stall_timeout = config.number("stall_timeout");
+  return settings;
+}
+
+void report_scenario(const files::Scenario& scenario, LogSink& log) {
+  for (const Warning& warning : scenario.warnings) log.write(Severity::Warning, warning.str());
+}
+
+void begin_report(const Config& config, SimWorld& world) {
+  if (!config.is_set("report")) return;
+  try {
+    world.report_to(RunReport(config.path("report")));
+  } catch (const ConfigError& error) {
+    throw error_in(config.value("report"), error);
   }
-  const SourceLocation where{config.is_set("world") ? config.path("world").string()
-                                                    : "the empty room"};
-  return open_scenario(configured_scenario(config), where, context);
 }
 
 }  // namespace eyebridge::hal

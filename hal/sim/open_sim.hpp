@@ -1,17 +1,11 @@
 #pragma once
 
-#include <memory>
-
 #include "eyebridge/files/scenario.hpp"
-#include "eyebridge/hal/registry.hpp"
+#include "eyebridge/hal/config.hpp"
 #include "eyebridge/robot/simulation.hpp"
 #include "sim/sim_world.hpp"
 
 namespace eyebridge::hal {
-
-/// The row "sim" of the table of backends: robot 1 of the world that the configuration names, or of
-/// an empty room. Throws ConfigError.
-std::unique_ptr<Backend> open_sim(const BackendUrl& url, const BackendContext& context);
 
 /// The scenario that the configuration names, or an empty room; with the errors that it sets.
 files::Scenario configured_scenario(const Config& config);
@@ -28,9 +22,5 @@ void begin_report(const Config& config, SimWorld& world);
 
 /// Tells `log` what is odd about the scenario.
 void report_scenario(const files::Scenario& scenario, LogSink& log);
-
-/// The same for a scenario at hand, named `where` in messages.
-std::unique_ptr<Backend> open_scenario(files::Scenario scenario, const SourceLocation& where,
-                                       const BackendContext& context);
 
 }  // namespace eyebridge::hal

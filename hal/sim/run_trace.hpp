@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "eyebridge/base/hash.hpp"
 #include "eyebridge/base/pose.hpp"
 #include "eyebridge/camera/view.hpp"
 #include "eyebridge/hal/drive.hpp"
@@ -17,7 +18,7 @@ class RunTrace {
  public:
   static constexpr std::uint64_t kStepsALook = 10;
 
-  void add(double value) { mix(std::bit_cast<std::uint64_t>(value == 0.0 ? 0.0 : value)); }
+  void add(double value) { mix(StateHash::bits_of(value)); }
   void add(bool value) { mix(value ? 1 : 0); }
   void add(std::uint16_t value) { mix(value); }
   void add(std::int32_t value) { mix(static_cast<std::uint32_t>(value)); }

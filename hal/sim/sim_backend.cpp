@@ -71,12 +71,13 @@ std::vector<DeviceFacts> facts_of_wheels(robot::DriveKind kind, const std::strin
 
 SimBackend::SimBackend(std::shared_ptr<SimWorld> world, std::shared_ptr<Clock> clock,
                        std::shared_ptr<Environment> environment, robot::RobotIndex robot,
-                       double supply_voltage, AtEnd at_end)
+                       double supply_voltage, AtEnd at_end, std::shared_ptr<SharedWorld> shared)
     : world_(std::move(world)),
       clock_(std::move(clock)),
       environment_(std::move(environment)),
       robot_(robot),
       at_end_(at_end),
+      shared_(std::move(shared)),
       drive_(*world_, robot),
       compass_(*world_, robot),
       gyroscope_(*world_, robot),

@@ -35,10 +35,12 @@ class SimBackend final : public Backend {
   /// accelerometer, the motors and encoders of its kind of drive (differential: 1 left, 2 right;
   /// the others as DriveKind has them, from 1), servos (1 pan, 2 tilt; a kicker's, the steering's),
   /// digital lines, and analog inputs with a battery of `supply_voltage` volts. It has no I/O board
-  /// and nothing of a computer. World, clock and environment may be shared with other robots.
+  /// and nothing of a computer. World, clock and environment may be shared with other robots;
+  /// `shared`, when not null, lets more of them join.
   SimBackend(std::shared_ptr<SimWorld> world, std::shared_ptr<Clock> clock,
              std::shared_ptr<Environment> environment, robot::RobotIndex robot,
-             double supply_voltage, AtEnd at_end = AtEnd::Stop);
+             double supply_voltage, AtEnd at_end = AtEnd::Stop,
+             std::shared_ptr<SharedWorld> shared = nullptr);
 
   Clock& clock() override { return *clock_; }
   [[nodiscard]] int robot_id() const override { return static_cast<int>(robot_) + 1; }
@@ -63,6 +65,7 @@ class SimBackend final : public Backend {
   [[nodiscard]] RadioConditions radio_conditions() const override;
   WorldControl* world() override { return &control_; }
   Environment* environment() override { return environment_.get(); }
+  std::shared_ptr<SharedWorld> shared_world() override { return shared_; }
   camera::View* camera_view() override { return view_ ? &*view_ : nullptr; }
   camera::Source* camera_source() override { return nullptr; }
   std::vector<DeviceFacts> facts_of(std::string_view kind) override;
@@ -75,6 +78,7 @@ class SimBackend final : public Backend {
   std::shared_ptr<Environment> environment_;
   const robot::RobotIndex robot_;
   const AtEnd at_end_;
+  const std::shared_ptr<SharedWorld> shared_;
   SimDrive drive_;
   SimCompass compass_;
   SimGyroscope gyroscope_;

@@ -46,7 +46,8 @@ long option(const Url& url, const SourceLocation& where, std::string_view key, l
 }
 
 bool is_graphic(std::string_view text) {
-  return std::ranges::none_of(text, [](char c) { return (c >= '\0' && c <= ' ') || c == '\x7F'; });
+  // Bytes of other alphabets are graphic, whether char has a sign (x86-64) or not (arm64).
+  return std::ranges::none_of(text, [](unsigned char c) { return c <= ' ' || c == 0x7F; });
 }
 
 }  // namespace

@@ -14,9 +14,9 @@ void load_ground(const std::filesystem::path& path, GroundKind kind, const Searc
   scenario.world = read(text, path.string(), scenario.warnings, &scenario.start_places);
   auto& texture = scenario.world.floor_texture;
   if (!texture) return;
-  const auto found = look_for(
-      *texture, {path.parent_path(), "", scenario.directory, places.eyesim_home, places.worlds},
-      places);
+  std::vector<std::filesystem::path> folders = {path.parent_path(), "", scenario.directory};
+  for (std::filesystem::path& place : places.folders()) folders.push_back(std::move(place));
+  const auto found = look_for(*texture, folders, places);
   std::error_code error;
   if (found) texture = std::filesystem::absolute(*found, error).lexically_normal().string();
 }

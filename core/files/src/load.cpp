@@ -1,5 +1,7 @@
 #include "eyebridge/files/load.hpp"
 
+#include <system_error>
+
 #include "builtin.hpp"
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/files/readers.hpp"
@@ -76,8 +78,12 @@ world::WorldModel empty_room() {
   return room;
 }
 
-Scenario load_scenario(const std::filesystem::path& path, const std::string& default_robot,
+Scenario load_scenario(const std::filesystem::path& written, const std::string& default_robot,
                        const SearchPlaces& places, const SourceLocation& robot_where) {
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::exists(written, error)
+                                         ? written
+                                         : find_file(written.string(), {}, places, {"world"});
   const std::string name = path.string();
   Scenario scenario;
   scenario.directory = path.parent_path();

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include <unistd.h>
@@ -68,6 +70,16 @@ void write_bytes(const std::filesystem::path& path, const std::string& bytes) {
   if (!error) return;
   if (!in_place) std::filesystem::remove(part, ignored);
   throw ConfigError({path.string(), 0, 0}, "cannot be written: " + error.message());
+}
+
+std::string description_in(std::string_view text) {
+  constexpr std::string_view kMarks = "#;";
+  std::string_view line = trimmed(without_bom(text));
+  line = trimmed(line.substr(0, line.find('\n')));
+  if (line.empty() || kMarks.find(line.front()) == std::string_view::npos) return "";
+  line.remove_prefix(std::min(line.find_first_not_of(kMarks), line.size()));
+  const std::string quoted = in_quotes(trimmed(line), 200);
+  return quoted.substr(1, quoted.size() - 2);
 }
 
 std::string read_text_file(const std::filesystem::path& path) {

@@ -5,7 +5,7 @@ namespace {
 
 /// Who is this near to the reach (metres) has arrived: more than the rounding of a position, so
 /// that a body that was stopped is stopped for good.
-constexpr double kArrived = 1e-12;
+constexpr double kContactSlack = 1e-12;
 
 /// True when `motion` leads against `outward`, the vector from the obstacle.
 bool leads_inward(Vec2 motion, Vec2 outward) {
@@ -42,7 +42,7 @@ std::vector<Segment> outlines_of(const std::vector<Wall>& walls) {
 
 double disc_contact(Vec2 from, Vec2 motion, double reach) {
   const double c = norm_squared(from) - reach * reach;
-  if (c <= 2 * kArrived * reach) return leads_inward(motion, from) ? 0.0 : kNoContact;
+  if (c <= 2 * kContactSlack * reach) return leads_inward(motion, from) ? 0.0 : kNoContact;
   const double b = dot(from, motion);
   if (b >= 0.0) return kNoContact;
   const double discriminant = b * b - norm_squared(motion) * c;
@@ -58,7 +58,7 @@ double wall_contact(const Segment& wall, Vec2 from, Vec2 motion, double reach) {
   const double height = cross(wall.u, rel);
   const double distance = height < 0 ? -height : height;
   const double climb = cross(wall.u, motion);
-  if (distance > reach + kArrived) {
+  if (distance > reach + kContactSlack) {
     const double approach = height < 0 ? climb : -climb;
     const double gap = distance - reach;
     if (approach < gap) return kNoContact;  // also when it moves away

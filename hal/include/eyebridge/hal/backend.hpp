@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -34,6 +35,7 @@ namespace eyebridge::hal {
 
 class Environment;
 class HandGuide;
+class SharedWorld;
 
 /// One robot, whichever way it is reached. Owns its devices; null means "this robot has none".
 ///
@@ -89,6 +91,8 @@ class Backend {
   virtual WorldControl* world() = 0;
   /// The simulated world as a window sees it; null where there is none in this process.
   virtual Environment* environment() { return nullptr; }
+  /// That world as other robots can join it while this one runs; null where none can.
+  virtual std::shared_ptr<SharedWorld> shared_world() { return nullptr; }
   /// What guides the person who carries this robot's camera; null when nobody does.
   virtual HandGuide* hand_guide() { return nullptr; }
   /// What a rendered camera on this robot looks at; null when nothing here can be rendered.

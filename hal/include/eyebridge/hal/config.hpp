@@ -81,7 +81,9 @@ class Config {
   /// keys, but for EYEBRIDGE_FLAGS, EYEBRIDGE_DATA and EYEBRIDGE_TEST_*.
   static Config load(const Sources& sources);
   /// From this process: EYEBRIDGE_* and EYEBRIDGE_FLAGS (set by `eyebridge run`), and the three
-  /// usual places of eyebridge.toml.
+  /// usual places of eyebridge.toml. The name of a world becomes the path of its file
+  /// (files::find_file()). A name without a file is kept: opening it throws the error that lists
+  /// the folders searched.
   static Config from_process(const std::filesystem::path& program);
 
   [[nodiscard]] const ConfigValue& value(
@@ -108,9 +110,12 @@ class Config {
   static std::string flags_variable(const std::map<std::string, std::string>& flags);
   /// All settings as lines "key = value  # where", in the order of settings().
   [[nodiscard]] std::string describe() const;
+  /// The robot program that from_process() was given: worlds are looked for beside it.
+  [[nodiscard]] const std::filesystem::path& program() const { return program_; }
 
  private:
   std::map<std::string, ConfigValue, std::less<>> values_;
+  std::filesystem::path program_;
 };
 
 /// "560x400": width and height. Throws ConfigError at `where`; checks no range.

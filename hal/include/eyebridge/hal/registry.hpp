@@ -13,6 +13,7 @@
 
 namespace eyebridge::hal {
 
+class JoiningTurns;
 struct Seat;
 
 /// What a backend is opened with; lent for the call, but for `log`, which outlives the backend.
@@ -20,6 +21,9 @@ struct BackendContext {
   const Config& config;
   LogSink& log;
   const Seat* seat = nullptr;  ///< In a world that is open already; null: in one of its own.
+  /// For robots that join a simulated world later, in virtual time. It outlives the backend. Null
+  /// where none can join.
+  JoiningTurns* joining = nullptr;
 };
 
 /// One row of the table of backends.

@@ -66,7 +66,8 @@ class SharedWorld {
   [[nodiscard]] virtual Time step_length() const = 0;
   /// Real time, which stood still, begins. Once or more.
   virtual void begin_time() = 0;
-  /// Makes one step. In virtual time only, where whoever implements Turns calls it between rounds.
+  /// Makes one step. In virtual time only: the implementation of Turns calls it between rounds; in
+  /// the world of a robot that began alone, any thread once that robot's program has ended.
   virtual void step() = 0;
   /// As windows see it.
   [[nodiscard]] virtual Environment& environment() = 0;
@@ -94,6 +95,10 @@ std::shared_ptr<SharedWorld> open_shared_world(const Config& config, LogSink& lo
 /// How many robots run programs by `config`; 1 unless it asks for more. Throws ConfigError as
 /// open_shared_world(). Cheap where no more than one is asked for.
 std::size_t programs_wanted(const Config& config);
+
+/// Throws ConfigError where `config`, of a run with one simulated robot, has a setting that only a
+/// robot that is alone can have: then no other robot can join it (Backend::shared_world()).
+void check_can_join(const Config& config);
 
 /// A robot's place in a world that it shares: open_backend() gives that robot.
 struct Seat {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 
 #include "eyebridge/base/clock.hpp"
@@ -19,6 +20,23 @@ class Turns {
   [[nodiscard]] virtual const Time& limit_of(std::size_t robot) const = 0;
   /// Called by a robot that goes on at `time` >= its limit: returns when it may.
   virtual void wait(std::size_t robot, Time time) = 0;
+};
+
+/// The turns of robots that join a robot which began alone, in virtual time. That robot's own
+/// threads make the steps: they call the two functions here, one thread at a time.
+class JoiningTurns : public Turns {
+ public:
+  /// False while no robot has joined or wants to: then a step needs no call of what follows.
+  [[nodiscard]] bool has_any() const { return count_.load(std::memory_order_relaxed) != 0; }
+  /// The world is about to make the step that ends at `end`: returns when all other robots have
+  /// come that far.
+  virtual void before_step(Time end) = 0;
+  /// The world has made a step: robots may enter or leave now.
+  virtual void after_step() = 0;
+
+ protected:
+  /// Robots whose programs run, and requests to let one in or out.
+  std::atomic<std::size_t> count_ = 0;
 };
 
 }  // namespace eyebridge::hal

@@ -3,30 +3,42 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "eyebridge/files/scenario.hpp"
 
 namespace eyebridge::files {
 
-/// Where files are looked for that are not found as given or beside the file that names them.
+/// Where files are looked for that are found neither as given nor beside the file that names them:
+/// in this order. Empty ones are left out.
 struct SearchPlaces {
   std::filesystem::path eyesim_home;  ///< EYESIM_HOME of the environment; also what `%sim%` means.
-  std::filesystem::path worlds = builtin_worlds();  ///< Our own worlds.
+  std::filesystem::path program;      ///< Folder `worlds/` beside the robot program.
+  std::filesystem::path user;         ///< ${XDG_DATA_HOME:-~/.local/share}/eyebridge/worlds
+  std::filesystem::path installed;    ///< EyeBridge's own worlds.
 
-  /// The folder `worlds/` of the source tree this was built from.
-  static std::filesystem::path builtin_worlds();
+  /// Those of this process, which runs `program` (a file; empty: none).
+  static SearchPlaces of_process(const std::filesystem::path& program = {});
+  /// Those that are not empty, in the order of the search.
+  [[nodiscard]] std::vector<std::filesystem::path> folders() const;
 };
+
+/// Folder of EyeBridge's own worlds: beside this code (share_folder()), else, for a program of
+/// somebody else that our static libraries are linked into, in the first of XDG_DATA_DIRS that has
+/// it. Empty if there is none.
+std::filesystem::path own_worlds();
 
 /// Loads a `.wld`, `.maz`, `.sim`, `.robi` (in an empty room) or EyeSim parameter file (`.p`) and
 /// everything it names. A world or maze without robots gets one robot of `default_robot` (a
 /// built-in one) at its first start pose, or at the free place nearest to its centre. A floor
 /// texture that exists becomes an absolute path; it is looked for beside the world's file first.
+/// A `path` that does not exist is looked for by name in `places` (find_file()).
 ///
 /// Throws ConfigError. Robots that would stand in a wall, an object or another robot are an error
 /// at the line that places them: of a `.sim`, or the start position or letter. `robot_where` is
 /// where `default_robot` was said, for the message when there is no such robot.
 Scenario load_scenario(const std::filesystem::path& path, const std::string& default_robot = "S4",
-                       const SearchPlaces& places = {},
+                       const SearchPlaces& places = SearchPlaces::of_process(),
                        const SourceLocation& robot_where = {"default robot"});
 
 /// A built-in robot by name, case ignored ("S4", "LabBot", "Mouse"); null when there is none.

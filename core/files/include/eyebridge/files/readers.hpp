@@ -105,6 +105,11 @@ struct SimFile {
 };
 SimFile read_sim(std::string_view text, const std::string& file, std::vector<Warning>& warnings);
 
+/// What the file with this text says about itself: the first line of the comment that it begins
+/// with, as UTF-8 without control characters; "" where it begins with none (mazes: a drawing has no
+/// comments).
+std::string description_in(std::string_view text);
+
 /// The whole file at `path`, at most `kMaxFileSize` bytes. Throws ConfigError when it is missing,
 /// unreadable, too big or not text.
 inline constexpr std::size_t kMaxFileSize = 64U << 20U;

@@ -10,17 +10,28 @@
 
 namespace eyebridge::files {
 
-/// The file that `written` means in a file that lies in `directory`.
+/// The file that `written` means in a file that lies in `directory` (empty: the working folder).
 ///
-/// Looked for as given, relative to `directory`, to EyeSim's home and to the built-in worlds;
-/// `%sim%` stands for EyeSim's home and backslashes for slashes. Throws ConfigError at `where`.
+/// Looked for as given, then in `directory`, then in `places.folders()`; `%sim%` stands for
+/// EyeSim's home and backslashes for slashes. Throws ConfigError at `where`: what is missing, the
+/// nearest names that there are, and where it was looked for.
 std::filesystem::path find_file(const std::string& written, const std::filesystem::path& directory,
                                 const SearchPlaces& places, const SourceLocation& where);
+
+/// As find_file(), but nothing where that would throw.
+std::optional<std::filesystem::path> try_find_file(const std::string& written,
+                                                   const std::filesystem::path& directory,
+                                                   const SearchPlaces& places);
 
 /// The file that `written` means, in the first of `folders` that has it; "" is the working folder.
 /// `%sim%` and backslashes as in find_file().
 std::optional<std::filesystem::path> look_for(const std::string& written,
                                               const std::vector<std::filesystem::path>& folders,
                                               const SearchPlaces& places);
+
+/// Names of at most three files in `folders` that `written` may have been meant to be, nearest
+/// first, as they would be found. Case is ignored, and a missing or wrong ending forgiven.
+std::vector<std::string> similar_files(const std::string& written,
+                                       const std::vector<std::filesystem::path>& folders);
 
 }  // namespace eyebridge::files
