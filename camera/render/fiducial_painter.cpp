@@ -16,8 +16,8 @@ constexpr int kColumns = 32;
 constexpr int kWhole = 32;
 
 /// Of ink and paper, which are neither quite black nor quite white.
-constexpr std::uint8_t kInk = 20;
-constexpr std::uint8_t kPaper = 245;
+constexpr std::uint8_t kDarkCell = 20;
+constexpr std::uint8_t kLightCell = 245;
 
 struct Texel {
   int x;
@@ -35,14 +35,14 @@ TextureLevel picture_of(const std::vector<Fiducial>& fiducials) {
   TextureLevel level{
       kTile * kColumns, std::max(1, (kTile * rows + kWhole - 1) / kWhole) * kWhole, {}};
   const auto width = static_cast<std::size_t>(level.width);
-  level.rgba.assign(4 * width * static_cast<std::size_t>(level.height), kPaper);
+  level.rgba.assign(4 * width * static_cast<std::size_t>(level.height), kLightCell);
   for (std::size_t i = 0; i < fiducials.size(); ++i) {
     const FiducialBits bits = fiducial_bits(fiducials[i].id);
     const Texel tile = tile_of(i);
     for (std::size_t cell = 0; cell < bits.size(); ++cell) {
       const std::size_t x = static_cast<std::size_t>(tile.x) + 1 + cell % kFiducialCells;
       const std::size_t y = static_cast<std::size_t>(tile.y) + 1 + cell / kFiducialCells;
-      if (bits[cell] == 0) std::fill_n(&level.rgba[4 * (y * width + x)], 3, kInk);
+      if (bits[cell] == 0) std::fill_n(&level.rgba[4 * (y * width + x)], 3, kDarkCell);
     }
   }
   return level;

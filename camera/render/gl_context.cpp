@@ -5,14 +5,17 @@
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/log.hpp"
 #include "eyebridge/camera/prepare_process.hpp"
+#include "eyebridge/camera/renderer.hpp"
 
 namespace eyebridge::camera {
 namespace {
 
-constexpr std::array<GlContextMaker, 2> kMakers{{
-    {"osmesa", "libosmesa6", &make_osmesa_context},
-    {"egl", "libegl1 libegl-mesa0", &make_egl_context},
-}};
+constexpr std::array kMakers{
+#ifdef EYEBRIDGE_HAS_OSMESA
+    GlContextMaker{"osmesa", "libosmesa6", &make_osmesa_context},
+#endif
+    GlContextMaker{"egl", "libegl1 libegl-mesa0", &make_egl_context},
+};
 
 thread_local const GlContext* current_context = nullptr;
 
@@ -60,6 +63,11 @@ std::unique_ptr<GlContext> make_gl_context(std::string_view name, LogSink& log) 
     }
   }
   throw ConfigError({"--camera"}, "render: " + failures);
+}
+
+std::string renderer_here() {
+  NullLog log;
+  return std::string(make_gl_context("", log)->name());
 }
 
 }  // namespace eyebridge::camera

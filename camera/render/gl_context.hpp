@@ -35,7 +35,7 @@ struct GlContextMaker {
   std::unique_ptr<GlContext> (*make)();  ///< Throws ConfigError.
 };
 
-/// All makers, in order of preference.
+/// All makers of this build, in order of preference; "osmesa" only where Mesa still has it.
 std::span<const GlContextMaker> gl_context_makers();
 
 /// Throws ConfigError, naming the known makers, unless `name` is one.

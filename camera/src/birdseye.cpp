@@ -11,22 +11,22 @@
 namespace eyebridge::camera {
 namespace {
 
-constexpr Rgb kPaper{255, 255, 255};
-constexpr Rgb kFloor{244, 244, 240};
+constexpr Rgb kAround{255, 255, 255};
+constexpr Rgb kGround{244, 244, 240};
 constexpr Rgb kGrid{222, 222, 216};
 constexpr Rgb kFrame{150, 150, 146};
-constexpr Rgb kInk{60, 60, 60};
+constexpr Rgb kLine{60, 60, 60};
 constexpr Rgb kStart{70, 120, 200};
 
 /// A wall as seen on white paper: walls of the default, nearly white colour are drawn dark.
 Rgb wall_ink(Rgb colour) {
   const int lightest = std::max({int{colour.r}, int{colour.g}, int{colour.b}});
   const int darkest = std::min({int{colour.r}, int{colour.g}, int{colour.b}});
-  return darkest > 200 && lightest - darkest < 40 ? kInk : colour;
+  return darkest > 200 && lightest - darkest < 40 ? kLine : colour;
 }
 
 void draw_floor(Canvas& canvas, const world::WorldModel& model) {
-  canvas.fill_rectangle({0, 0}, {model.width, model.height}, kFloor);
+  canvas.fill_rectangle({0, 0}, {model.width, model.height}, kGround);
   double step = model.maze ? model.maze->cell : 1.0;
   while (canvas.to_pixels(step) < 6.0) step *= 10.0;  // lines must not run together
   for (double x = step; x < model.width; x += step) {
@@ -67,7 +67,7 @@ void draw_polygon(Canvas& canvas, const world::BodyView& body) {
   }
   canvas.polygon(corners, body.colour);
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    canvas.line(corners[i], corners[(i + 1) % corners.size()], 1.0, kInk);
+    canvas.line(corners[i], corners[(i + 1) % corners.size()], 1.0, kLine);
   }
 }
 
@@ -76,14 +76,14 @@ void draw_body(Canvas& canvas, const world::BodyView& body) {
   const Vec2 at = body.pose.position();
   const double radius = std::max(body.radius, 2.5 / canvas.to_pixels(1.0));
   canvas.disc(at, radius, body.colour);
-  canvas.ring(at, radius, kInk);
+  canvas.ring(at, radius, kLine);
   if (body.shape != world::BodyShape::Robot) return;
   const Heading heading = Heading::from_angle(body.pose.theta);
   const bool dark = 3 * body.colour.r + 6 * body.colour.g + body.colour.b < 1280;
   const Vec2 mark[] = {at + heading.rotate({0.85 * radius, 0.0}),
                        at + heading.rotate({-0.35 * radius, 0.5 * radius}),
                        at + heading.rotate({-0.35 * radius, -0.5 * radius})};
-  canvas.polygon(mark, dark ? kPaper : kInk);
+  canvas.polygon(mark, dark ? kAround : kLine);
 }
 
 /// A bar of 1, 2 or 5 times a power of ten metres, about a fifth of the picture long.
@@ -98,7 +98,7 @@ void draw_scale(Canvas& canvas, double world_width) {
   const long millimetres = std::lround(length * 1000.0);
   const std::string label = millimetres >= 1000 ? std::to_string(millimetres / 1000) + " m"
                                                 : std::to_string(millimetres) + " mm";
-  canvas.scale_bar(length, label, kInk);
+  canvas.scale_bar(length, label, kLine);
 }
 
 }  // namespace
@@ -114,7 +114,7 @@ Frame draw_birdseye(const world::Scene& scene, std::span<const Trail> trails,
       high = {std::max(high.x, end.x), std::max(high.y, end.y)};
     }
   }
-  Canvas canvas(low, high, options.longest_side, kPaper);
+  Canvas canvas(low, high, options.longest_side, kAround);
   draw_floor(canvas, model);
   for (const world::Marker& marker : model.markers) {
     canvas.disc(marker.position, kMarkerRadius, marker.colour);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "eyebridge/base/math.hpp"
+
 namespace eyebridge::camera {
 namespace {
 
@@ -24,7 +26,7 @@ void Blur::set_sigma(double sigma) {
   std::vector<double> shape;
   double sum = 0.0;
   for (int i = 0; i <= reach; ++i) {
-    shape.push_back(std::exp(-0.5 * i * i / (sigma * sigma)));
+    shape.push_back(exp_of(-0.5 * i * i / (sigma * sigma)));
     sum += (i == 0 ? 1 : 2) * shape.back();
   }
   weights_.clear();

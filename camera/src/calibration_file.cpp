@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostBytes = 64U * 1024U;
+constexpr std::size_t kLargestFile = 64U * 1024U;
 constexpr double kLargestSide = 16384.0;  ///< Pixels.
 
 class CalibrationReader {
@@ -137,13 +137,13 @@ Calibration read_calibration(const fs::path& path) {
                                   : std::string("found no ordinary file, expected a calibration"));
   }
   std::ifstream in(path, std::ios::binary);
-  std::string text(kMostBytes + 1, '\0');
+  std::string text(kLargestFile + 1, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (!in.is_open() || in.bad()) throw ConfigError({file}, "calibration cannot be read");
   text.resize(static_cast<std::size_t>(in.gcount()));
-  if (text.size() > kMostBytes) {
-    throw ConfigError(
-        {file}, fmt::format("is too big for a calibration, expected at most {} bytes", kMostBytes));
+  if (text.size() > kLargestFile) {
+    throw ConfigError({file}, fmt::format("is too big for a calibration, expected at most {} bytes",
+                                          kLargestFile));
   }
   return parse_calibration(text, file);
 }

@@ -12,7 +12,7 @@
 namespace eyebridge::camera {
 namespace {
 
-struct Free {
+struct FreeCairo {
   void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
   void operator()(cairo_t* pen) const { cairo_destroy(pen); }
 };
@@ -20,8 +20,8 @@ struct Free {
 }  // namespace
 
 struct Canvas::Sheet {
-  std::unique_ptr<cairo_surface_t, Free> surface;
-  std::unique_ptr<cairo_t, Free> pen;
+  std::unique_ptr<cairo_surface_t, FreeCairo> surface;
+  std::unique_ptr<cairo_t, FreeCairo> pen;
 
   Sheet(int width, int height)
       : surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height)),

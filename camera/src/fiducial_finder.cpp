@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <unordered_map>
 
@@ -108,7 +109,7 @@ class FiducialFinder final : public PoseFinder {
     if (last_pose_) {
       const Vector<6> way = difference(here->fit.pose, *last_pose_);
       const double far = kJump + kFastest * to_seconds(time - last_fix_);
-      if (std::hypot(way[kX], way[kY]) > far) ++jumps_;
+      if (std::sqrt(way[kX] * way[kX] + way[kY] * way[kY]) > far) ++jumps_;
     }
     filter_.emplace(here->fit, time);
     return static_cast<int>(here->inliers.size());

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
+#include "eyebridge/base/math.hpp"
 #include "eyebridge/base/random.hpp"
 
 namespace eyebridge::camera {
@@ -85,7 +87,7 @@ void FrameErrors::apply(const ImageNoise& noise, std::uint64_t moment, Frame& fr
   if (error.exposure != 0.0 || error.exposure_sigma > 0.0) {
     Random random(noise.seed ^ kExposureStream, moment);
     const double flicker = error.exposure_sigma > 0.0 ? random.gaussian() : 0.0;
-    expose(std::exp2(error.exposure + error.exposure_sigma * flicker), frame);
+    expose(exp_of(std::numbers::ln2 * (error.exposure + error.exposure_sigma * flicker)), frame);
   }
   Random random(noise.seed, moment);
   if (error.sigma > 0.0) {

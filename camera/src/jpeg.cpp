@@ -9,10 +9,10 @@
 namespace eyebridge::camera {
 namespace {
 
-struct Destroy {
+struct DestroyDecoder {
   void operator()(void* decoder) const { tjDestroy(decoder); }
 };
-using Decoder = std::unique_ptr<void, Destroy>;
+using Decoder = std::unique_ptr<void, DestroyDecoder>;
 
 [[noreturn]] void jpeg_failed(const Decoder& decoder) {
   throw std::runtime_error(std::string("JPEG: ") + tjGetErrorStr2(decoder.get()));

@@ -61,12 +61,13 @@ std::optional<Localised> settle(std::span<const Sighting> sightings, const Calib
 
 bool are_alike(const EyePose& a, const EyePose& b) {
   const Vector<6> d = difference(a, b);
-  return std::hypot(d[kX], d[kY]) < 0.05 && std::abs(d[kHeading]) < deg_to_rad(5.0);
+  return std::sqrt(d[kX] * d[kX] + d[kY] * d[kY]) < 0.05 && std::abs(d[kHeading]) < deg_to_rad(5.0);
 }
 
 double distance(const EyePose& a, const EyePose& b) {
   const Vector<6> d = difference(a, b);
-  return std::hypot(d[kX], d[kY], 0.3 * d[kHeading]);
+  const double turn = 0.3 * d[kHeading];
+  return std::sqrt(d[kX] * d[kX] + d[kY] * d[kY] + turn * turn);
 }
 
 }  // namespace

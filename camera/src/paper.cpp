@@ -61,6 +61,8 @@ Paper::Paper(const std::filesystem::path& pdf)
           kPointsPerMm)) {
   sheet_->file = pdf.string();
   sheet_->check();
+  // What every printer knows; newer cairos write 1.7 otherwise.
+  cairo_pdf_surface_restrict_to_version(sheet_->surface.get(), CAIRO_PDF_VERSION_1_4);
 }
 
 Paper::Paper(double pixels_per_mm)

@@ -20,7 +20,7 @@ struct Format {
   Size (*size)(std::span<const std::uint8_t> bytes);
 };
 
-constexpr std::array<Format, 3> kFormats{{
+constexpr std::array<Format, 3> kPictureFormats{{
     {"\x89PNG\r\n\x1A\n", &decode_png, &png_size},
     {"\xFF\xD8\xFF", &decode_jpeg, &jpeg_size},
     {"BM", &decode_bmp, &bmp_size},
@@ -45,7 +45,7 @@ std::vector<std::uint8_t> read_bytes(const std::filesystem::path& path) {
 /// The format that `bytes` are in. Throws when it is none of ours.
 const Format& format_of(std::span<const std::uint8_t> bytes) {
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  for (const Format& format : kFormats) {
+  for (const Format& format : kPictureFormats) {
     if (text.starts_with(format.first_bytes)) return format;
   }
   throw std::runtime_error("neither a PNG nor a JPEG nor a BMP");

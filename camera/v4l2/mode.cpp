@@ -22,7 +22,11 @@ bool is_about(double rate, double wanted) {
   return std::abs(rate - wanted) <= kRateTolerance * wanted;
 }
 
-double distance(Size a, Size b) { return std::hypot(a.width - b.width, a.height - b.height); }
+double distance(Size a, Size b) {
+  const double x = a.width - b.width;
+  const double y = a.height - b.height;
+  return std::sqrt(x * x + y * y);
+}
 
 /// The nearest sizes that are offered, a few, nearest first.
 std::vector<Size> nearest_sizes(const std::vector<OfferedSize>& offered, Size wanted) {

@@ -16,7 +16,7 @@
 namespace eyebridge::camera {
 namespace {
 
-constexpr std::int64_t kSecond = 1'000'000'000;
+constexpr std::int64_t kNanoseconds = 1'000'000'000;
 
 class SystemVideoCalls final : public VideoCalls {
  public:
@@ -57,7 +57,7 @@ class SystemVideoCalls final : public VideoCalls {
 
   int wait(int device, Time timeout) override {
     const std::int64_t wall = std::max<std::int64_t>(0, timeout.count());
-    const timespec limit{wall / kSecond, wall % kSecond};
+    const timespec limit{wall / kNanoseconds, wall % kNanoseconds};
     pollfd file{device, POLLIN, 0};
     const int ready = ::ppoll(&file, 1, &limit, nullptr);
     if (ready < 0) return errno == EINTR ? 0 : -errno;
@@ -68,7 +68,7 @@ class SystemVideoCalls final : public VideoCalls {
   [[nodiscard]] Time monotonic() const override {
     timespec now{};
     ::clock_gettime(CLOCK_MONOTONIC, &now);
-    return Time(now.tv_sec * kSecond + now.tv_nsec);
+    return Time(now.tv_sec * kNanoseconds + now.tv_nsec);
   }
 };
 

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 
-#include <opencv2/aruco/charuco.hpp>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "vision/dictionary.hpp"
+#include "vision/aruco.hpp"
 
 namespace eyebridge::camera {
 namespace {
@@ -39,30 +38,16 @@ std::optional<BoardCorners> find_chessboard(const Board& board, const cv::Mat& g
   return found;
 }
 
-cv::Ptr<cv::aruco::CharucoBoard> charuco(const Board& board) {
-  return cv::aruco::CharucoBoard::create(
-      board.columns, board.rows, static_cast<float>(board.square),
-      static_cast<float>(kCharucoFiducial * board.square), dictionary());
-}
-
 std::optional<BoardCorners> find_charuco(const Board& board, const cv::Mat& grey) {
-  const auto pattern = charuco(board);
-  std::vector<std::vector<cv::Point2f>> squares;
-  std::vector<int> square_ids;
-  cv::aruco::detectMarkers(grey, dictionary(), squares, square_ids);
-  if (square_ids.empty()) return std::nullopt;
-  BoardCorners found;
-  std::vector<int> ids;
-  cv::aruco::interpolateCornersCharuco(squares, square_ids, grey, pattern, found.pixels, ids);
-  if (ids.size() < kFewest) return std::nullopt;
-  bool one_row = true;
-  for (const int id : ids) {
-    found.on_board.push_back(pattern->chessboardCorners[static_cast<std::size_t>(id)]);
-    one_row = one_row && (found.on_board.back().x == found.on_board.front().x ||
-                          found.on_board.back().y == found.on_board.front().y);
-  }
+  BoardCorners found = charuco_corners(board, grey);
+  if (found.pixels.size() < kFewest) return std::nullopt;
+  const cv::Point3f first = found.on_board.front();
   // Corners on a line determine no plane.
-  if (one_row) return std::nullopt;
+  if (std::all_of(found.on_board.begin(), found.on_board.end(), [&](const cv::Point3f& corner) {
+        return corner.x == first.x || corner.y == first.y;
+      })) {
+    return std::nullopt;
+  }
   return found;
 }
 

@@ -1,25 +1,24 @@
 #include "vision/fiducial_detector.hpp"
 
-#include <opencv2/aruco.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "vision/dictionary.hpp"
+#include "vision/aruco.hpp"
 #include "vision/edge_refinement.hpp"
 #include "vision/grey.hpp"
 
 namespace eyebridge::camera {
 namespace {
 
-cv::Ptr<cv::aruco::DetectorParameters> parameters() {
-  auto p = cv::aruco::DetectorParameters::create();
+cv::aruco::DetectorParameters parameters() {
+  cv::aruco::DetectorParameters p;
   // One threshold instead of three: the others find nothing more (docs/camera.md has figures).
-  p->adaptiveThreshWinSizeMin = 15;
-  p->adaptiveThreshWinSizeMax = 15;
-  p->adaptiveThreshConstant = 5;
-  p->minMarkerPerimeterRate = 0.08;
-  p->perspectiveRemovePixelPerCell = 4;
-  p->errorCorrectionRate = 0.5;
-  p->cornerRefinementMethod = cv::aruco::CORNER_REFINE_NONE;  // ours follows
+  p.adaptiveThreshWinSizeMin = 15;
+  p.adaptiveThreshWinSizeMax = 15;
+  p.adaptiveThreshConstant = 5;
+  p.minMarkerPerimeterRate = 0.08;
+  p.perspectiveRemovePixelPerCell = 4;
+  p.errorCorrectionRate = 0.5;
+  p.cornerRefinementMethod = cv::aruco::CORNER_REFINE_NONE;  // ours follows
   return p;
 }
 
@@ -32,9 +31,7 @@ std::vector<SeenFiducial> find_fiducials(const Frame& frame) {
   // their exact places are taken from the picture as it is.
   cv::Mat smooth;
   cv::GaussianBlur(grey, smooth, {3, 3}, 0.0);
-  std::vector<std::vector<cv::Point2f>> squares;
-  std::vector<int> ids;
-  cv::aruco::detectMarkers(smooth, dictionary(), squares, ids, kParameters);
+  const auto [ids, squares] = find_squares(smooth, kParameters);
   std::vector<SeenFiducial> seen;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     SeenFiducial fiducial;

@@ -2,8 +2,8 @@
 
 #include <opencv2/core.hpp>
 
+#include "vision/aruco.hpp"
 #include "vision/calibrator.hpp"
-#include "vision/dictionary.hpp"
 #include "vision/fiducial_detector.hpp"
 
 namespace eyebridge::camera {

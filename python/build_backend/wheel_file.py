@@ -28,6 +28,15 @@ class WheelFile:
         with open(path, "rb") as file:
             self._add(name, file.read(), 0o755 if os.access(path, os.X_OK) else 0o644)
 
+    def add_folder(self, folder):
+        """All files of `folder`. Links become what they point to; those for the linker, lines that name the library."""
+        for path in sorted(folder.rglob("*")):
+            name = path.relative_to(folder).as_posix()
+            if path.is_symlink() and path.suffix == ".so":
+                self.add_text(name, f"INPUT({os.readlink(path)})\n")
+            elif path.is_file():
+                self.add_file(path, name)
+
     def add_text(self, name, text):
         """A file with this text."""
         self._add(name, text.encode(), 0o644)

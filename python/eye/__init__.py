@@ -22,6 +22,7 @@ from ._os import *
 from ._ports import *
 from ._readings import RobotError
 from ._sim import *
+from ._version import __version__
 from ._vision import *
 from . import _host
 

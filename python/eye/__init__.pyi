@@ -5,6 +5,7 @@ import ctypes
 from collections.abc import Callable, Iterable
 from typing import Any, Final, SupportsInt
 
+__version__: str
 lib: ctypes.CDLL
 
 _Image = ctypes.Array[ctypes.c_byte]

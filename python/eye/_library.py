@@ -5,20 +5,29 @@ They are two sets of function objects, so that a program that sets `lib.PSDGet.a
 
 import ctypes as _ctypes
 import os as _os
+import sys as _sys
 import types as _types
 
 from . import _convert
 from ._signatures import SIGNATURES as _SIGNATURES
 
 _NAME = "libeyebridge.so.0"
-_HERE = _os.path.dirname(_os.path.abspath(__file__))
-# In a wheel; in a build tree; in an installation; in the source tree, of the release build.
-_PLACES = ("../eyebridge", "../../lib", "../../..", "../../build/release/lib")
+
+
+def _folders():
+    """Where the library may be: in a wheel; of the release build; in the prefix that this package is installed in."""
+    above = _os.path.dirname(_os.path.dirname(_os.path.abspath(__file__)))
+    yield _os.path.join(above, "eyebridge", "lib")
+    yield _os.path.join(_os.path.dirname(above), "build", "release", "lib")
+    libraries = ["lib", _os.path.join("lib", getattr(_sys.implementation, "_multiarch", ""))]
+    while above != _os.path.dirname(above):
+        above = _os.path.dirname(above)
+        yield from (_os.path.join(above, name) for name in libraries)
 
 
 def _find():
-    for place in _PLACES:
-        path = _os.path.normpath(_os.path.join(_HERE, place, _NAME))
+    for folder in _folders():
+        path = _os.path.join(folder, _NAME)
         if _os.path.exists(path):
             return path
     return _NAME  # wherever the system's loader looks
@@ -28,7 +37,7 @@ def _open(path):
     try:
         return _ctypes.CDLL(path)
     except OSError as error:
-        searched = ", ".join(_os.path.normpath(_os.path.join(_HERE, place)) for place in _PLACES)
+        searched = ", ".join(_folders())
         raise ImportError(f"cannot load {_NAME} ({error}); searched in {searched}") from error
 
 

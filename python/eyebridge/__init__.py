@@ -34,6 +34,7 @@ from ._core import (
     load_scenario,
     plan,
 )
+from ._version import __version__
 from .episode import Episode
 
 __all__ = [

@@ -8,6 +8,8 @@ from typing import Any, Literal, Self
 import numpy
 from numpy.typing import ArrayLike, NDArray
 
+__version__: str
+
 class ConfigError(ValueError):
     """A mistake in a file: where it is, what was found, what was expected."""
 
@@ -28,8 +30,9 @@ class Scenario:
         """What was odd in the files and is read all the same."""
 
 def load_scenario(path: str | os.PathLike[str], robot: str = "S4") -> Scenario:
-    """Reads a .wld, .maz, .sim, .robi or EyeSim parameter file and all that it names. A world without robots gets one
-    `robot`. Raises ConfigError."""
+    """Reads a .wld, .maz, .sim, .robi or EyeSim parameter file and all that it names. A `path` that does not exist is
+    looked for by name, also in the folder worlds beside the script that runs (docs/worlds.md). A world without robots
+    gets one `robot`. Raises ConfigError."""
 
 def default_scenario() -> Scenario:
     """An empty room, 2 m x 2 m, and one S4 in its middle."""

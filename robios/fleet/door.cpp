@@ -2,12 +2,12 @@
 
 #include <charconv>
 #include <cmath>
-#include <thread>
 #include <utility>
 
 #include <fmt/format.h>
 #include <pthread.h>
 
+#include "eyebridge/base/deaf_thread.hpp"
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/base/units.hpp"
 #include "robot_programs.hpp"
@@ -56,11 +56,17 @@ std::size_t read_leaver(const Words& words) {
                                            in_quotes(words[1])));
 }
 
-Door::Door(Act act) : act_(std::move(act)), door_(open_door()) {
-  if (!door_.valid()) return;
-  std::thread thread([this] { answer_all(); });
-  pthread_setname_np(thread.native_handle(), "eb:door");
-  thread.detach();
+Door::Door(Act act, LogSink& log) : act_(std::move(act)), door_(open_door()) {
+  if (!door_.valid()) {
+    log.write(Severity::Info,
+              "no robot can be added: expected $XDG_RUNTIME_DIR/eyebridge, or a folder in /tmp, to "
+              "be this user's alone");
+    return;
+  }
+  deaf_thread([this] {
+    pthread_setname_np(pthread_self(), "eb:door");
+    answer_all();
+  }).detach();
 }
 
 void Door::answer_all() {

@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "door_socket.hpp"
+#include "eyebridge/base/log.hpp"
 #include "eyebridge/base/unique_fd.hpp"
 #include "eyebridge/hal/shared_world.hpp"
 
@@ -15,10 +16,9 @@ class Door {
   /// Lets a robot in or out: its index.
   using Act = std::function<Result<std::size_t>(const Words&)>;
 
-  /// Answers from a thread of its own from now on; where the system refuses, it stays shut.
+  /// Answers from a thread of its own from now on; where the system refuses, `log` is told so.
   /// What `act` has is lent for the life of the process.
-  explicit Door(Act act);
-  [[nodiscard]] bool is_open() const { return door_.valid(); }
+  Door(Act act, LogSink& log);
   /// Nobody finds it any more. Any thread.
   static void close() noexcept { close_door(); }
   /// Returns when who was let in or out, or not, has been told so. When `act` refuses all.

@@ -176,13 +176,7 @@ int Fleet::run() {
   the_fleet = this;
   watch_signals([](int) { the_fleet->stop(); }, [] { the_fleet->look(); });
   const std::vector<Robot*> robots_at_start = robots();
-  door_.emplace([this](const Words& words) { return answer(words); });
-  if (!door_->is_open()) {
-    log_.write(
-        Severity::Info,
-        "no robot can be added: expected $XDG_RUNTIME_DIR/eyebridge, or a folder in /tmp, to "
-        "be this user's alone");
-  }
+  door_.emplace([this](const Words& words) { return answer(words); }, log_);
   if (windows_ != nullptr) {
     show_world(*windows_, world_->environment(), this);
   } else {

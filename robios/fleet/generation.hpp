@@ -9,9 +9,6 @@ namespace eyebridge::robios {
 // There are two generations of RoBIOS, a library each. One process runs robots of one of them: each
 // library has a world of its own.
 
-/// The folder of the library that this code is in.
-std::filesystem::path library_folder();
-
 /// True when `program` is linked with the other library than the one that this code is in. A file
 /// that cannot be read is not.
 bool is_of_other_generation(const std::filesystem::path& program);

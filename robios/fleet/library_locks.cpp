@@ -18,7 +18,8 @@
 namespace eyebridge::robios::library_locks {
 namespace {
 
-/// glibc's _IO_lock_t, the same since 2.0.
+/// glibc's _IO_lock_t. The owner means the same in 2.36 and 2.41; the count does not, and is not
+/// looked at.
 struct StreamLock {
   int lock;
   int count;
@@ -45,12 +46,14 @@ constexpr std::size_t kMostHeaps = 256;
 constexpr std::size_t kBlock = 64;
 std::array<std::atomic<void*>, kMostHeaps> blocks{};
 
-/// Takes each lock and gives it back. A heap's: realloc() to the same size changes nothing else.
+/// Takes each lock and gives it back. A heap's by realloc(), which stays in the block's heap. To a
+/// larger size: for the same one glibc 2.41 takes no lock.
 void try_locks() {
   for (auto& place : blocks) {
     void* block = place.exchange(nullptr);
     if (block == nullptr) continue;
-    block = std::realloc(block, kBlock);
+    if (void* const larger = std::realloc(block, 2 * kBlock)) block = larger;
+    if (void* const again = std::realloc(block, kBlock)) block = again;
     place = block;
   }
   if (!trial.others_are_threads) return;
@@ -70,7 +73,7 @@ void release_streams() {
   for (std::FILE* const stream : {stdin, stdout, stderr}) {
     const auto* const lock = static_cast<const volatile StreamLock*>(stream->_lock);
     const auto* const me = reinterpret_cast<const void*>(pthread_self());
-    while (lock != nullptr && lock->owner == me && lock->count > 0) funlockfile(stream);
+    while (lock != nullptr && lock->owner == me) funlockfile(stream);
   }
 }
 

@@ -3,29 +3,16 @@
 #include <cstdlib>
 #include <map>
 #include <string_view>
-#include <system_error>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "generation.hpp"
+#include "eyebridge/base/own_place.hpp"
 
 namespace eyebridge::robios {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The folder of our Python packages: in a build tree, in an installation, in a wheel. Empty when
-/// there is none.
-fs::path python_folder() {
-  const fs::path here = library_folder();
-  for (const char* place : {"../python", "eyebridge/python", ".."}) {
-    std::error_code ignored;  // a folder that may not be searched holds nothing for us
-    fs::path folder = (here / place).lexically_normal();
-    if (fs::exists(folder / "eye/__main__.py", ignored)) return folder;
-  }
-  return {};
-}
 
 /// Settings whose default does something else than the same value that somebody chose.
 bool is_better_unsaid(const hal::Setting& setting, const hal::ConfigValue& value) {

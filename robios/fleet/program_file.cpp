@@ -10,6 +10,7 @@
 #include <mutex>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include <dlfcn.h>
 #include <elf.h>
@@ -36,6 +37,18 @@ Value* at(Bytes& file, std::uint64_t offset, std::uint64_t count = 1) {
 
 constexpr const char* kExpected =
     "; expected a program built with eyebridge-cc or eyebridge-c++, without -no-pie and -static";
+
+struct Machine {
+  int elf;           ///< What a program's file calls it.
+  const char* name;  ///< What its users call it.
+};
+#if defined(__x86_64__)
+constexpr Machine kMachine{EM_X86_64, "x86-64"};
+#elif defined(__aarch64__)
+constexpr Machine kMachine{EM_AARCH64, "arm64"};
+#else
+#error "several robots in one process: the number of this machine in elf(5) is missing here"
+#endif
 
 /// What the dynamic section says.
 struct Dynamic {
@@ -135,10 +148,9 @@ void prepare(const fs::path& program, ProgramFile& file) {
     refuse(program,
            std::string("found a file that is no program, as several robots need one") + kExpected);
   }
-  if (header->e_ident[EI_CLASS] != ELFCLASS64 || header->e_machine != EM_X86_64) {
-#if defined(__x86_64__)
-    refuse(program, "found a program for another kind of machine, expected one for x86-64");
-#endif
+  if (header->e_ident[EI_CLASS] != ELFCLASS64 || header->e_machine != kMachine.elf) {
+    refuse(program, "found a program for another kind of machine, expected one for " +
+                        std::string(kMachine.name));
   }
   if (header->e_type != ET_DYN) {
     refuse(program, std::string("found a program for a fixed address") + kExpected);

@@ -18,12 +18,6 @@
 #include "threads/turn_calls.h"
 
 namespace eyebridge::robios {
-namespace {
-
-constexpr int kCannotRun = 126;  // as shells say it
-
-}  // namespace
-
 Robot::Robot(std::size_t index, RobotProgram program)
     : index_(index), program_(std::move(program)), process_id_(getpid()) {}
 

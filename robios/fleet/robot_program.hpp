@@ -6,6 +6,9 @@
 
 namespace eyebridge::robios {
 
+/// Exit code of a program that cannot be started, as shells say it.
+inline constexpr int kCannotRun = 126;
+
 /// What a robot runs.
 struct RobotProgram {
   std::filesystem::path file;

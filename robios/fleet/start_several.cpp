@@ -35,8 +35,7 @@ bool belongs_to_program(const char* library) {
     if (entry->d_tag == DT_STRTAB) names = reinterpret_cast<const char*>(entry->d_un.d_ptr);
   }
   for (const ElfW(Dyn)* entry = map->l_ld; names != nullptr && entry->d_tag != DT_NULL; ++entry) {
-    // "libeyebridge.so.0" of the file libeyebridge.so.0.1.0
-    if (entry->d_tag == DT_NEEDED && name.starts_with(names + entry->d_un.d_val)) return true;
+    if (entry->d_tag == DT_NEEDED && name == names + entry->d_un.d_val) return true;
   }
   return false;
 }

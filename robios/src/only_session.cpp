@@ -59,19 +59,23 @@ Session& Session::only() {
           [](int status, void*) {
             const InCall in_end;
             only().end();
-            if (status != 0 || !only().impl_->results_lost) return;
+            int code = only().await_joined();
+            if (only().impl_->results_lost) code = 1;
+            if (status != 0 || code == 0) return;
             std::fflush(nullptr);
-            _exit(1);
+            _exit(code);
           },
           nullptr);
       watch_forks();
       watch_signals(
           [](int) {
             only().end();
+            if (only().impl_->joining) only().impl_->joining->end();
             if (Windows* const windows = only().impl_->windows) windows->complete_files();
           },
           [] { only().look_around(); });
       if (made->impl_->panel) made->impl_->panel->start();
+      if (made->impl_->joining) made->impl_->joining->open(made->impl_->backend->shared_world());
       made->impl_->open_windows();
       return made;
     } catch (const ConfigError& error) {
@@ -91,6 +95,7 @@ void Session::program_ends(int status) noexcept {
   const InCall in_call;
   if (session->impl_->stage == Impl::Stage::Forked) return;
   session->end();
+  session->await_joined();
   std::fflush(nullptr);  // whoever reads the program's output does not wait for the person
   session->impl_->windows->finish(
       status == 0 ? "The program has ended" : fmt::format("The program has ended with {}", status));

@@ -106,9 +106,13 @@ void Session::check_limit() {
 
 // Programs that wait for something else than the robot, or have only threads of ours left.
 void Session::look_around() {
+  if (impl_->joining) impl_->joining->look();
   if (!impl_->is_running()) return;
   if (impl_->clock.is_virtual()) {
-    if (impl_->name.empty()) go_on_without_calls();  // else others tell what hangs
+    // Of several robots others tell what hangs.
+    if (impl_->name.empty() && !(impl_->joining && impl_->joining->is_awaited())) {
+      go_on_without_calls();
+    }
   } else {
     check_limit();
   }
@@ -236,6 +240,11 @@ void Session::tell_of_overruns() {
       fmt::format("the computer was too slow {} times: time slipped", world->time().overruns()));
 }
 
+// Robots that joined go on to their ends.
+int Session::await_joined() {
+  return impl_->joining && impl_->stage != Impl::Stage::Forked ? impl_->joining->await_end() : 0;
+}
+
 void Session::end() noexcept {
   if (impl_->stage == Impl::Stage::Forked) return;
   std::call_once(impl_->ended, [this] {
@@ -249,7 +258,9 @@ void Session::end() noexcept {
       impl_->timers.let_go();  // the session stays, of many robots maybe
     }
     impl_->recorder.stop();
-    impl_->backend->stop();
+    // Where others go on it keeps its last command, as one of several robots does.
+    const bool stops = !impl_->joining || !impl_->joining->is_busy();
+    if (stops) impl_->backend->stop();
     if (impl_->panel) impl_->panel->stop();
     if (impl_->runner == nullptr) {
       release_terminal();
@@ -263,7 +274,7 @@ void Session::end() noexcept {
       impl_->results_lost = true;
       impl_->log.write(Severity::Error, error.what());
     }
-    impl_->backend->stop();  // again: a call of another thread may have been under way
+    if (stops) impl_->backend->stop();  // again: another thread's call may have been under way
   });
 }
 

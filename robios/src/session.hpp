@@ -165,6 +165,7 @@ class Session {
   OwnPart& own_part(std::type_index type, std::unique_ptr<OwnPart> (*make)(Session&));
   void look_around();
   void tell_of_overruns();
+  int await_joined();
   void go_on_without_calls();
   static void watch_forks();
 

@@ -18,8 +18,14 @@
 namespace eyebridge::robios {
 namespace {
 
-hal::BackendContext context_of(const hal::Config& config, LogSink& log, const SessionStart* start) {
-  return {config, log, start != nullptr ? &start->seat : nullptr};
+std::unique_ptr<Joining> joining_of(const hal::Config& config, const SessionStart* start) {
+  return start == nullptr && config.text("hal") == "sim" ? make_joining(config) : nullptr;
+}
+
+hal::BackendContext context_of(const hal::Config& config, LogSink& log, const SessionStart* start,
+                               Joining* joining) {
+  return {config, log, start != nullptr ? &start->seat : nullptr,
+          joining != nullptr ? &joining->turns() : nullptr};
 }
 
 void tell_of_pause(const hal::Environment* environment, const Windows* windows,
@@ -53,7 +59,8 @@ Session::Impl::Impl(SessionStart* start, hal::Config configuration)
       name(start != nullptr ? start->name : name_among_several(config)),
       log(lowest_severity(config), name),
       windows(open_session_windows(config, log)),
-      backend(hal::open_backend(context_of(config, log, start))),
+      joining(joining_of(config, start)),
+      backend(hal::open_backend(context_of(config, log, start, joining.get()))),
       clock(shared_clock(backend->clock(), start, turn_clock)),
       is_virtual(clock.is_virtual()),
       cost_scale(config.number("cost_scale")),
@@ -88,7 +95,8 @@ void Session::Impl::open_windows() {
   notes = std::move(noted.notes);
   if (hal::Environment* const environment = backend->environment()) {
     auto watched = std::make_unique<FirstUse>(std::move(backend));
-    watched->on_first_use([this, environment] { show_world(*windows, *environment); });
+    watched->on_first_use(
+        [this, environment] { show_world(*windows, *environment, joining.get()); });
     backend = std::move(watched);
   }
   const std::string robot = name.empty() ? "robot" : name;

@@ -16,6 +16,7 @@
 #include "eyebridge/camera/latest_frame.hpp"
 #include "eyebridge/hal/device_notes.hpp"
 #include "failures.hpp"
+#include "joining.hpp"
 #include "keys.hpp"
 #include "log/stderr_log.hpp"
 #include "program_threads.hpp"
@@ -58,7 +59,8 @@ struct Session::Impl {
   StderrLog log;
 
   // What every call looks at lies together: with a hundred robots the processor waits for memory.
-  Windows* windows;  ///< Of the process; null for none.
+  Windows* windows;                  ///< Of the process; null for none.
+  std::unique_ptr<Joining> joining;  ///< Of a process's only robot in a simulated world; else null.
   std::unique_ptr<hal::Backend> backend;
   std::optional<TurnClock> turn_clock;  ///< Of an only robot in virtual time.
   Clock& clock;

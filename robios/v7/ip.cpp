@@ -13,6 +13,7 @@ using eyebridge::fail;
 using eyebridge::Result;
 using eyebridge::Rgb;
 using eyebridge::robios::Bytes;
+using eyebridge::robios::Call;
 using eyebridge::robios::ConstBytes;
 using eyebridge::robios::guarded;
 using eyebridge::robios::ImageSize;
@@ -54,7 +55,7 @@ struct Image {
 
 /// Runs `work` on the current size when none of the images is null. Returns 0, or `failure`.
 template <class Work, class... Pointers>
-int processing(const robios::Call& call, int failure, Work&& work, const Pointers*... images) {
+int processing(const Call& call, int failure, Work&& work, const Pointers*... images) {
   return guarded(call, failure, [&](Session&) -> Result<int> {
     if ((... || (images == nullptr))) {
       return eyebridge::robios::null_pointer();
@@ -72,7 +73,7 @@ int processing(const robios::Call& call, int failure, Work&& work, const Pointer
 
 /// The same for calls that cannot fail otherwise.
 template <class Work, class... Pointers>
-void filtering(const robios::Call& call, Work&& work, const Pointers*... images) {
+void filtering(const Call& call, Work&& work, const Pointers*... images) {
   processing(
       call, 1,
       [&](const Image& image) -> Result<int> {

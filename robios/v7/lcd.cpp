@@ -17,6 +17,7 @@ using eyebridge::Errc;
 using eyebridge::fail;
 using eyebridge::Result;
 using eyebridge::Rgb;
+using eyebridge::robios::Call;
 using eyebridge::robios::guarded;
 using eyebridge::robios::Lcd;
 using eyebridge::robios::null_pointer;
@@ -54,7 +55,7 @@ constexpr int kLongestText = 65535;
 
 /// Most calls just draw: they cannot fail.
 template <class Draw>
-int drawing(const robios::Call& call, Draw&& draw) {
+int drawing(const Call& call, Draw&& draw) {
   return guarded(call, kLcdFailed, [&](Session& session) -> Result<int> {
     draw(session.lcd());
     return 0;
@@ -63,7 +64,7 @@ int drawing(const robios::Call& call, Draw&& draw) {
 
 /// For calls whose arguments may be wrong.
 template <class Change>
-int changing(const robios::Call& call, Change&& change) {
+int changing(const Call& call, Change&& change) {
   return guarded(call, kLcdFailed, [&](Session& session) -> Result<int> {
     return change(session.lcd()).map([] { return 0; });
   });
@@ -100,7 +101,7 @@ const char* or_empty(const char* text) { return text == nullptr ? "" : text; }
 
 /// For LCDImage() and its sisters.
 template <class Show>
-int showing(const robios::Call& call, const BYTE* data, Show&& show) {
+int showing(const Call& call, const BYTE* data, Show&& show) {
   return guarded(call, kLcdFailed, [&](Session& session) -> Result<int> {
     if (data == nullptr) {
       return null_pointer();

@@ -4,8 +4,9 @@
 #include <vector>
 
 #include "convert.hpp"
-#include "eyebot.h"
+#include "globals.hpp"
 #include "guarded.hpp"
+#include <eyebot.h>
 
 int LIDAR_RESOLUTION = 360;
 

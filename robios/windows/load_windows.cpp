@@ -1,13 +1,16 @@
 #include "windows/load_windows.hpp"
 
+#include <filesystem>
 #include <utility>
 
 #include <dlfcn.h>
 
+#include "eyebridge/base/own_place.hpp"
+
 namespace eyebridge::robios {
 
-Windows* load_windows(const std::filesystem::path& folder, WindowsStart start, std::string& why) {
-  const std::filesystem::path file = folder / "libeyebridge_gui.so";
+Windows* load_windows(WindowsStart start, std::string& why) {
+  const std::filesystem::path file = plugin_folder() / "libeyebridge_gui.so";
   if (!std::filesystem::exists(file)) {
     why = "there is no " + file.string() +
           "; expected EyeBridge built where Qt 6 is installed (qt6-base-dev)";

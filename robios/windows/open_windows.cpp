@@ -27,11 +27,10 @@ bool wants_windows(const hal::Config& config) {
 
 }  // namespace
 
-Windows* open_windows(const hal::Config& config, LogSink& log, const std::filesystem::path& folder,
-                      WindowsStart start) {
+Windows* open_windows(const hal::Config& config, LogSink& log, WindowsStart start) {
   if (!wants_windows(config)) return nullptr;
   static std::string why;
-  static Windows* const windows = load_windows(folder, std::move(start), why);
+  static Windows* const windows = load_windows(std::move(start), why);
   if (windows != nullptr) return windows;
   if (config.text("gui") == "on") {
     throw ConfigError(config.value("gui").where,

@@ -3,7 +3,6 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include "generation.hpp"
 #include "host.hpp"
 
 namespace eyebridge::robios {
@@ -11,7 +10,7 @@ namespace eyebridge::robios {
 Windows* open_session_windows(const hal::Config& config, LogSink& log) {
   // Motors stop, results are written.
   const auto quit = [] { kill(getpid(), SIGTERM); };
-  return open_windows(config, log, library_folder(), {quit, program_file().filename().string()});
+  return open_windows(config, log, {quit, program_file().filename().string()});
 }
 
 }  // namespace eyebridge::robios

@@ -10,5 +10,5 @@
                 robot("Robot 1").stop()
                 return
 
-`eyebridge run FILE --world WORLD` runs one. Each argument: robots.py, going.py, spaces.py, interact.py; docs/control.md.
+`eyebridge run --world WORLD FILE` runs one. Each argument: robots.py, going.py, spaces.py, interact.py; docs/control.md.
 """

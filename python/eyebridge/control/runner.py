@@ -228,7 +228,7 @@ def main(arguments):
         print(f"eyebridge: {path}{line}: {type(error).__name__}: {error}", file=sys.stderr)
         return 1
     try:
-        world.open_windows(os.path.dirname(_control.__file__))
+        world.open_windows()
     except ConfigError as error:
         print(f"eyebridge: {error}", file=sys.stderr)
         return 1

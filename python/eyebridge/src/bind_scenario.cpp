@@ -15,8 +15,16 @@ namespace {
 namespace py = pybind11;
 using files::Scenario;
 
+/// The script that Python runs; empty in an interactive session.
+std::filesystem::path script() {
+  const py::object file = py::getattr(py::module_::import("__main__"), "__file__", py::none());
+  return file.is_none() ? std::filesystem::path() : file.cast<std::filesystem::path>();
+}
+
 std::shared_ptr<Scenario> load(const std::filesystem::path& path, const std::string& robot) {
-  return std::make_shared<Scenario>(files::load_scenario(path, robot));
+  const auto places = files::SearchPlaces::of_process(script());
+  const py::gil_scoped_release others_run;
+  return std::make_shared<Scenario>(files::load_scenario(path, robot, places));
 }
 
 std::vector<std::string> warnings(const Scenario& scenario) {
@@ -55,8 +63,7 @@ void bind_scenario(py::module_& module) {
         return "<eyebridge.Scenario: " + std::to_string(s.world.walls.size()) + " walls, " +
                std::to_string(s.robots.size()) + " robots>";
       });
-  module.def("load_scenario", &load, py::arg("path"), py::arg("robot") = "S4",
-             py::call_guard<py::gil_scoped_release>());
+  module.def("load_scenario", &load, py::arg("path"), py::arg("robot") = "S4");
   module.def("default_scenario",
              [] { return std::make_shared<Scenario>(files::default_scenario()); });
 }

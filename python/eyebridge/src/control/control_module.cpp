@@ -104,7 +104,7 @@ PYBIND11_MODULE(_control, module) {
            [](World& world, const OccupancyGrid& grid, const std::vector<MapPose>& robots) {
              show(world.map_board(), grid, robots, world);
            })
-      .def("open_windows", &World::open_windows, py::arg("folder"), Release())
+      .def("open_windows", &World::open_windows, Release())
       .def("note", &World::note, py::arg("name"), py::arg("value"))
       .def("resume", &World::resume)
       .def("end", &World::end, Release())

@@ -50,12 +50,12 @@ int ControlWorld::refresh(std::size_t index) {
   return changes_.at(index);
 }
 
-bool ControlWorld::open_windows(const std::filesystem::path& folder) {
+bool ControlWorld::open_windows() {
   const auto quit = [this] {
     is_closed_ = true;
     resume();
   };
-  windows_ = robios::open_windows(config_, log_, folder, {quit, program_});
+  windows_ = robios::open_windows(config_, log_, {quit, program_});
   hal::Environment& environment = world_->environment();
   if (windows_ == nullptr) {
     robios::tell_of_ignored_pause(environment, log_);

@@ -61,10 +61,10 @@ class ControlWorld {
   /// A number for the run's report, if one is kept (`report`): hal::SharedWorld::note().
   void note(const std::string& name, double value) { world_->note(name, value); }
 
-  /// Opens windows from the plug-in in `folder` where the configuration asks for them, or leaves it
-  /// to us and there is a display. False where there are none. Throws ConfigError where `gui` is
+  /// Opens windows where the configuration asks for them, or leaves it to us and there is a
+  /// display. False where there are none. Throws ConfigError where `gui` is
   /// on and they cannot be.
-  bool open_windows(const std::filesystem::path& folder);
+  bool open_windows();
   /// Where windows take the two maps from that they show beside the world.
   [[nodiscard]] robios::MapBoard& belief_board() { return belief_board_; }
   [[nodiscard]] robios::MapBoard& map_board() { return map_board_; }
