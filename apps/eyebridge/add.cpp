@@ -33,10 +33,9 @@ void add_add(CLI::App& root, int& code) {
   CLI::App* command = root.add_subcommand(
       "add", "Adds a robot to a run: eyebridge add MODEL x y phi [PROGRAM [ARGUMENTS]]");
   command->footer(
-      "Lets a robot enter the world of a run of several robots on this computer, at x, y (mm) and\n"
-      "phi (degrees), and prints its number. MODEL is a type that the world knows, a built-in "
-      "one,\n"
-      "or a .robi file; without PROGRAM the robot stands still. In virtual time it comes at\n"
+      "Lets a robot enter the simulated world of a run on this computer, at x, y (mm) and phi\n"
+      "(degrees), and prints its number. MODEL is a type that the world knows, a built-in one, or\n"
+      "a .robi file; without PROGRAM the robot stands still. In virtual time it comes at\n"
       "whichever step is next: such a run cannot be repeated; `enters` in a .sim file can.");
   command->prefix_command();
   auto run = std::make_shared<int>(0);

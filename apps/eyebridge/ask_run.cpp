@@ -18,8 +18,8 @@ UniqueFd find_run(const char* command, pid_t wanted) {
   if (wanted != 0) {
     UniqueFd door = robios::knock(wanted);
     if (door.valid()) return door;
-    throw ConfigError({"--run"}, fmt::format("found {}, expected the process of a run of several "
-                                             "robots",
+    throw ConfigError({"--run"}, fmt::format("found {}, expected the process of a run in a "
+                                             "simulated world",
                                              wanted));
   }
   UniqueFd found;
@@ -33,8 +33,8 @@ UniqueFd find_run(const char* command, pid_t wanted) {
   if (there.size() == 1) return found;
   if (there.empty()) {
     throw ConfigError({command},
-                      "found no run of several robots (--robots, or a .sim file whose "
-                      "robots name their programs), expected one of this user");
+                      "found no run in a simulated world, expected one of this user: start a "
+                      "program first");
   }
   throw ConfigError({command}, fmt::format("found {} runs, expected one: --run {} says which",
                                            there.size(), fmt::join(there, " or --run ")));

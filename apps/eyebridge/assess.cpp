@@ -74,7 +74,7 @@ void add_assess(CLI::App& root, int& code) {
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   };
-  add_list("--worlds", flags->worlds, "The worlds, with commas between", "FILE,...");
+  add_list("--worlds", flags->worlds, "The worlds, with commas between", "WORLD,...");
   add_list("--goal", flags->goals,
            "Where robot 1 must be at the end, mm; none: anywhere; several times with a world each",
            "[WORLD:]X,Y,RADIUS");

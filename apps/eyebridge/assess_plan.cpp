@@ -12,6 +12,7 @@
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/files/load.hpp"
+#include "eyebridge/files/search.hpp"
 #include "eyebridge/hal/config.hpp"
 
 namespace eyebridge::apps {
@@ -31,14 +32,16 @@ std::vector<std::string> split_at(char separator, std::string_view text) {
   }
 }
 
-std::vector<AxisValue> worlds_of(const AssessFlags& flags) {
+std::vector<AxisValue> worlds_of(const AssessFlags& flags, const std::string& controller) {
   std::vector<AxisValue> out;
+  const auto places = files::SearchPlaces::of_process(controller);
   for (const std::string& text : flags.worlds) {
-    for (std::string& world : split_at(',', text)) {
-      if (world.empty()) {
+    for (const std::string& name : split_at(',', text)) {
+      if (name.empty()) {
         throw ConfigError({"--worlds"}, fmt::format("found {}, expected files with commas between",
                                                     in_quotes(text)));
       }
+      std::string world = files::find_file(name, {}, places, {"--worlds"}).string();
       const auto same = [&](const AxisValue& other) {
         return fs::absolute(other.text).lexically_normal() ==
                fs::absolute(world).lexically_normal();
@@ -175,7 +178,7 @@ Criteria Assessment::criteria(const SweepPlan& run) const {
 
 Assessment make_assessment(const AssessFlags& flags, const std::vector<std::string>& words) {
   check_controller(words);
-  const std::vector<AxisValue> worlds = worlds_of(flags);
+  const std::vector<AxisValue> worlds = worlds_of(flags, words.front());
   std::vector<AxisValue> seeds = seeds_of(flags.seeds);
   const hal::Config config = hal::Config::from_process({});
   std::string robot = config.text("robot");

@@ -104,12 +104,14 @@ void add_camera_calibrate(CLI::App& camera, int& code) {
       "calibrate",
       "Measures a camera's lens with a printed board, for --camera …?calibration=FILE");
   auto options = std::make_shared<CalibrateOptions>();
-  command->add_option("--camera", options->camera, "The camera, as for eyebridge run");
+  command->add_option("--camera", options->camera, "The camera, as for eyebridge run")
+      ->type_name("CAMERA");
   command->add_option("--board", options->board,
                       "chessboard:9x6 (inner corners) or charuco:5x7 (squares)");
   command->add_option("--square", options->square, "Edge of a square [25mm]");
-  command->add_option("--out", options->out, "The calibration to write (TOML)");
-  command->add_option("--print", options->print, "Writes the board to FILE.pdf or .png instead");
+  command->add_option("--out", options->out, "The calibration to write (TOML)")->type_name("FILE");
+  command->add_option("--print", options->print, "Writes the board to FILE.pdf or .png instead")
+      ->type_name("FILE");
   command->add_option("--views", options->views, "Different views that are enough [15]")
       ->check(CLI::Range(6, 200));
   command->add_option("--seconds", options->seconds, "Gives up after so long [180]")

@@ -38,7 +38,7 @@ camera::Size parse_frame_size(const std::string& text) {
 void add_camera_options(CLI::App& command, CameraOptions& options) {
   command.add_option("--camera", options.url, "A camera's URL: v4l2:/dev/video0, frames:PATH, …")
       ->required()
-      ->type_name("URL");
+      ->type_name("CAMERA");
   command.add_option("--size", options.size, "Size of the frames, pixels [the camera's own]")
       ->type_name("WIDTHxHEIGHT");
 }

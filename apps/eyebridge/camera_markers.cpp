@@ -74,9 +74,12 @@ void add_camera_markers(CLI::App& camera, int& code) {
   CLI::App* command = camera.add_subcommand(
       "markers", "Writes a sheet with fiducials for the walls of a world, to print and stick on");
   auto options = std::make_shared<MarkerOptions>();
-  command->add_option("--world", options->world, "World, maze or scenario file")->required();
+  command->add_option("--world", options->world, "World, maze or scenario file")
+      ->required()
+      ->type_name("WORLD");
   command->add_option("--out", options->out, "The sheet: FILE.pdf, or FILE.png for one page")
-      ->required();
+      ->required()
+      ->type_name("FILE");
   command->add_option("--size", options->size, "Edge of the black squares [80mm]");
   command->add_option("--spacing", options->spacing, "One for so much of a long wall [360mm]");
   command->add_option("--height", options->height,

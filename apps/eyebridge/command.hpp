@@ -30,5 +30,7 @@ void add_config(CLI::App& root, int& code);
 void add_doctor(CLI::App& root, int& code);
 void add_lab(CLI::App& root, int& code);
 void add_edit(CLI::App& root);
+void add_completion(CLI::App& root, int& code);
+void add_manual(CLI::App& root, int& code);
 
 }  // namespace eyebridge::apps

@@ -14,7 +14,8 @@ void add_config(CLI::App& root, int& code) {
   auto flags = std::make_shared<SettingFlags>();
   add_setting_flags(*command, *flags);
   auto program = std::make_shared<std::string>();
-  command->add_option("program", *program, "Also look for eyebridge.toml beside this program");
+  command->add_option("program", *program, "Also look for eyebridge.toml beside this program")
+      ->type_name("FILE");
   command->callback([flags, program, &code] {
     std::fputs(hand_on(*flags, *program).describe().c_str(), stdout);
     code = kFine;

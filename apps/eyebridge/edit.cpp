@@ -11,19 +11,25 @@
 
 #include "command.hpp"
 #include "eyebridge/base/config_error.hpp"
-#include "own_files.hpp"
+#include "eyebridge/files/search.hpp"
 #include "windows/load_windows.hpp"
 
 namespace eyebridge::apps {
 namespace {
 
-[[noreturn]] void edit(const std::vector<std::string>& files) {
+/// A world may be named as in a run.
+std::filesystem::path named_file(const std::string& file) {
+  return files::try_find_file(file, {}, files::SearchPlaces::of_process()).value_or(file);
+}
+
+[[noreturn]] void edit(const std::vector<std::string>& names) {
   std::string why;
-  robios::Windows* const windows = robios::load_windows(
-      own_files().library.parent_path(), {[] { kill(getpid(), SIGTERM); }, "eyebridge"}, why);
+  robios::Windows* const windows =
+      robios::load_windows({[] { kill(getpid(), SIGTERM); }, "eyebridge"}, why);
   if (windows == nullptr) throw ConfigError({"edit"}, "no windows can be opened: " + why);
-  for (const std::string& file : files) windows->edit(std::filesystem::absolute(file).string());
-  if (files.empty()) windows->edit("");
+  for (const std::string& file : names)
+    windows->edit(std::filesystem::absolute(named_file(file)).string());
+  if (names.empty()) windows->edit("");
   windows->finish("");
   // Edits are on the disk and windows are gone. Threads that Qt has for pictures are not, and now
   // and then what they do on the process's way out meets what Qt cleans up there: that is left out.

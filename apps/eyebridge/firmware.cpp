@@ -115,8 +115,8 @@ int run_boards(const FirmwareOptions& options, const files::Scenario& scenario,
 }
 
 int run_firmware(const CLI::App& command, const FirmwareOptions& options) {
-  const files::Scenario scenario =
-      files::load_scenario(options.world, options.robot, {}, {"--robot"});
+  const files::Scenario scenario = files::load_scenario(
+      options.world, options.robot, files::SearchPlaces::of_process(), {"--robot"});
   for (const Warning& warning : scenario.warnings) {
     std::fprintf(stderr, "eyebridge: %s\n", warning.str().c_str());
   }
@@ -145,9 +145,12 @@ void add_firmware(CLI::App& root, int& code) {
   CLI::App* command = root.add_subcommand(
       "firmware", "Runs EyeBot I/O boards that drive the robots of a simulated world");
   auto o = std::make_shared<FirmwareOptions>();
-  command->add_option("--world", o->world, "World, maze or scenario file")->required();
+  command->add_option("--world", o->world, "World, maze or scenario file")
+      ->required()
+      ->type_name("WORLD");
   command->add_option("--robot", o->robot, "Robot of a world that has none [S4]");
   command->add_option("--pty", o->ptys, "A board on a pseudo-terminal with this name")
+      ->type_name("FILE")
       ->allow_extra_args(false);
   command->add_option("--tcp", o->tcps, "A board on this TCP port, or ADDRESS:PORT")
       ->allow_extra_args(false);
@@ -169,11 +172,13 @@ void add_firmware(CLI::App& root, int& code) {
   command
       ->add_option("--silence", o->silence_ms, "Milliseconds of silence that stop the motors [300]")
       ->check(CLI::Range(10, 60'000));
-  command->add_option("--trace", o->trace, "Writes down all bytes and frames");
-  command->add_option("--path", o->path, "Writes down where the robots really are (CSV)");
+  command->add_option("--trace", o->trace, "Writes down all bytes and frames")->type_name("FILE");
+  command->add_option("--path", o->path, "Writes down where the robots really are (CSV)")
+      ->type_name("FILE");
   command->add_flag("--cortex-m3", o->cortex_m3,
                     "On an emulated microcontroller (mps2-an385, qemu-system-arm): one board");
-  command->add_option("--elf", o->elf, "Its firmware [eyebridge-mps2.elf of this build]");
+  command->add_option("--elf", o->elf, "Its firmware [eyebridge-mps2.elf of this build]")
+      ->type_name("FILE");
   command->add_flag("--hdt", o->hdt, "Prints the robot's HDT file and ends");
   command->footer("The first board drives the world's first robot, the next one the second.");
   command->callback([command, o, &code] { code = run_firmware(*command, *o); });

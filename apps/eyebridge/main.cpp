@@ -1,9 +1,11 @@
 #include <cstdio>
 #include <exception>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
 #include "command.hpp"
+#include "commit.hpp"
 #include "eyebridge/base/config_error.hpp"
 
 namespace {
@@ -12,7 +14,8 @@ int run(int argc, char** argv) {
   using namespace eyebridge::apps;
   int code = kFine;
   CLI::App app{"Runs programs for small mobile robots (RoBIOS) in a simulated world.", "eyebridge"};
-  app.set_version_flag("--version", "eyebridge " EYEBRIDGE_VERSION);
+  app.set_version_flag("--version",
+                       "eyebridge " EYEBRIDGE_VERSION " (" + std::string(commit()) + ")");
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 fine, 1 failed while running, 2 bad input (nothing was run).\n"
@@ -31,6 +34,8 @@ int run(int argc, char** argv) {
   add_doctor(app, code);
   add_lab(app, code);
   add_edit(app);
+  add_completion(app, code);
+  add_manual(app, code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& done) {  // --help, --version

@@ -1,28 +1,24 @@
 #include "own_files.hpp"
 
+#include "eyebridge/base/own_place.hpp"
+
 namespace eyebridge::apps {
 
 OwnFiles own_files() {
   namespace fs = std::filesystem;
-  const fs::path bin = fs::read_symlink("/proc/self/exe").parent_path();
-  const fs::path prefix = bin.parent_path();
-  if (bin == fs::path(EYEBRIDGE_BUILD_DIR) / "bin") {
-    const fs::path source = EYEBRIDGE_SOURCE_DIR;
-    return {prefix / "lib/libeyebridge.so",
-            source / "robios/include/eyebot.h",
-            source / "worlds",
-            source / "tests/lab",
-            prefix / "firmware/eyebridge-mps2.elf",
-            source / "apps/udev/60-eyebridge.rules",
-            prefix / "python"};
-  }
-  return {prefix / "lib/libeyebridge.so",
+  fs::path share = share_folder();
+  // Where it is expected, for messages.
+  if (share.empty()) share = own_binary().parent_path().parent_path() / "share/eyebridge";
+  const fs::path prefix = share.parent_path().parent_path();
+  return {plugin_folder().parent_path() / "libeyebridge.so.0",
           prefix / "include/eyebridge/eyebot.h",
-          prefix / "share/eyebridge/worlds",
-          prefix / "share/eyebridge/lab",
-          prefix / "share/eyebridge/firmware/eyebridge-mps2.elf",
-          prefix / "share/eyebridge/udev/60-eyebridge.rules",
-          prefix / "lib/eyebridge/python"};
+          share / "worlds",
+          share / "lab",
+          share / "firmware/eyebridge-mps2.elf",
+          prefix / "lib/udev/rules.d/60-eyebridge.rules",
+          {prefix / "share/bash-completion/completions/eyebridge",
+           prefix / "share/zsh/vendor-completions/_eyebridge",
+           prefix / "share/fish/vendor_completions.d/eyebridge.fish"}};
 }
 
 }  // namespace eyebridge::apps

@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "eyebridge/base/config_error.hpp"
-#include "own_files.hpp"
+#include "eyebridge/base/own_place.hpp"
 
 namespace eyebridge::apps {
 namespace {
@@ -33,6 +33,11 @@ void check(const fs::path& program) {
     if (access(program.c_str(), R_OK) != 0) {
       throw ConfigError(where, std::string("cannot be read: ") + std::strerror(errno));
     }
+    if (python_folder().empty()) {
+      throw ConfigError(where,
+                        "found no Python packages of this EyeBridge, which a program in Python "
+                        "needs: install python3-eyebridge, or build with EYEBRIDGE_WITH_PYTHON=ON");
+    }
   } else if (access(program.c_str(), X_OK) != 0) {
     throw ConfigError(where,
                       std::string("not executable (") + std::strerror(errno) +
@@ -40,34 +45,14 @@ void check(const fs::path& program) {
   }
 }
 
-fs::path find_in_path(const std::string& name) {
-  const char* path = std::getenv("PATH");
-  std::string_view rest = path == nullptr ? "" : path;
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find(':'), rest.size());
-    fs::path candidate = fs::path(rest.substr(0, end)) / name;
-    if (end > 0 && access(candidate.c_str(), X_OK) == 0 && !fs::is_directory(candidate)) {
-      return candidate;
-    }
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-  }
-  return {};
-}
-
 /// Whatever Python starts from here on, a script with #! too, finds our packages first.
 void offer_python_packages() {
-  std::string folders = own_files().python.string();
+  std::string folders = python_folder().string();
+  if (folders.empty()) return;
   if (const char* others = std::getenv("PYTHONPATH"); others != nullptr && *others != '\0') {
     folders += std::string(":") + others;
   }
   setenv("PYTHONPATH", folders.c_str(), 1);
-}
-
-/// The Python that our compiled modules are for; in a virtual environment its own.
-std::string python_of_modules() {
-  const char* const environment = std::getenv("VIRTUAL_ENV");
-  const bool is_own = environment != nullptr && *environment != '\0';
-  return !is_own && access(EYEBRIDGE_PYTHON, X_OK) == 0 ? EYEBRIDGE_PYTHON : "python3";
 }
 
 /// Becomes the program words[0]; python3 is that of PATH.
@@ -92,6 +77,26 @@ std::string python_of_modules() {
 
 }  // namespace
 
+fs::path find_in_path(const std::string& name) {
+  const char* path = std::getenv("PATH");
+  std::string_view rest = path == nullptr ? "" : path;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(':'), rest.size());
+    fs::path candidate = fs::path(rest.substr(0, end)) / name;
+    if (end > 0 && access(candidate.c_str(), X_OK) == 0 && !fs::is_directory(candidate)) {
+      return candidate;
+    }
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return {};
+}
+
+std::string python_of_modules() {
+  const char* const environment = std::getenv("VIRTUAL_ENV");
+  const bool is_own = environment != nullptr && *environment != '\0';
+  return !is_own && access(EYEBRIDGE_PYTHON, X_OK) == 0 ? EYEBRIDGE_PYTHON : "python3";
+}
+
 bool is_python(const fs::path& program) { return program.extension() == ".py"; }
 
 fs::path find_program(const std::string& name) {
@@ -113,7 +118,7 @@ void become(const fs::path& program, const std::vector<std::string>& arguments) 
   std::vector<std::string> words;
   // Through our package, so that it is ours even beside another eye.py, and its time from the
   // start.
-  if (is_python(program)) words = {"python3", (own_files().python / "eye").string()};
+  if (is_python(program)) words = {"python3", (python_folder() / "eye").string()};
   words.push_back(program.string());
   words.insert(words.end(), arguments.begin(), arguments.end());
   become_words(std::move(words));

@@ -11,6 +11,12 @@ namespace eyebridge::apps {
 /// readable).
 std::filesystem::path find_program(const std::string& name);
 
+/// The executable file `name` in PATH; empty if there is none.
+std::filesystem::path find_in_path(const std::string& name);
+
+/// The Python that our compiled modules are for; in a virtual environment its own.
+std::string python_of_modules();
+
 /// True for a program that python3 runs.
 bool is_python(const std::filesystem::path& program);
 

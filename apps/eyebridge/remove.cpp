@@ -12,9 +12,8 @@ void add_remove(CLI::App& root, int& code) {
   CLI::App* command =
       root.add_subcommand("remove", "Takes a robot out of a run: eyebridge remove NUMBER");
   command->footer(
-      "Ends the program of a robot in a run of several robots on this computer, as Ctrl-C would\n"
-      "(motors stop, results are written), and takes the robot out of the world; prints its "
-      "number.\n"
+      "Ends the program of a robot in a run on this computer, as Ctrl-C would (motors stop,\n"
+      "results are written), and takes the robot out of the world; prints its number.\n"
       "The others keep their numbers and go on. In virtual time it goes at whichever step is "
       "next:\n"
       "such a run cannot be repeated.");

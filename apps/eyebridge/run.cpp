@@ -10,16 +10,12 @@
 #include "check_settings.hpp"
 #include "command.hpp"
 #include "control_file.hpp"
+#include "eyebridge/base/own_place.hpp"
 #include "eyebridge/hal/shared_world.hpp"
-#include "own_files.hpp"
 #include "program.hpp"
 
 namespace eyebridge::apps {
 namespace {
-
-std::filesystem::path robots_launcher() {
-  return own_files().library.parent_path() / "eyebridge-robots";
-}
 
 /// Becomes the programs that the robots of a .sim file name; returns when there is no such file.
 void run_scenario(SettingFlags flags) {
@@ -28,7 +24,7 @@ void run_scenario(SettingFlags flags) {
   if (config.value("robots").is_default()) flags["robots"] = "all";
   check_settings(hand_on(flags, {}));
   // Of whichever generation they are: the launcher sees to that.
-  become(robots_launcher(), {});
+  become(plugin_folder() / "eyebridge-robots", {});
 }
 
 }  // namespace
@@ -63,7 +59,7 @@ void run_words(const std::string& command, const SettingFlags& flags,
     // A binary sees to that itself.
     std::vector<std::string> all{program.string()};
     all.insert(all.end(), words.begin() + 1, words.end());
-    become(robots_launcher(), all);
+    become(plugin_folder() / "eyebridge-robots", all);
   }
   become(program, {words.begin() + 1, words.end()});
 }

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 
@@ -33,9 +34,12 @@ std::string_view kind_name(hal::Setting::Kind kind) {
   return "";
 }
 
+/// What --help and the completion of shells know of a value.
+constexpr std::pair<std::string_view, std::string_view> kTypes[] = {
+    {"hal", "BACKEND"}, {"world", "WORLD"}, {"camera", "CAMERA"}, {"out", "FOLDER"}};
+
 std::string help_of(const hal::Setting& setting) {
   std::string help(setting.help);
-  if (!setting.choices.empty()) help += " (" + std::string(setting.choices) + ")";
   if (!setting.fallback.empty()) help += " [" + std::string(setting.fallback) + "]";
   return help;
 }
@@ -54,7 +58,7 @@ void add_flag(CLI::App& command, SettingFlags& flags, const hal::Setting& settin
   if (setting.key == "world") names += ",--sim";
   CLI::Option* option = command.add_option(names, store, help_of(setting));
   option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-  option->type_name(std::string(kind_name(setting.kind)));
+  option->type_name(setting_type(setting));
   if (is_boolean || is_gui) {
     // "--fast" alone is true; another value needs "--fast=false", for the next word is the program.
     option->type_size(0)->expected(0, 1);
@@ -66,6 +70,14 @@ void add_flag(CLI::App& command, SettingFlags& flags, const hal::Setting& settin
 }
 
 }  // namespace
+
+std::string setting_type(const hal::Setting& setting) {
+  if (!setting.choices.empty()) return std::string(setting.choices);
+  for (const auto& [key, type] : kTypes) {
+    if (key == setting.key) return std::string(type);
+  }
+  return std::string(kind_name(setting.kind));
+}
 
 void add_setting_flags(CLI::App& command, SettingFlags& flags) {
   for (const hal::Setting& setting : hal::settings()) add_flag(command, flags, setting);

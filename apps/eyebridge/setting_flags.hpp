@@ -19,6 +19,9 @@ using SettingFlags = std::map<std::string, std::string>;
 /// given lands in `flags`, which must outlive the parsing; the last one of a flag wins.
 void add_setting_flags(CLI::App& command, SettingFlags& flags);
 
+/// The word that says in --help what the values of `setting` are: WORLD, FOLDER, "auto|on|off".
+std::string setting_type(const hal::Setting& setting);
+
 /// Hands `flags` on to this process and the program it becomes, as EYEBRIDGE_FLAGS, and returns the
 /// configuration that `program` will see. Throws ConfigError.
 hal::Config hand_on(const SettingFlags& flags, const std::filesystem::path& program);

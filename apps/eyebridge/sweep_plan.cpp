@@ -15,6 +15,7 @@
 #include "config/toml_text.hpp"
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/hal/config.hpp"
+#include "eyebridge/hal/world_file.hpp"
 #include "program.hpp"
 #include "setting_flags.hpp"
 #include "sweep/sweep_file.hpp"
@@ -76,11 +77,28 @@ std::string from_the_root(const std::string& path) {
   return fs::exists(path, ignored) ? fs::absolute(path).lexically_normal().string() : path;
 }
 
+/// A program in the folder of all programs; empty where they lie in several: then each run looks
+/// for worlds beside its own.
+std::string program_of_all(SweepPlan& plan) {
+  const Axis* programs = plan.find(AxisKind::Program, "program");
+  if (programs == nullptr || programs->values.empty()) return "";
+  const std::string& first = programs->values.front().text;
+  const auto is_beside = [&](const AxisValue& other) {
+    return fs::path(other.text).parent_path() == fs::path(first).parent_path();
+  };
+  return std::ranges::all_of(programs->values, is_beside) ? first : "";
+}
+
 void make_paths_absolute(SweepPlan& plan) {
+  const std::string program = program_of_all(plan);
   for (Axis& axis : plan.axes) {
     if (axis.kind != AxisKind::Setting) continue;
     if (hal::find_setting(axis.name)->kind != hal::Setting::Kind::Path) continue;
-    for (AxisValue& value : axis.values) value.text = from_the_root(value.text);
+    for (AxisValue& value : axis.values) {
+      if (axis.name == "world" && !value.text.empty())
+        value.text = hal::world_file({value.text, value.where}, program);
+      value.text = from_the_root(value.text);
+    }
   }
 }
 
@@ -148,7 +166,7 @@ void add_axis_flags(CLI::App& command, SweepFlags& flags, const std::set<std::st
     };
     CLI::Option* option =
         command.add_option(hal::Config::flag_name(key), store, std::string(setting.help));
-    option->type_name("")->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    option->type_name(setting_type(setting))->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     if (setting.kind == hal::Setting::Kind::Boolean) {
       option->type_size(0)->expected(0, 1);
     } else {

@@ -10,7 +10,7 @@
 
 #include "command.hpp"
 #include "eyebridge/base/config_error.hpp"
-#include "own_files.hpp"
+#include "eyebridge/base/own_place.hpp"
 #include "stop_signals.hpp"
 #include "sweep/progress.hpp"
 #include "sweep/ranks.hpp"
@@ -89,7 +89,7 @@ bool run_missing(const SweepPlan& plan, const RunChoices& choices, const Prepare
 int run_plan(SweepPlan plan, const RunChoices& choices,
              const std::function<void(const SweepPlan&, const std::vector<Cell>&)>& show) {
   std::unique_ptr<RankLink> link =
-      open_rank_link((own_files().library.parent_path() / "libeyebridge_mpi.so").string());
+      open_rank_link((plugin_folder() / "libeyebridge_mpi.so").string());
   if (link && link->size() == 1) link.reset();
   Prepared prepared = prepare_all(plan, choices);
   stop_on_signals();

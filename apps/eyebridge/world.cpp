@@ -12,6 +12,7 @@
 #include "eyebridge/camera/birdseye.hpp"
 #include "eyebridge/camera/png.hpp"
 #include "eyebridge/files/load.hpp"
+#include "world_list.hpp"
 
 namespace eyebridge::apps {
 namespace {
@@ -21,18 +22,10 @@ std::string counted(std::size_t count, const char* noun) {
 }
 
 std::string summary(const files::Scenario& scenario) {
-  const world::WorldModel& world = scenario.world;
-  std::string text = fmt::format("{:g} m x {:g} m", world.width, world.height);
-  if (world.maze) {
-    text += fmt::format(", {} x {} cells of {:g} m", world.maze->columns, world.maze->rows,
-                        world.maze->cell);
-  }
-  text += ", " + counted(world.walls.size(), "wall");
-  text += ", " + counted(scenario.robots.size(), "robot");
-  if (!scenario.newcomers.empty()) {
-    text += fmt::format(" and {} that enter later", scenario.newcomers.size());
-  }
-  text += ", " + counted(world.objects.size(), "object");
+  std::string text = size_text(scenario);
+  text += ", " + counted(scenario.world.walls.size(), "wall");
+  text += ", " + robots_text(scenario);
+  text += ", " + counted(scenario.world.objects.size(), "object");
   return text + ", " + counted(scenario.warnings.size(), "warning");
 }
 
@@ -85,21 +78,26 @@ int draw(const std::string& path, const std::string& output, int longest_side) {
 }  // namespace
 
 void add_world(CLI::App& root, int& code) {
-  CLI::App* world = root.add_subcommand("world", "Checks or draws world files");
+  CLI::App* world = root.add_subcommand("world", "Lists, checks or draws worlds");
   world->require_subcommand(1);
+  add_world_list(*world, code);
 
   CLI::App* checking = world->add_subcommand("check", "Reads files; names what is wrong or odd");
   auto paths = std::make_shared<std::vector<std::string>>();
   checking->add_option("FILE", *paths, "World, maze, scenario, robot or parameter file")
-      ->required();
+      ->required()
+      ->type_name("WORLD");
   checking->callback([paths, &code] { code = check(*paths); });
 
   CLI::App* drawing = world->add_subcommand("draw", "Writes a picture of a world seen from above");
   auto path = std::make_shared<std::string>();
   auto output = std::make_shared<std::string>();
   auto side = std::make_shared<int>(camera::BirdseyeOptions{}.longest_side);
-  drawing->add_option("FILE", *path, "World, maze, scenario, robot or parameter file")->required();
-  drawing->add_option("-o,--output", *output, "Picture [the file's name with .png, here]");
+  drawing->add_option("FILE", *path, "World, maze, scenario, robot or parameter file")
+      ->required()
+      ->type_name("WORLD");
+  drawing->add_option("-o,--output", *output, "Picture [the file's name with .png, here]")
+      ->type_name("FILE");
   drawing->add_option("--size", *side, "Longest side of the picture, pixels [1000]")
       ->check(CLI::Range(50, 8000));
   drawing->callback([path, output, side, &code] { code = draw(*path, *output, *side); });

@@ -34,7 +34,7 @@ namespace {
 // How far each new panel lies from the one before, pixels.
 constexpr int kCascade = 32;
 constexpr int kCascadeLength = 10;
-constexpr int kPanelWidth = 440;  // about that of a panel, and a margin
+constexpr int kPanelStride = 440;  // about that of a panel, and a margin
 
 /// Of this process, which has one at most.
 std::atomic<GuiWindows*> the_windows = nullptr;
@@ -178,7 +178,7 @@ void GuiWindows::open_environment(hal::Environment& environment, robios::Crew* c
     const auto& window = environments_.emplace_back(std::make_unique<EnvironmentWindow>(
         environment, QString::fromStdString(start_.program), crew));
     // Beside the panels, unless it was put somewhere before.
-    if (window->pos().isNull()) window->move(kPanelWidth, kCascade);
+    if (window->pos().isNull()) window->move(kPanelStride, kCascade);
     if (guide_ != nullptr) window->view().set_guide(*guide_);
     window->on_edit = [this](const QString& file) { open_editor(file); };
     show(*window);

@@ -5,7 +5,6 @@ find_path(QSCINTILLA_INCLUDE Qsci/qsciscintilla.h HINTS ${qt_folders})
 find_library(QSCINTILLA_LIBRARY qscintilla2_qt6)
 find_package(Python3 QUIET COMPONENTS Interpreter)
 if(NOT QSCINTILLA_INCLUDE OR NOT QSCINTILLA_LIBRARY OR NOT Python3_FOUND)
-  message(STATUS "The code panel is off: QScintilla or Python is missing (libqscintilla2-qt6-dev, python3)")
   return()
 endif()
 
@@ -28,4 +27,3 @@ target_include_directories(eyebridge_windows SYSTEM PUBLIC "${QSCINTILLA_INCLUDE
 target_link_libraries(eyebridge_windows PUBLIC eyebridge::gui_messages eyebridge::files "${QSCINTILLA_LIBRARY}")
 set(EYEBRIDGE_HAVE_CODE_PANEL ON CACHE INTERNAL "Whether there is a code panel: for its tests")
 target_compile_definitions(eyebridge_windows PUBLIC EYEBRIDGE_HAVE_CODE_PANEL)
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION share/eyebridge)

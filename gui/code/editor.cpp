@@ -223,6 +223,7 @@ void Editor::show_text(const QString& text) {
   setEolMode(text.contains("\r\n") ? EolWindows : EolUnix);
   setIndentationsUseTabs(text.startsWith('\t') || text.contains("\n\t"));
   setText(text);
+  setCursorPosition(0, 0);  // QScintilla 2.14 puts it behind the text
   set_language(language_);
   setModified(false);
 }

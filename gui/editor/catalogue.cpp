@@ -1,6 +1,5 @@
 #include "editor/catalogue.hpp"
 
-#include <QtGlobal>
 #include <algorithm>
 #include <cctype>
 
@@ -17,11 +16,7 @@ std::string lower_case(std::string text) {
 
 }  // namespace
 
-files::SearchPlaces search_places() {
-  files::SearchPlaces places;
-  places.eyesim_home = qEnvironmentVariable("EYESIM_HOME").toStdString();
-  return places;
-}
+files::SearchPlaces search_places() { return files::SearchPlaces::of_process(); }
 
 const std::vector<std::string>& builtin_things() {
   static const std::vector<std::string> names = {"golf",  "soccer", "can",

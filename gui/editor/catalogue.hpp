@@ -43,7 +43,8 @@ class Catalogue {
   std::vector<std::string> problems_;
 };
 
-/// Where files that files name are looked for: EYESIM_HOME as a run has it.
+/// Search places for files named in other files: those of a run, without the worlds beside a
+/// program.
 files::SearchPlaces search_places();
 
 /// The things that need no file: golf, soccer, can, crate, box, polygon.

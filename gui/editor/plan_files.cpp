@@ -29,6 +29,14 @@ std::string ending_of(const std::filesystem::path& path) {
   throw ConfigError({path.string(), 0, 0}, why.toStdString());
 }
 
+/// A floor's texture: in `folders`, else where names are looked for.
+std::optional<std::filesystem::path> find_texture(const std::string& written,
+                                                  std::vector<std::filesystem::path> folders) {
+  const files::SearchPlaces places = search_places();
+  for (std::filesystem::path& place : places.folders()) folders.push_back(std::move(place));
+  return files::look_for(written, folders, places);
+}
+
 /// The comments before the first line that says something; the others are counted.
 std::string header_of(std::string_view text, int& others) {
   std::string header;
@@ -303,8 +311,7 @@ class Saver {
     if (!plan().texture) return;
     const auto file = texture_file(plan(), source_);
     if (file.empty()) return;
-    const auto found =
-        files::look_for(*plan().texture, {folder, "", search_places().worlds}, search_places());
+    const auto found = find_texture(*plan().texture, {folder, ""});
     if (!found || !same_file(*found, file)) {
       plan().texture = std::filesystem::absolute(file).lexically_normal().string();
     }
@@ -358,11 +365,7 @@ void write_all_files(const std::vector<FileText>& texts) {
 
 std::filesystem::path texture_file(const Plan& plan, const PlanFiles& files) {
   if (!plan.texture) return {};
-  const files::SearchPlaces places = search_places();
-  return files::look_for(*plan.texture,
-                         {files.ground.parent_path(), "", files.path.parent_path(),
-                          places.eyesim_home, places.worlds},
-                         places)
+  return find_texture(*plan.texture, {files.ground.parent_path(), "", files.path.parent_path()})
       .value_or("");
 }
 

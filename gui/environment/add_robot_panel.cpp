@@ -41,8 +41,7 @@ AddRobotPanel::AddRobotPanel(robios::Crew* crew, QWidget* parent)
   form->addRow(tr("Program"), row);
   form->addRow(place_);
   if (crew_ != nullptr) return;
-  auto* const why =
-      new QLabel(tr("This run has one robot only. Start it with --robots 1 to add others."), this);
+  auto* const why = new QLabel(tr("Robots cannot be added to a run of this kind."), this);
   why->setWordWrap(true);
   form->addRow(why);
   const std::array<QWidget*, 4> controls = {model_, program_, choose, place_};

@@ -16,7 +16,7 @@ void EnvironmentWindow::make_removal(QMenu& menu) {
   remove_ = add_action(menu, tr("&Remove..."), QKeySequence::Delete, [this] { ask_to_remove(); });
   remove_->setToolTip(crew_ != nullptr
                           ? tr("Ends the chosen robot's program and takes it out of the world")
-                          : tr("This run has one robot only: close its windows to end it"));
+                          : tr("Robots cannot be removed from a run of this kind"));
 }
 
 void EnvironmentWindow::show_robot_menu(QPoint place) {

@@ -17,8 +17,8 @@
 namespace eyebridge::gui {
 namespace {
 
-constexpr int kLcdRefresh_ms = 33;    // as fast as programs that show pictures
-constexpr int kFramesPerReading = 5;  // six times a second: who reads numbers is slower
+constexpr int kLcdRefresh_ms = 33;       // as fast as programs that show pictures
+constexpr int kFramesPerInspection = 5;  // six times a second: who reads numbers is slower
 
 QString colour_name(Rgb colour) { return QColor(colour.r, colour.g, colour.b).name(); }
 
@@ -156,7 +156,7 @@ void PanelWindow::refresh() {
 void PanelWindow::refresh_docks() {
   if (camera_ != nullptr && camera_->isVisible()) camera_->refresh();
   if (speaker_ != nullptr) speaker_->refresh();
-  const bool is_turn = frames_++ % kFramesPerReading == 0;
+  const bool is_turn = frames_++ % kFramesPerInspection == 0;
   if (inspector_ == nullptr) return;
   if (is_turn && inspector_->isVisible()) {
     inspector_->refresh();
