@@ -1,6 +1,6 @@
 """Explores a world by its frontiers: drives to the nearest border of the unknown, as long as there is one.
 
-eyebridge run examples/control/explore.py --world worlds/rooms.wld
+eyebridge run --world worlds/rooms.wld examples/control/explore.py
 """
 
 import math

@@ -1,6 +1,6 @@
 """The control interface in one screen: two wheels, a belief that grows, and a polite stop.
 
-eyebridge run examples/control/first.py --world worlds/maze-8.maz --time-limit 20s
+eyebridge run --world worlds/maze-8.maz --time-limit 20s examples/control/first.py
 """
 
 

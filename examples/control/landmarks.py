@@ -1,6 +1,6 @@
 """Knows where it is by four posts that its lidar sees: an extended Kalman filter, beside odometry alone.
 
-eyebridge run examples/control/landmarks.py --world examples/control/landmarks.sim --errors harsh
+eyebridge run --world examples/control/landmarks.sim --errors harsh examples/control/landmarks.py
 """
 
 import math

@@ -1,6 +1,6 @@
 """Finds out where the robot is: it knows the map, and starts anywhere.
 
-eyebridge run examples/control/localise.py --world worlds/maze-8.maz --errors realistic
+eyebridge run --world worlds/maze-8.maz --errors realistic examples/control/localise.py
 """
 
 import math

@@ -2,7 +2,7 @@
 
 Particles tell it where it is: its wheels alone lead it into walls.
 
-eyebridge run examples/control/plan.py --world worlds/rooms.wld --errors realistic
+eyebridge run --world worlds/rooms.wld --errors realistic examples/control/plan.py
 """
 
 import math

@@ -2,7 +2,7 @@
 
 Where it is its wheels tell, and each scan, which must fit those before it.
 
-eyebridge run examples/control/replan.py --world worlds/rooms.wld --errors realistic
+eyebridge run --world worlds/rooms.wld --errors realistic examples/control/replan.py
 """
 
 import math

@@ -1,6 +1,6 @@
 """Draws a map of a floor it does not know and its place on it (SLAM); beside it, scans matched with the true map, and odometry.
 
-eyebridge run examples/control/slam.py --world worlds/rooms.wld --errors harsh --time-limit 60s
+eyebridge run --world worlds/rooms.wld --errors harsh --time-limit 60s examples/control/slam.py
 """
 
 import math

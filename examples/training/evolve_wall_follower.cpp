@@ -37,8 +37,7 @@ struct Individual {
 using Population = std::vector<Individual>;
 
 std::shared_ptr<const files::Scenario> corridor() {
-  auto scenario = std::make_shared<files::Scenario>(
-      files::load_scenario(files::SearchPlaces::builtin_worlds() / "corridor.wld"));
+  auto scenario = std::make_shared<files::Scenario>(files::load_scenario("corridor.wld"));
   robot::RobotModel& robot = scenario->models.front();
   for (robot::RangeSensorModel& sensor : robot.range_sensors) sensor.error = {{0, 0.003, 0.01}};
   robot.drive_error.linear_sigma = robot.drive_error.angular_sigma = 0.05;

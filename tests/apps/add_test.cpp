@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "changing_run.hpp"
 #include "command.hpp"
 #include "running_program.hpp"
 
@@ -17,11 +18,9 @@ using ::testing::HasSubstr;
 using testing::RunningProgram;
 
 /// A robot that waits for a word, in a room, and a program that says one.
-class Add : public ::testing::TestWithParam<const char*> {
+class Add : public testing::ChangingRun {
  protected:
   Add() {
-    folder_.write("room.wld",
-                  "floor 3000 3000\n0 0 3000 0\n3000 0 3000 3000\n3000 3000 0 3000\n0 3000 0 0\n");
     sim_ = folder_.write("room.sim", "world room.wld\nS4 500 500 0 waits\nS4 2000 500 0\n");
     folder_.write("waits.c",
                   "#include <eyebot.h>\n#include <stdio.h>\nint main(void) {\n"
@@ -33,12 +32,7 @@ class Add : public ::testing::TestWithParam<const char*> {
     folder_.write("says.c",
                   "#include <eyebot.h>\nint main(int argc, char** argv) {\n"
                   "  RADIOInit();\n  return RADIOSend(1, argc > 1 ? argv[1] : \"nothing\");\n}\n");
-    const auto built = testing::run_shell(
-        "eyebridge-cc waits.c -o waits; eyebridge-cc says.c -o says", folder_.path());
-    EXPECT_EQ(built.exit_code, 0) << built.err;
-  }
-  [[nodiscard]] std::map<std::string, std::string> own_place() const {
-    return {{"XDG_RUNTIME_DIR", folder_.path()}, {"XDG_CONFIG_HOME", "/nonexistent"}};
+    build("waits says");
   }
   [[nodiscard]] testing::ProgramStart start() const {
     return {{EYEBRIDGE_BIN "/eyebridge", "run", GetParam(), "--world", sim_},
@@ -47,17 +41,12 @@ class Add : public ::testing::TestWithParam<const char*> {
   }
   [[nodiscard]] testing::ProgramRun add(std::vector<std::string> words) const {
     words.insert(words.begin(), "add");
-    return testing::run_command(words, folder_.path(), own_place());
+    return ask(words);
   }
-  [[nodiscard]] std::string error(const std::vector<std::string>& words) const {
-    const auto r = add(words);
-    EXPECT_NE(r.exit_code, 0);
-    EXPECT_EQ(r.out, "");
-    return r.err;
+  [[nodiscard]] std::string error(std::vector<std::string> words) const {
+    words.insert(words.begin(), "add");
+    return ChangingRun::error(words);
   }
-
-  testing::ScratchFolder folder_;
-  std::string sim_;
 };
 
 TEST_P(Add, LetsARobotInAndTellsItsNumber) {
@@ -92,13 +81,14 @@ TEST_P(Add, WhatCannotBeIsRefusedAndTheRunGoesOn) {
   EXPECT_THAT(error({"S4", "1000", "1000"}), HasSubstr("expected eyebridge add [--run PID] MODEL"));
   EXPECT_THAT(error({"S4", "1000", "1000", "0", "nowhere"}), HasSubstr("nowhere: no such program"));
   EXPECT_THAT(error({"--run", "1", "S4", "1000", "1000", "0"}),
-              HasSubstr("--run: found 1, expected the process of a run of several robots"));
+              HasSubstr("--run: found 1, expected the process of a run in a simulated world"));
   EXPECT_EQ(add({"S4", "1000", "1000", "0", "says"}).out, "3\n");
   EXPECT_EQ(run.wait(), 0) << run.said();
 }
 
 TEST_P(Add, WithoutARunOrWithSeveralItSaysSo) {
-  EXPECT_THAT(error({"S4", "1000", "1000", "0"}), HasSubstr("add: found no run of several robots"));
+  EXPECT_THAT(error({"S4", "1000", "1000", "0"}),
+              HasSubstr("add: found no run in a simulated world"));
   RunningProgram first(start());
   RunningProgram second(start());
   first.wait_for("ready\n");

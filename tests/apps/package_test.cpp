@@ -23,7 +23,8 @@ std::string with_cmake(const std::string& prefix, const std::string& folder = kC
 /// The same with pkg-config.
 std::string with_pkg_config(const std::string& prefix) {
   return "export PKG_CONFIG_PATH=" + prefix +
-         "/lib/pkgconfig\n"
+         "/" EYEBRIDGE_LIBDIR
+         "/pkgconfig\n"
          "gcc $(pkg-config --cflags eyebridge) " +
          kConsumer + "prog.c -o by_pkg_config $(pkg-config --libs eyebridge)\n./by_pkg_config\n";
 }
@@ -70,7 +71,8 @@ TEST_F(Package, PkgConfigFindsAnInstallation) {
 
 TEST_F(Package, TheWrapperOfAnInstallationUsesItsOwnFiles) {
   expect_it_drives(installed() + "moved/bin/eyebridge-cc " + kConsumer +
-                   "prog.c -o prog\nldd prog | grep -q \"$PWD/moved/lib/libeyebridge\"\n"
+                   "prog.c -o prog\nldd prog | grep -q \"$PWD/moved/" EYEBRIDGE_LIBDIR
+                   "/libeyebridge\"\n"
                    "moved/bin/eyebridge run ./prog\n");
 }
 
@@ -96,6 +98,87 @@ TEST_F(Package, TheRuleForUdevIsInstalled) {
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_EQ(r.out, testing::file_text(EYEBRIDGE_SOURCE_DIR "/apps/udev/60-eyebridge.rules"));
 }
+
+// A user's program in an installation sees nothing of the computer that it was built on. Debug
+// information and assert() name sources, and may.
+#ifdef NDEBUG
+TEST_F(Package, NothingOfTheSourceOrTheBuildFolderIsInAnInstallation) {
+  const ProgramRun r =
+      run_shell(installed() +
+                    "find moved -type f -exec strip -g {} + 2>/dev/null || true\n"
+                    "grep -rlF -e '" EYEBRIDGE_SOURCE_DIR "' -e '" EYEBRIDGE_BUILD_DIR
+                    "' moved || true\n"
+                    "find moved -lname '/*'\n",
+                folder_.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.out, "");
+}
+#endif
+
+TEST_F(Package, EveryFileBelongsToOneComponent) {
+  const std::string install = "cmake --install " EYEBRIDGE_BUILD_DIR " --prefix ";
+  const ProgramRun r = run_shell(
+      installed() + "for c in runtime development python gui documentation firmware; do\n" +
+          install + "$c --component $c >>log\n(cd $c && find * ! -type d) >>parts\ndone\n" +
+          "(cd moved && find * ! -type d) | sort >whole\nsort parts | diff - whole\n"
+          "cat whole\n",
+      folder_.path());
+  EXPECT_EQ(r.exit_code, 0) << r.out << r.err;
+  for (const char* file :
+       {"bin/eyebridge", "bin/gccsim", EYEBRIDGE_LIBDIR "/libeyebridge.so",
+        EYEBRIDGE_LIBDIR "/libeyebridge.so.0", EYEBRIDGE_LIBDIR "/eyebridge/eyebridge-robots",
+        "lib/udev/rules.d/60-eyebridge.rules", "share/eyebridge/worlds/rooms.wld",
+        "share/eyebridge/examples/square.c", "share/eyebridge/firmware/source/opcodes.h",
+        "share/eyebridge/firmware/source/board/src/eb_board.c",
+        "share/doc/eyebridge/docs/tour.md"}) {
+    EXPECT_THAT("\n" + r.out, HasSubstr(std::string("\n") + file + "\n"));
+  }
+}
+
+TEST_F(Package, AnInstallationCanBePutBelowAnotherRoot) {
+  const ProgramRun r = run_shell("DESTDIR=$PWD/root cmake --install " EYEBRIDGE_BUILD_DIR
+                                 " --prefix /opt/eb >log\nls root root/opt/eb\n",
+                                 folder_.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.out, "root:\nopt\n\nroot/opt/eb:\nbin\ninclude\nlib\nshare\n");
+}
+
+TEST_F(Package, RobotsOfAnInstallationRunSideBySide) {
+  const ProgramRun r = run_shell(installed() + "moved/bin/eyebridge-cc " + kConsumer +
+                                     "prog.c -o prog\n"
+                                     "moved/bin/eyebridge run --robots 2 --world "
+                                     "moved/share/eyebridge/worlds/rooms.wld ./prog\n",
+                                 folder_.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, ::testing::MatchesRegex("at [^\n]*\nat [^\n]*\n"));
+}
+
+#ifdef EYEBRIDGE_PYTHON
+TEST_F(Package, PythonFindsBothPackagesOfAnInstallation) {
+  const ProgramRun r =
+      run_shell(installed() + "PYTHONPATH=moved/" EYEBRIDGE_PYTHON_DIR " " EYEBRIDGE_PYTHON
+                              " -c 'import eye, eyebridge; print(eye._library.lib._name, "
+                              "eyebridge.default_scenario().size)'\n",
+                folder_.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("/moved/" EYEBRIDGE_LIBDIR "/libeyebridge.so.0 "));
+}
+
+TEST_F(Package, ProgramsInPythonRunInAnInstallation) {
+  const ProgramRun r =
+      run_shell(installed() +
+                    "cd moved/share/eyebridge\neyebridge=../../bin/eyebridge\n"
+                    "$eyebridge run examples/wall_follow.py\n"
+                    "$eyebridge run --robots 2 --world worlds/rooms.wld examples/wall_follow.py\n"
+                    "$eyebridge run --no-gui --world worlds/rooms.wld --time-limit 5s "
+                    "examples/control/explore.py\n"
+                    "$eyebridge assess --worlds worlds/empty-room.wld --seeds 1 --time-limit 2s "
+                    "--out $OLDPWD/results examples/control/survey.py\n",
+                folder_.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("stopped at ")) << r.err;
+}
+#endif
 
 }  // namespace
 }  // namespace eyebridge

@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "changing_run.hpp"
 #include "command.hpp"
 #include "running_program.hpp"
 
@@ -19,11 +20,9 @@ using ::testing::Not;
 using testing::RunningProgram;
 
 /// Robot 1 looks at robot 2, which drives round and round; robot 3 stands in a corner.
-class Remove : public ::testing::TestWithParam<const char*> {
+class Remove : public testing::ChangingRun {
  protected:
   Remove() {
-    folder_.write("room.wld",
-                  "floor 3000 3000\n0 0 3000 0\n3000 0 3000 3000\n3000 3000 0 3000\n0 3000 0 0\n");
     sim_ = folder_.write(
         "room.sim", "world room.wld\nS4 500 500 0 looks\nS4 2000 500 0 turns\nS4 2500 2500 0\n");
     // Says what is ahead when that changes, and ends when a radio says so.
@@ -44,12 +43,7 @@ class Remove : public ::testing::TestWithParam<const char*> {
     folder_.write("says.c",
                   "#include <eyebot.h>\nint main(void) {\n  RADIOInit();\n"
                   "  return RADIOSend(1, \"end\");\n}\n");
-    const auto built = testing::run_shell(
-        "for p in looks turns says; do eyebridge-cc $p.c -o $p || exit 1; done", folder_.path());
-    EXPECT_EQ(built.exit_code, 0) << built.err;
-  }
-  [[nodiscard]] std::map<std::string, std::string> own_place() const {
-    return {{"XDG_RUNTIME_DIR", folder_.path()}, {"XDG_CONFIG_HOME", "/nonexistent"}};
+    build("looks turns says");
   }
   [[nodiscard]] testing::ProgramStart start() const {
     return {{EYEBRIDGE_BIN "/eyebridge", "run", GetParam(), "--world", sim_, "--out", "out",
@@ -57,21 +51,9 @@ class Remove : public ::testing::TestWithParam<const char*> {
             own_place(),
             folder_.path()};
   }
-  [[nodiscard]] testing::ProgramRun ask(const std::vector<std::string>& words) const {
-    return testing::run_command(words, folder_.path(), own_place());
-  }
-  [[nodiscard]] std::string error(const std::vector<std::string>& words) const {
-    const auto r = ask(words);
-    EXPECT_NE(r.exit_code, 0);
-    EXPECT_EQ(r.out, "");
-    return r.err;
-  }
   [[nodiscard]] std::string result(const char* name) const {
     return testing::file_text(folder_.path() + "/out/" + name);
   }
-
-  testing::ScratchFolder folder_;
-  std::string sim_;
 };
 
 TEST_P(Remove, EndsAProgramAndTakesItsRobotOutOfTheWorld) {
@@ -120,7 +102,7 @@ TEST_P(Remove, ARunWhoseLastProgramIsRemovedEnds) {
   EXPECT_EQ(ask({"remove", "1"}).out, "1\n");
   EXPECT_EQ(ask({"remove", "2"}).out, "2\n");
   EXPECT_EQ(run.wait(), 0) << run.said();
-  EXPECT_THAT(error({"remove", "3"}), HasSubstr("remove: found no run of several robots"));
+  EXPECT_THAT(error({"remove", "3"}), HasSubstr("remove: found no run in a simulated world"));
 }
 
 // Python knows no sanitizer; its processes under ASan are in tests/python.

@@ -169,7 +169,7 @@ class Mpirun : public Ranks {
     // Open MPI leaves memory behind, and asks all networks for others: there are none here.
     return testing::run_program({command,
                                  {{"ASAN_OPTIONS", "detect_leaks=0"},
-                                  {"XDG_CONFIG_HOME", "/nonexistent"},
+                                  {"XDG_CONFIG_HOME", "/dev/null/none"},
                                   {"TMPDIR", "/tmp"},
                                   {"OMPI_MCA_btl", "self,vader"}},
                                  folder_.path()});

@@ -103,6 +103,23 @@ TEST(Wrapper, AddsNoOptimisationAndPutsLibrariesLast) {
   EXPECT_LT(r.err.find("-DMINE"), r.err.find("-leyebridge"));
 }
 
+// Else a program's decimals, and with them the way of its robot, would be others on arm64.
+TEST(Wrapper, AProductAndASumAreRoundedOneAfterTheOther) {
+  const ScratchFolder folder;
+  folder.write("sum.c", "double sum(double a, double b, double c) { return a * b + c; }\n");
+#if defined(__x86_64__)
+  const std::string machine = " -mfma";
+#else
+  const std::string machine;
+#endif
+  const ProgramRun r =
+      run_shell("eyebridge-cc -O2" + machine + " -S sum.c -o sum.s\n", folder.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  const std::string code = testing::file_text(folder.path() + "/sum.s");
+  EXPECT_THAT(code, HasSubstr("mul"));
+  EXPECT_THAT(code, Not(HasSubstr("madd")));
+}
+
 TEST(Wrapper, ClassicChoosesHeaderAndLibrary) {
   const ScratchFolder folder;
   folder.write("classic.c",

@@ -67,6 +67,13 @@ CURIOUS = {"tests", "bench"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|<(eye[^>]+)>)')
 
+# Rooms whose results are the same bits on every computer (docs/same-bits.md), and what they may not call for that: the last bits
+# of these are the C library's, which has several versions of them for one processor.
+SAME_BITS = {"core", "hal", "camera", "robios"}
+LIBM = re.compile(
+    r"\bstd::(sin|cos|tan|asin|acos|atan2?|sinh|cosh|tanh|exp2?|expm1|log2?|log10|log1p|pow|hypot|cbrt|erfc?|[lt]gamma)[fl]?\("
+)
+
 
 def room_of(path: pathlib.PurePosixPath) -> str | None:
     """The room that `path`, relative to the root, lies in."""
@@ -154,6 +161,18 @@ def check_sizes(root: pathlib.Path, files: list[pathlib.PurePosixPath]) -> list[
     return offences
 
 
+def check_libm(root: pathlib.Path, files: list[pathlib.PurePosixPath]) -> list[str]:
+    offences = []
+    for file in files:
+        if file.parts[0] not in SAME_BITS or file.suffix not in CODE:
+            continue
+        for number, line in enumerate((root / file).read_text(errors="replace").splitlines(), 1):
+            match = LIBM.search(line.partition("//")[0])
+            if match:
+                offences.append(f"{file}:{number}: {match[0]}) differs between computers; expected base/math.hpp, or std::sqrt")
+    return offences
+
+
 def check_readmes(files: list[pathlib.PurePosixPath]) -> list[str]:
     folders = {file.parts[0] for file in files if len(file.parts) > 1}
     folders |= {str(pathlib.PurePosixPath(*file.parts[:2])) for file in files if file.parts[0] == "core" and len(file.parts) > 2}
@@ -164,7 +183,7 @@ def check_readmes(files: list[pathlib.PurePosixPath]) -> list[str]:
 def offences_in(root: pathlib.Path) -> list[str]:
     """One line for each rule that the tree under `root` breaks."""
     files = files_in(root)
-    checks = (check_includes, check_forgotten, check_unused, check_sizes)
+    checks = (check_includes, check_forgotten, check_unused, check_sizes, check_libm)
     return [offence for check in checks for offence in check(root, files)] + check_readmes(files)
 
 

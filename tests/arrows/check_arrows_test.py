@@ -146,6 +146,17 @@ class Forgotten(Tree):
         self.assertEqual(self.offences(), ["hal/sim/a.cpp:3: Not is not used"])
 
 
+class SameBits(Tree):
+    def test_a_function_that_differs_between_computers_is_found(self):
+        self.write("hal/sim/a.cpp", "#include <cmath>\n// not std::sin(x)\ndouble b = std::sqrt(2.0);\ndouble a = std::exp2(b);\n")
+        self.assertEqual(self.offences(),
+                         ["hal/sim/a.cpp:4: std::exp2() differs between computers; expected base/math.hpp, or std::sqrt"])
+
+    def test_tests_and_windows_may_call_it(self):
+        self.write("gui/a.cpp", "#include <cmath>\ndouble a = std::exp2(0.5);\n")
+        self.assertEqual(self.offences(), [])
+
+
 class Sizes(Tree):
     def test_400_lines_are_allowed(self):
         self.write("hal/sim/a.cpp", "\n" * 400)

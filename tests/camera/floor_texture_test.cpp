@@ -42,7 +42,7 @@ TEST(FloorTexture, IsStretchedOnceOverTheFloorNorthUp) {
   }
   write_png(quarters, folder / "floor.png");
   RecordingLog log;
-  RenderEngine engine("osmesa", log);
+  RenderEngine engine(first_maker(), log);
   const Frame seen = engine.render(floor_shot("floor.png", folder.str()), log);
   EXPECT_TRUE(log.warnings.empty());
   const auto at = [&](int x, int y) {
@@ -59,7 +59,7 @@ TEST(FloorTexture, IsStretchedOnceOverTheFloorNorthUp) {
 TEST(FloorTexture, OneThatCannotBeReadGivesThePlainFloorAndOneWarning) {
   const Folder folder;
   RecordingLog log;
-  RenderEngine engine("osmesa", log);
+  RenderEngine engine(first_maker(), log);
   const Shot shot = floor_shot("missing.png", folder.str());
   const Frame seen = engine.render(shot, log);
   engine.render(shot, log);
@@ -71,7 +71,7 @@ TEST(FloorTexture, OneThatCannotBeReadGivesThePlainFloorAndOneWarning) {
 /// The colours of its middle row, a quarter and three quarters across: red and blue of each.
 std::vector<int> left_and_right(const char* texture, const Folder& folder) {
   RecordingLog log;
-  RenderEngine engine("osmesa", log);
+  RenderEngine engine(first_maker(), log);
   const Frame seen = engine.render(floor_shot(texture, folder.str()), log);
   EXPECT_TRUE(log.warnings.empty());
   const auto row = seen.row(80);

@@ -67,7 +67,7 @@ class Projection : public ::testing::TestWithParam<ShotSize> {
 
   static RenderEngine& engine() {
     static RecordingLog log;
-    return RenderEngine::of_this_thread("osmesa", log);
+    return RenderEngine::of_this_thread(first_maker(), log);
   }
 
   Frame draw() {

@@ -2,11 +2,15 @@
 
 #include "eyebridge/camera/view.hpp"
 #include "render/engine.hpp"
+#include "render/gl_context.hpp"
 
 namespace eyebridge::camera::testing {
 
 inline constexpr Rgb kRed{255, 0, 0};
 inline constexpr Rgb kGreen{0, 255, 0};
+
+/// The maker of OpenGL contexts that this build prefers.
+inline std::string_view first_maker() { return gl_context_makers().front().name; }
 
 /// A floor of 4 m x 4 m without walls.
 world::WorldModel empty_room();

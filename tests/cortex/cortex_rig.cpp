@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kPatience = 60s;
+constexpr auto kRigPatience = 60s;
 constexpr int kLook_ms = 5;
 
 Time now() { return std::chrono::steady_clock::now().time_since_epoch(); }
@@ -74,7 +74,7 @@ hal::Rig CortexRig::open(const std::string& profile) const {
 
 bool CortexRig::wait_for(const std::function<bool(robot::Simulation&)>& seen) {
   std::unique_lock lock(mutex_);
-  return turned_.wait_for(lock, kPatience, [&] { return seen(world_.simulation()); });
+  return turned_.wait_for(lock, kRigPatience, [&] { return seen(world_.simulation()); });
 }
 
 void CortexRig::look(const std::function<void(robot::Simulation&)>& show) {
@@ -109,7 +109,7 @@ eb_pins CortexRig::pins() {
 
 std::string CortexRig::wait_for_end() {
   std::unique_lock lock(mutex_);
-  turned_.wait_for(lock, kPatience, [&] { return !end_.empty(); });
+  turned_.wait_for(lock, kRigPatience, [&] { return !end_.empty(); });
   return end_;
 }
 

@@ -22,7 +22,7 @@ eb_config settings() {
 }
 
 files::Scenario world_of(const std::string& name) {
-  return files::load_scenario(files::SearchPlaces::builtin_worlds() / name);
+  return files::load_scenario(files::own_worlds() / name);
 }
 
 void say(eb_board& board, const std::string& text) {

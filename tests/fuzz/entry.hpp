@@ -14,6 +14,7 @@
 
 #include "config/toml_text.hpp"
 #include "config/values.hpp"
+#include "eyebridge/base/text.hpp"
 #include "eyebridge/camera/calibration.hpp"
 #include "eyebridge/camera/picture.hpp"
 #include "eyebridge/camera/recording/frame_table.hpp"
@@ -38,6 +39,8 @@ namespace eyebridge::fuzz {
 [[noreturn]] inline void found() { std::abort(); }
 
 inline void world(std::string_view text) {
+  const std::string description = files::description_in(text);
+  if (in_quotes(description, 1000) != "'" + description + "'") found();
   std::vector<Warning> warnings;
   try {
     const auto model = files::read_world(text, "fuzz.wld", warnings);

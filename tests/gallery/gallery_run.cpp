@@ -66,7 +66,7 @@ testing::ProgramRun start(const Row& row, const std::string& program, const fs::
   add("--seed", "1");
   command.push_back(program);
   command.insert(command.end(), row.arguments.begin(), row.arguments.end());
-  std::map<std::string, std::string> environment = {{"XDG_CONFIG_HOME", "/nonexistent"}};
+  std::map<std::string, std::string> environment = {{"XDG_CONFIG_HOME", "/dev/null/none"}};
   if (row.is_python()) {
     environment["PATH"] = "/usr/bin:/bin";  // Debian's, for which the packages are: it has numpy
 #ifdef EYEBRIDGE_TEST_PRELOAD

@@ -1,5 +1,8 @@
 #include "album.hpp"
 
+#include <QLibraryInfo>
+#include <QString>
+#include <QVersionNumber>
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -24,6 +27,17 @@ int different_pixels(const QImage& a, const QImage& b) {
   return count;
 }
 
+/// Qt's own parts (titles of docks, say) are of other sizes in some of its versions, which then
+/// have pictures of their own.
+std::filesystem::path picture_of(const std::string& name) {
+  const std::filesystem::path pictures = EYEBRIDGE_SOURCE_DIR "/tests/gui/pictures";
+  const QVersionNumber qt = QLibraryInfo::version();
+  const auto own = pictures /
+                   QString("qt-%1.%2").arg(qt.majorVersion()).arg(qt.minorVersion()).toStdString() /
+                   (name + ".png");
+  return std::filesystem::exists(own) ? own : pictures / (name + ".png");
+}
+
 bool save(const QImage& picture, const std::filesystem::path& path) {
   std::filesystem::create_directories(path.parent_path());
   return picture.save(QString::fromStdString(path.string()));
@@ -33,7 +47,7 @@ bool save(const QImage& picture, const std::filesystem::path& path) {
 
 ::testing::AssertionResult looks_as(const QImage& seen, const std::string& name) {
   const std::filesystem::path root = EYEBRIDGE_SOURCE_DIR;
-  const auto reference = root / "tests/gui/pictures" / (name + ".png");
+  const auto reference = picture_of(name);
   if (std::getenv("EYEBRIDGE_TEST_ACCEPT") != nullptr) {
     if (save(seen, reference)) return ::testing::AssertionSuccess();
     return ::testing::AssertionFailure() << reference << " cannot be written";

@@ -3,6 +3,7 @@
 // EYEBRIDGE_TEST_MONKEY_SEED: another somebody.
 #include "monkey.hpp"
 
+#include <QApplication>
 #include <QDir>
 #include <QDockWidget>
 #include <QElapsedTimer>

@@ -269,17 +269,18 @@ TEST_F(Session, NoWindowsWhereThereIsNoDisplay) {
 TEST_F(Session, NoWindowsWithoutThePlugIn) {
   // As where EyeBridge was built without Qt.
   const std::filesystem::path lonely = folder_.path() + "/lib";
-  std::filesystem::create_directory(lonely);
+  std::filesystem::create_directories(lonely / "eyebridge");
   std::filesystem::copy_file(EYEBRIDGE_BIN "/../lib/libeyebridge.so.0",
                              lonely / "libeyebridge.so.0");
   auto insists = start({"--gui"});
   insists.environment["LD_LIBRARY_PATH"] = lonely;
   RunningProgram program(insists);
   EXPECT_EQ(program.wait(), 2);
-  EXPECT_THAT(program.said(),
-              HasSubstr("no windows can be opened: there is no " + lonely.string() +
-                        "/libeyebridge_gui.so; expected EyeBridge built where Qt 6 is installed "
-                        "(qt6-base-dev), or gui = off"));
+  EXPECT_THAT(
+      program.said(),
+      HasSubstr("no windows can be opened: there is no " + lonely.string() +
+                "/eyebridge/libeyebridge_gui.so; expected EyeBridge built where Qt 6 is installed "
+                "(qt6-base-dev), or gui = off"));
 }
 
 TEST_F(Session, AFileThatIsOpenComesToTheFront) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "eyebridge/base/text.hpp"
+#include "eyebridge/hal/world_file.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -102,6 +103,28 @@ TEST_F(ConfigTest, TakesRelativePathsFromWhereTheyWereWritten) {
   EXPECT_EQ(from_file.path("out"), "/tmp/out");
   const Config from_flag = Config::load({{{"world", "mazes/a.maz"}}, {}, {file}});
   EXPECT_EQ(from_flag.path("world"), "mazes/a.maz");
+}
+
+TEST_F(ConfigTest, AWorldByNameIsLookedForBesideItsFileAndItsProgram) {
+  const auto file = write("eyebridge.toml", "world = 'a.maz'\n");
+  std::filesystem::create_directories(folder_ / "bin/worlds");
+  const std::filesystem::path program = folder_ / "bin/prog";
+  const Config config = Config::load({{}, {}, {file}});
+  const std::string as_written = config.text("world");
+  EXPECT_EQ(world_file(config.value("world"), program), as_written);
+  write("bin/worlds/a.maz", "");
+  EXPECT_EQ(world_file(config.value("world"), {}), as_written);
+  try {
+    (void)find_world(config.value("world"), {});
+    ADD_FAILURE() << "found it";
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr(file.string() + ":1:9: no file 'a.maz': expected "));
+    EXPECT_THAT(error.what(), HasSubstr("; looked in the working folder, " + folder_.string()));
+  }
+  EXPECT_EQ(world_file(config.value("world"), program), folder_ / "bin/worlds/a.maz");
+  EXPECT_EQ(world_file({"a.maz", {"--world"}}, program), folder_ / "bin/worlds/a.maz");
+  write("a.maz", "");
+  EXPECT_EQ(world_file(config.value("world"), program), folder_ / "a.maz");
 }
 
 TEST_F(ConfigTest, NamesTheNearestKeyOfAnUnknownOneWithLineAndColumn) {

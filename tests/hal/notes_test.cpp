@@ -1,4 +1,5 @@
 // What is noted of a program's calls, for people to look at.
+#include <algorithm>
 #include <atomic>
 #include <thread>
 

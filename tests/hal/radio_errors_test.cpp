@@ -8,7 +8,7 @@
 #include "host/open_host.hpp"
 #include "radio/radio_medium.hpp"
 #include "rigs.hpp"
-#include "sim/open_sim.hpp"
+#include "shared/open_only.hpp"
 #include "statistics.hpp"
 
 namespace eyebridge::hal {

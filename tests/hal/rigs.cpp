@@ -4,7 +4,7 @@
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/camera/view.hpp"
 #include "eyebridge/files/readers.hpp"
-#include "sim/open_sim.hpp"
+#include "shared/open_only.hpp"
 
 namespace eyebridge::hal {
 namespace {

@@ -9,6 +9,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "eyebridge/camera/view.hpp"
 #include "eyebridge/hal/registry.hpp"
 #include "seat/message.hpp"
 #include "seat/message_stream.hpp"

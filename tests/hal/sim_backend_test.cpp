@@ -10,7 +10,7 @@
 #include "eyebridge/camera/view.hpp"
 #include "eyebridge/hal/environment.hpp"
 #include "rigs.hpp"
-#include "sim/open_sim.hpp"
+#include "shared/open_only.hpp"
 
 namespace eyebridge::hal {
 namespace {

@@ -6,8 +6,8 @@
 #include "eyebridge/hal/registry.hpp"
 #include "eyebridge/hal/shared_world.hpp"
 #include "rigs.hpp"
+#include "shared/open_only.hpp"
 #include "shared/shared_sim.hpp"
-#include "sim/open_sim.hpp"
 
 namespace eyebridge::hal {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "eyebridge/robot/error_presets.hpp"
 #include "rigs.hpp"
+#include "shared/open_only.hpp"
 #include "sim/open_sim.hpp"
 
 namespace eyebridge::hal {

@@ -6,7 +6,7 @@
 
 #include "eyebridge/base/units.hpp"
 #include "rigs.hpp"
-#include "sim/open_sim.hpp"
+#include "shared/open_only.hpp"
 
 namespace eyebridge::hal {
 namespace {

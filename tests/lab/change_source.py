@@ -1,37 +1,46 @@
 #!/usr/bin/env python3
-"""Changes an unpacked linux-source-6.1 for the lab; ends with a message when it is not as expected.
+"""Changes an unpacked linux-source-6.1 or -6.12 for the lab; ends with a message when it is not as expected.
 
-change_source.py FOLDER
+change_source.py FOLDER BYTES: with room for so many bytes of floating-point and vector registers.
 """
 
 import pathlib
 import re
 import sys
 
+OLD_ROOM = 2696  # bytes: x87, xmm, ymm, zmm, mask and protection key registers
+
 
 def change(path: pathlib.Path, pattern: str, replacement: str, flags: int = 0) -> None:
     text = path.read_text()
     changed, count = re.subn(pattern, replacement, text, flags=flags)
     if count != 1:
-        sys.exit(f"{path}: {count} places look like {pattern!r}; expected one: not the 6.1 source?")
+        sys.exit(f"{path}: {count} places look like {pattern!r}; expected one: not the source of 6.1 or 6.12?")
     path.write_text(changed)
 
 
 def main() -> None:
     root = pathlib.Path(sys.argv[1])
+    room = int(sys.argv[2])
+    if room < OLD_ROOM or room % 64:
+        sys.exit(f"{room} bytes for registers; expected a multiple of 64, at least {OLD_ROOM}")
 
     # Frame times of vivid and CAN time-outs are counted in ticks: 1 ms each instead of 10.
     change(root / "arch/um/Kconfig", r"(config HZ\n(?:\t.*\n)*?\tdefault) 100\n", r"\1 1000\n")
 
-    # A signal frame has room for xmm and ymm registers only, so a handler that uses AVX-512 spoils
-    # the program's: make the frame as large as the state that the kernel keeps, and copy all of it.
+    # ptrace() refuses to set registers from a smaller area than the processor's: 2,696 bytes in Debian's source, 11,008 are
+    # needed where there is AMX.
+    change(root / "arch/x86/um/user-offsets.c", rf"(DEFINE_LONGS\(HOST_FP_SIZE, ){OLD_ROOM}\)", rf"\g<1>{room})")
+
+    # A signal frame has room for xmm and ymm registers only, so a handler that uses AVX-512 spoils the program's: make the
+    # frame larger, and copy all of it. What lies behind are the tiles of AMX. No program in the guest can use them (it
+    # takes arch_prctl() of the host), and a frame with them is larger than the usual signal stack, SIGSTKSZ.
     signal = root / "arch/x86/um/signal.c"
     state = r"struct _xstate"
     change(signal, rf"(\t{state} fpstate;\n)(\}};)",
-           r"\1\tchar more_fpstate[MAX_FP_NR * sizeof(long) - sizeof(struct _xstate)];\n\2")
-    change(signal, rf"(\(void \*\)sc\.fpstate,\s*)sizeof\({state}\)", r"\1sizeof(regs->regs.fp)")
-    change(signal, rf"(copy_to_user\(to_fp, regs->regs\.fp, )sizeof\({state}\)",
-           r"\1sizeof(regs->regs.fp)")
+           rf"\1\tchar more_fpstate[{OLD_ROOM} - sizeof(struct _xstate)];\n\2")
+    change(signal, rf"(\(void \*\)sc\.fpstate,\s*)sizeof\({state}\)", rf"\g<1>{OLD_ROOM}")
+    change(signal, rf"(copy_to_user\(to_fp, regs->regs\.fp, )sizeof\({state}\)", rf"\g<1>{OLD_ROOM}")
 
 
 if __name__ == "__main__":

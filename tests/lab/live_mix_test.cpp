@@ -20,7 +20,7 @@ const fs::path kSource = EYEBRIDGE_SOURCE_DIR;
 
 ProgramRun run(std::vector<std::string> words, const std::string& folder) {
   words.insert(words.begin(), {EYEBRIDGE_BIN "/eyebridge", "run"});
-  return testing::run_program({words, {{"XDG_CONFIG_HOME", "/nonexistent"}}, folder});
+  return testing::run_program({words, {{"XDG_CONFIG_HOME", "/dev/null/none"}}, folder});
 }
 
 TEST(LiveMix, ASimulatedRobotSeesThroughALiveCamera) {

@@ -18,7 +18,7 @@ class Images(ProgramTest):
             print(img[0], img[0] & 0xff, max(value & 0xff for value in img))
             a = np.frombuffer(img, np.uint8).reshape(QVGA_Y, QVGA_X, 3)
             print(a.shape, a[0, 0, 0], len(set(bytes(img))) > 10)
-            a = np.asarray(img) & 0xff
+            a = np.asarray(img).astype(int) & 0xff
             print(a.min() >= 0, a.max(), np.array(img, dtype=np.uint8).max())
             print(len(CAMGetGray()) == CAMPIXELS, LCDImage(img), LCDImageGray(CAMGetGray()), CAMRelease())
             """,

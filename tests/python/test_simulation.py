@@ -23,9 +23,22 @@ class Scenarios(unittest.TestCase):
         self.assertGreater(len(scenario.walls), 50)
         self.assertTrue(0 <= scenario.walls.min() and scenario.walls[:, ::2].max() <= scenario.size[0] + 1e-9)
 
+    def test_a_world_is_found_by_its_name(self):
+        self.assertEqual(eyebridge.load_scenario("rooms.wld").size, (4, 4))
+        with tempfile.TemporaryDirectory() as folder:
+            program = pathlib.Path(folder) / "program.py"
+            program.write_text("import eyebridge\nprint(eyebridge.load_scenario('rooms.wld').size)\n")
+            (program.parent / "worlds").mkdir()
+            own = program.parent / "worlds" / "rooms.wld"
+            own.write_text((WORLDS / "empty-room.wld").read_text())
+            run = subprocess.run([sys.executable, program], capture_output=True, text=True, timeout=PATIENCE)
+            self.assertEqual(run.stdout, "(2.0, 2.0)\n", run.stderr)
+
     def test_a_mistake_names_its_place(self):
         with self.assertRaisesRegex(eyebridge.ConfigError, "gone.maz"):
             eyebridge.load_scenario("gone.maz")
+        with self.assertRaisesRegex(eyebridge.ConfigError, "expected 'rooms.wld' .only the case differs"):
+            eyebridge.load_scenario("Rooms.wld")
         with self.assertRaisesRegex(ValueError, "R2D2"):
             eyebridge.load_scenario(WORLDS / "maze-8.maz", robot="R2D2")
 

@@ -53,6 +53,16 @@ TEST(LineUrl, ReadsTcpAddresses) {
   EXPECT_EQ(tcp_settings(parse_url("tcp:[::1]:1", {}), {}).host, "::1");
 }
 
+TEST(LineUrl, TakesNamesOfOtherAlphabets) {
+  EXPECT_EQ(tcp_settings(parse_url("tcp:r\xC3\xB6\x62oter\xFF:4711", {}), {}).host,
+            "r\xC3\xB6\x62oter\xFF")
+      << "bytes above 0x7F are letters, whether char has a sign or not";
+  for (const char* const host : {"a\x01", "a\x1F", "a ", "a\x7F"}) {
+    EXPECT_THAT(complaint(tcp_settings, "tcp:" + std::string(host) + ":1"),
+                HasSubstr("expected a host and a port"));
+  }
+}
+
 TEST(LineUrl, RefusesBadTcpAddresses) {
   for (const char* const rest :
        {"", "robot", ":1", "[]:1", "::1:4711", "a b:1", "[::1:1", "a]:1"}) {

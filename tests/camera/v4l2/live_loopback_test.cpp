@@ -148,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, Loopback, ::testing::ValuesIn(kCases),
 
 TEST(LoopbackMjpeg, ADamagedFrameIsCorruptAndTheNextOneGoesOn) {
   bridges::MonotonicClock clock;
-  const LoopbackWriter writer(device(), V4L2_PIX_FMT_MJPEG, kWidth, kHeight);
+  LoopbackWriter writer(device(), V4L2_PIX_FMT_MJPEG, kWidth, kHeight);
   const auto source = open_source("v4l2:" + device(), {&clock, nullptr, nullptr});
   const Bytes whole = jpeg_of(smooth_picture(kWidth, kHeight), kWidth, kHeight);
   for (int i = 0; i < 5; ++i) {
@@ -165,7 +165,7 @@ TEST(LoopbackMjpeg, ADamagedFrameIsCorruptAndTheNextOneGoesOn) {
 
 TEST(LoopbackErrors, AFormatThatIsNotSentIsRefusedWithTheOneThatIs) {
   bridges::MonotonicClock clock;
-  const LoopbackWriter writer(device(), V4L2_PIX_FMT_RGB24, kWidth, kHeight);
+  LoopbackWriter writer(device(), V4L2_PIX_FMT_RGB24, kWidth, kHeight);
   try {
     open_source("v4l2:" + device() + "?format=YUYV", {&clock, nullptr, nullptr});
     FAIL() << "opened";

@@ -280,6 +280,10 @@ TEST(ServoLimits, AreInTensOfMicrosecondsAndAtMost255) {
   EXPECT_EQ(servo_limits(servo), (ServoLimits{70, 230}));
   servo.longest_pulse = 3000e-6;
   EXPECT_EQ(servo_limits(servo).upper, 255);
+  // More tens of microseconds than an int holds: processors differ in what they make of these.
+  servo.shortest_pulse = -25'000.0;
+  servo.longest_pulse = 25'000.0;
+  EXPECT_EQ(servo_limits(servo), (ServoLimits{0, 255}));
 }
 
 }  // namespace

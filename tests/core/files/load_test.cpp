@@ -291,9 +291,8 @@ TEST(Load, FilesAreSearchedBesideInTheHomeAndAmongOurWorlds) {
 
 TEST(Load, MissingFilesAndNamesAreErrorsAtTheirLine) {
   const Folder folder;
-  EXPECT_THAT(
-      load_error(folder.write("a.sim", "world C:\\no\\such.wld\n")),
-      HasSubstr("a.sim:1:7: no file 'C:\\no\\such.wld': expected it in the working folder"));
+  EXPECT_THAT(load_error(folder.write("a.sim", "world C:\\no\\such.wld\n")),
+              HasSubstr("a.sim:1:7: no file 'C:\\no\\such.wld': expected a path"));
   EXPECT_THAT(load_error(folder.write("b.sim", "world empty-room.wld\nrobot no.robi\n")),
               HasSubstr("b.sim:2:7: no file 'no.robi'"));
   EXPECT_THAT(
@@ -302,7 +301,9 @@ TEST(Load, MissingFilesAndNamesAreErrorsAtTheirLine) {
   EXPECT_THAT(load_error(folder.write("d.sim", "world maze-5.maz\nS4 L\n")),
               HasSubstr("d.sim:2:1: no start 'L' left"));
   EXPECT_EQ(load_error(folder.path() / "none.wld"),
-            (folder.path() / "none.wld").string() + ": no such file");
+            "world: no file '" + (folder.path() / "none.wld").string() +
+                "': expected a path, or a name that eyebridge world list shows; looked in " +
+                folder.path().string());
   EXPECT_THAT(load_error(folder.write("e.txt", "x")), HasSubstr("unknown kind of file"));
   EXPECT_EQ(load_error(folder.write("f.wld", kRoom), "R2D2"),
             "default robot: no robot 'R2D2': expected S4, LabBot, Mouse, Car or Omni");

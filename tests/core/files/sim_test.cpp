@@ -6,6 +6,8 @@
 namespace eyebridge::files {
 namespace {
 
+using testing::HasSubstr;
+
 std::vector<Warning> sim_warnings;
 
 SimFile sim_of(const std::string& text) {

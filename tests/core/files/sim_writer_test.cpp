@@ -96,7 +96,7 @@ TEST(SimWriter, RefusesWhatNoLineCanSay) {
 
 TEST(SimWriter, OwnSimulationsSurvive) {
   int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(SearchPlaces::builtin_worlds())) {
+  for (const auto& entry : std::filesystem::directory_iterator(own_worlds())) {
     if (entry.path().extension() != ".sim") continue;
     expect_round_trip(read_text_file(entry.path()));
     ++count;

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "eyebridge/base/random.hpp"
 #include "tour.hpp"
 
 namespace eyebridge::localisation {

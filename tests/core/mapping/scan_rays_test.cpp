@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bad_numbers.hpp"
 #include "eyebridge/base/random.hpp"
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/mapping/scan_mapper.hpp"
