@@ -131,8 +131,7 @@ const char* bench_camera() { return std::getenv("EYEBRIDGE_BENCH_CAMERA"); }
 
 /// Takes the first frame: OpenCV starts to stream only then, and loses what was written before.
 template <class Take>
-void begin(Take& take, const std::optional<camera::testing::LoopbackWriter>& writer,
-           const Bytes& raw) {
+void begin(Take& take, std::optional<camera::testing::LoopbackWriter>& writer, const Bytes& raw) {
   std::atomic<bool> begun = false;
   std::thread feeder([&] {
     while (writer && !begun) {

@@ -196,7 +196,7 @@ int main(int argc, char** argv) {
   // No display, nobody's settings, and not a word for each window that it is so.
   qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
   setenv("QT_QPA_PLATFORM", "offscreen", 1);
-  setenv("XDG_CONFIG_HOME", "/nonexistent", 1);
+  setenv("XDG_CONFIG_HOME", "/dev/null/none", 1);
   QElapsedTimer timer;
   timer.start();
   const QApplication application(argc, argv);
