@@ -119,11 +119,17 @@ struct HostDrive::Impl {
     rolling = {};
   }
 
-  void measure(const WheelCounts& counts, double seconds, int periods) {
+  /// What the wheels did since the last counts goes into the odometry.
+  robot::PathStep roll(const WheelCounts& counts, int periods) {
     const robot::WheelTravel wheels{left.travel(counts.left, periods),
                                     right.travel(counts.right, periods)};
     const robot::PathStep path = robot::path_of(wheels, settings.wheel_base);
     odometry.add(robot::arc_of(path));
+    return path;
+  }
+
+  void measure(const WheelCounts& counts, double seconds, int periods) {
+    const robot::PathStep path = roll(counts, periods);
     latest = {path.distance / seconds, path.angle / seconds};
     recent[next_recent] = {path, seconds};
     next_recent = (next_recent + 1) % recent.size();
@@ -213,12 +219,15 @@ Result<WheelSpeeds> HostDrive::step(const WheelCounts& counts, Time now) {
     if (gap > kLongestGap) {
       const double seconds = to_seconds(gap);
       const bool driving = self.controller.state() == robot::DriveState::Driving;
+      const bool counted = gap <= kLongestCount;
+      if (counted) (void)self.roll(counts, 1);
       restart();
+      if (counted) self.last = now;
       self.failed_left = self.failed_right = false;
       if (driving) self.controller.fail();
       return fail(Errc::Timeout, "drive: the encoders were not read for " +
-                                     std::to_string(std::llround(seconds * 1000)) +
-                                     " ms: what was driven meanwhile is unknown");
+                                     std::to_string(std::llround(seconds * 1000)) + " ms" +
+                                     (counted ? "" : ": what was driven meanwhile is unknown"));
     }
     periods = static_cast<int>((gap + kPeriod / 2) / kPeriod);
     if (periods < 1) return WheelSpeeds{self.left.on_board(), self.right.on_board()};

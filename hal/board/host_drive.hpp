@@ -44,9 +44,11 @@ struct WheelSpeeds {
 class HostDrive {
  public:
   static constexpr Time kPeriod = std::chrono::milliseconds(10);
-  /// Counts that are farther apart are no travel: whoever was told for so long that nothing is
-  /// known of the robot must command it again.
+  /// After a longer gap between two counts the robot stands until it is commanded again.
   static constexpr Time kLongestGap = std::chrono::seconds(1);
+  /// Up to here the counts still tell how far the wheels went: at top speed a counter of 16 bits
+  /// needs a little longer for half of its range.
+  static constexpr Time kLongestCount = std::chrono::milliseconds(2500);
 
   /// Settings are asserted to be possible.
   explicit HostDrive(const HostDriveSettings& settings);
@@ -63,7 +65,8 @@ class HostDrive {
   /// Takes counts read at `now`, and says how fast the wheels must turn until the next call. Calls
   /// that come less than half a period after the last one change nothing; after a late one the
   /// ramps have caught up. Fails once with Timeout when the last call was more than kLongestGap
-  /// ago: what was driven meanwhile is unknown, a goal has failed, and the robot is to stand.
+  /// ago: a goal has failed, and the robot is to stand. The odometry then has what was driven
+  /// meanwhile, unless that was more than kLongestCount ago.
   Result<WheelSpeeds> step(const WheelCounts& counts, Time now);
   /// Ends what it does: the next step() asks for no speed. Odometry goes on.
   void halt();

@@ -124,6 +124,23 @@ TEST(HostDrive, AGapInWhichNothingWasKnownIsAnErrorAndStops) {
   EXPECT_EQ(plant.drive.measured_twist(), Twist{}) << "the jump of the counts is no travel";
 }
 
+TEST(HostDrive, TheOdometryKnowsWhatWasDrivenInAGapThatTheCountersSpan) {
+  Plant plant;
+  plant.drive.set_speed({0.2, 0.5});
+  plant.steps(50);
+  const Pose before = plant.drive.odometry();
+  plant.now += std::chrono::milliseconds(1500);
+  for (int i = 0; i < 150; ++i) plant.sim.step();
+  const auto late = plant.drive.step(plant.counts(), plant.now);
+  ASSERT_FALSE(late);
+  EXPECT_EQ(late.error().code, Errc::Timeout);
+  const Pose after = plant.drive.odometry();
+  EXPECT_NEAR(after.theta - before.theta, 0.75, 0.05);
+  EXPECT_NEAR(after.theta, plant.sim.pose(plant.robot).theta, 0.02);
+  plant.now += HostDrive::kPeriod;
+  EXPECT_EQ(*plant.drive.step(plant.counts(), plant.now), (WheelSpeeds{0, 0}));
+}
+
 TEST(HostDrive, AWallStallsBothWheelsAndFailsTheGoal) {
   Plant plant;
   plant.sim.set_pose(plant.robot, {kPlantRoom - 0.3, 4.0, 0.0});

@@ -3,11 +3,29 @@
 
 machines=${XDG_CACHE_HOME:-$HOME/.cache}/eyebridge/machines
 
-# Root is needed for mounts and for the owners of files; qemu runs another processor's programs.
+# Prints what this computer lacks for machines in FOLDER; nothing when they can be made. cannot_make_machines FOLDER
+cannot_make_machines() {
+  [ "$(id -u)" = 0 ] || { echo "root is needed for mounts"; return; }
+  local try
+  try=$(mktemp -d "$1/eyebridge-try.XXXXXX")
+  mkdir "$try"/{base,changes,work,root}
+  # shellcheck disable=SC2016
+  unshare --mount --pid --fork bash -c '
+    mount -t overlay overlay -o "volatile,lowerdir=$1/base,upperdir=$1/changes,workdir=$1/work" "$1/root"
+  ' try "$try" >/dev/null 2>&1 || echo "$1 cannot hold an overlay of its own (unshare --mount, mount -t overlay)"
+  rm -rf --one-file-system "$try"
+}
+
 prepare_machines() {
-  [ "$(id -u)" = 0 ] || die "machines of their own need root" "try: sudo $0 ${1:-}"
+  local lack
+  lack=$(cannot_make_machines "${TMPDIR:-/tmp}")
+  [ -z "$lack" ] || die "no machine can be made here: $lack" "as root, on a disk: sudo $0 ${1:-}"
   install_packages machines
   mkdir -p "$machines"
+}
+
+# For machines of another processor: qemu runs their programs.
+prepare_emulation() {
   [ -w /proc/sys/fs/binfmt_misc/register ] || mount -t binfmt_misc none /proc/sys/fs/binfmt_misc ||
     die "the kernel has no binfmt_misc" "expected CONFIG_BINFMT_MISC: it starts programs for arm64 by qemu-user"
   [ -e /proc/sys/fs/binfmt_misc/qemu-aarch64 ] ||

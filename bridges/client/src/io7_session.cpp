@@ -183,7 +183,7 @@ Result<void> Io7Session::resync() {
     if (!late) return tl::unexpected(late.error());
     statistics_.stray += *late;
     if (auto repeated = write_orders(); !repeated) return repeated;
-    if (attempt >= kSpoiltMode && attempt < quick_attempts) quieten();
+    if (attempt >= kSpoiltMode && quick_attempts > 0) quieten();
     auto woken = stream_->write_all(wake_up, clock_.now() + settings_.resync_timeout);
     if (!woken && is_lost(woken.error())) return woken;
     if (auto prompt = drain_until_quiet(); !prompt) return tl::unexpected(prompt.error());
