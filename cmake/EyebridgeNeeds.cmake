@@ -8,7 +8,10 @@ macro(need found package)
   endif()
 endmacro()
 need(PkgConfig_FOUND pkg-config)
-foreach(row Boost:libboost-dev CLI11:libcli11-dev fmt:libfmt-dev Freetype:libfreetype-dev PNG:libpng-dev SQLite3:libsqlite3-dev
+# By the file that Boost itself installs: CMake's own FindBoost is gone from 3.30 on.
+find_package(Boost QUIET CONFIG)
+need(Boost_FOUND libboost-dev)
+foreach(row CLI11:libcli11-dev fmt:libfmt-dev Freetype:libfreetype-dev PNG:libpng-dev SQLite3:libsqlite3-dev
             tl-expected:libexpected-dev tomlplusplus:libtomlplusplus-dev ZLIB:zlib1g-dev)
   string(REPLACE ":" ";" row "${row}")
   list(GET row 0 name)
@@ -17,7 +20,7 @@ foreach(row Boost:libboost-dev CLI11:libcli11-dev fmt:libfmt-dev Freetype:libfre
   need(${name}_FOUND ${package})
 endforeach()
 if(Boost_FOUND)
-  find_package(Boost QUIET COMPONENTS context)
+  find_package(Boost QUIET CONFIG COMPONENTS context)
   need(Boost_context_FOUND libboost-context-dev)
 endif()
 if(PkgConfig_FOUND)

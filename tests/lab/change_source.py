@@ -32,9 +32,15 @@ def main() -> None:
     # needed where there is AMX.
     change(root / "arch/x86/um/user-offsets.c", rf"(DEFINE_LONGS\(HOST_FP_SIZE, ){OLD_ROOM}\)", rf"\g<1>{room})")
 
+    # Whoever empties a tree of directory entries while another process is at some of them tries again at once, until the
+    # other one is through. In simulated time the other one never gets its turn: no time passes, so no tick comes. Wait a
+    # tick. (Seen with /proc, when a program with threads ended.)
+    change(root / "fs/dcache.c", r"(\t\tcond_resched\(\);\n\t\tif \(!data\.found\)\n\t\t\tbreak;\n)",
+           r"\1\t\tschedule_timeout_uninterruptible(1);\n")
+
     # A signal frame has room for xmm and ymm registers only, so a handler that uses AVX-512 spoils the program's: make the
-    # frame larger, and copy all of it. What lies behind are the tiles of AMX. No program in the guest can use them (it
-    # takes arch_prctl() of the host), and a frame with them is larger than the usual signal stack, SIGSTKSZ.
+    # frame larger, and copy all of it. The tiles of AMX, which come after that, stay out: no program in the guest can use
+    # them (that takes arch_prctl() of the host), and a frame with them would not fit the usual signal stack, SIGSTKSZ.
     signal = root / "arch/x86/um/signal.c"
     state = r"struct _xstate"
     change(signal, rf"(\t{state} fpstate;\n)(\}};)",
