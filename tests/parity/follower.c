@@ -31,7 +31,8 @@ static int middle(int (*read)(int), int which) {
   return r[2];
 }
 
-/* Two of three readings may be wrong once in some thousand times; a corner too early ends the course. */
+/* Once in some thousand times two of three readings are wrong, and a corner too early ends the
+ * course: the wall is looked at twice. */
 static int wall_ahead(void) {
   return middle(psd, PSD_FRONT) < CORNER_MM && middle(psd, PSD_FRONT) < CORNER_MM;
 }
