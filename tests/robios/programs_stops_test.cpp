@@ -17,6 +17,7 @@ namespace eyebridge {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::ProgramRun;
@@ -53,8 +54,9 @@ TEST(RobotsThatStop, ACrashInTheMiddleOfPrintingLeavesTheOthersTheirOutput) {
     const ProgramRun r = run_stopping("prints nothing", clock);
     EXPECT_EQ(r.exit_code, 139) << r.err;
     EXPECT_THAT(r.out, kOthersAreDone);
-    EXPECT_THAT(r.err, HasSubstr("robot 2: error: the program crashed: Segmentation fault at "
-                                 "address 0x8; it ends, the others go on"));
+    // printf() of a string at 0x8: strlen() of arm64 reads from 0x0 on, where its 16 bytes begin.
+    EXPECT_THAT(r.err, ContainsRegex("robot 2: error: the program crashed: Segmentation fault at "
+                                     "address 0x[08]; it ends, the others go on"));
   }
 }
 
