@@ -170,7 +170,7 @@ TEST_P(NoisyLine, AWallFollowerEndsItsCourse) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, NoisyLine, ::testing::Range(1, 13));
-// Of 8,000 seeds: the board began to answer in text, and was given up.
+// In this one a spoiled byte made the board answer in text, and the host gave it up.
 INSTANTIATE_TEST_SUITE_P(AnswersInText, NoisyLine, ::testing::Values(415));
 
 }  // namespace

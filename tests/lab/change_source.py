@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Changes an unpacked linux-source-6.1 or -6.12 for the lab; ends with a message when it is not as expected.
 
-change_source.py FOLDER BYTES: with room for so many bytes of floating-point and vector registers.
+change_source.py FOLDER BYTES: FOLDER holds the source; BYTES is the room for floating-point and vector registers.
 """
 
 import pathlib
@@ -32,9 +32,9 @@ def main() -> None:
     # needed where there is AMX.
     change(root / "arch/x86/um/user-offsets.c", rf"(DEFINE_LONGS\(HOST_FP_SIZE, ){OLD_ROOM}\)", rf"\g<1>{room})")
 
-    # Whoever empties a tree of directory entries while another process is at some of them tries again at once, until the
-    # other one is through. In simulated time the other one never gets its turn: no time passes, so no tick comes. Wait a
-    # tick. (Seen with /proc, when a program with threads ended.)
+    # shrink_dcache_parent() repeats its loop while another process frees some of the same directory entries. In simulated
+    # time that loop never ends: no time passes, so the timer never lets the other process run. Sleep for one tick instead.
+    # (Seen in /proc when a program with threads ended.)
     change(root / "fs/dcache.c", r"(\t\tcond_resched\(\);\n\t\tif \(!data\.found\)\n\t\t\tbreak;\n)",
            r"\1\t\tschedule_timeout_uninterruptible(1);\n")
 

@@ -3,13 +3,12 @@
 
 machines=${XDG_CACHE_HOME:-$HOME/.cache}/eyebridge/machines
 
-# Prints what this computer lacks for machines in FOLDER; nothing when they can be made. cannot_make_machines FOLDER
+# cannot_make_machines FOLDER: prints why no machine can be made in FOLDER; prints nothing when one can.
 cannot_make_machines() {
   [ "$(id -u)" = 0 ] || { echo "root is needed for mounts"; return; }
   local try
   try=$(mktemp -d "$1/eyebridge-try.XXXXXX")
   mkdir "$try"/{base,changes,work,root}
-  # shellcheck disable=SC2016
   unshare --mount --pid --fork bash -c '
     mount -t overlay overlay -o "volatile,lowerdir=$1/base,upperdir=$1/changes,workdir=$1/work" "$1/root"
   ' try "$try" >/dev/null 2>&1 || echo "$1 cannot hold an overlay of its own (unshare --mount, mount -t overlay)"

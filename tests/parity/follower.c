@@ -31,8 +31,8 @@ static int middle(int (*read)(int), int which) {
   return r[2];
 }
 
-/* Once in some thousand times two of three readings are wrong, and a corner too early ends the
- * course: the wall is looked at twice. */
+/* Two of three readings are wrong once in some thousand times. A corner that is not there ends the
+ * course too early, so the wall must be seen twice. */
 static int wall_ahead(void) {
   return middle(psd, PSD_FRONT) < CORNER_MM && middle(psd, PSD_FRONT) < CORNER_MM;
 }

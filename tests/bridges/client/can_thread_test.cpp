@@ -24,11 +24,11 @@ std::vector<std::string> thread_names() {
   return names;
 }
 
-/// The kernel lists a thread until shortly after it was joined, and by its own name only once it
-/// runs.
-bool becomes(bool present, Clock& clock) {
+/// Waits until the kernel lists the client's thread, or no longer does. It shows the name when the
+/// thread runs, and removes the thread shortly after the join.
+bool wait_until_listed(bool listed, Clock& clock) {
   const Time deadline = clock.now() + 10s;
-  while (::testing::Matches(::testing::Contains("eb:can"))(thread_names()) != present) {
+  while (::testing::Matches(::testing::Contains("eb:can"))(thread_names()) != listed) {
     if (clock.now() > deadline) return false;
     std::this_thread::yield();
   }
@@ -43,7 +43,7 @@ TEST(CanClientThread, LivesByItselfAndEndsWithTheClient) {
   {
     CanClient client(bus.connect("can0"), 3, clock, log);
     client.start();
-    EXPECT_TRUE(becomes(true, clock));
+    EXPECT_TRUE(wait_until_listed(true, clock));
     const auto beat = robot->receive(clock.now() + 10s);
     ASSERT_TRUE(beat) << beat.error().what;
     EXPECT_EQ(text_of(*beat), "70F#05");
@@ -59,7 +59,7 @@ TEST(CanClientThread, LivesByItselfAndEndsWithTheClient) {
       });
     }
   }
-  EXPECT_TRUE(becomes(false, clock));
+  EXPECT_TRUE(wait_until_listed(false, clock));
 }
 
 TEST(CanClientThread, WakesWhoeverWaitsForTheRobot) {
