@@ -57,18 +57,30 @@ struct Dynamic {
   std::vector<std::uint64_t> folders;  ///< Where to look for them, "a:b".
 };
 
-/// Takes the mark off that it is a program, and what would be called too late. elf(5), and
-/// DT_FLAGS_1 of the System V gABI.
-void change(ElfW(Dyn) & entry, Dynamic& dynamic, ProgramFile::Ends& ends) {
+/// Takes the mark off that it is a program, and what would be called too early or too late. elf(5),
+/// and DT_FLAGS_1 of the System V gABI.
+void change(ElfW(Dyn) & entry, Dynamic& dynamic, ProgramFile& file) {
+  const auto take_other = [&](ProgramFile::Functions& functions) {
+    functions.other = std::exchange(entry.d_un.d_ptr, 0);
+    entry.d_tag = DT_DEBUG;  // means nothing in a library
+  };
+  const auto take_count = [&](ProgramFile::Functions& functions) {
+    functions.count = std::exchange(entry.d_un.d_val, 0) / sizeof(ElfW(Addr));
+  };
   if (entry.d_tag == DT_FLAGS_1) {
     entry.d_un.d_val &= ~static_cast<ElfW(Xword)>(DF_1_PIE);
+  } else if (entry.d_tag == DT_INIT_ARRAY) {
+    file.starts.array = entry.d_un.d_ptr;
+  } else if (entry.d_tag == DT_INIT_ARRAYSZ) {
+    take_count(file.starts);
+  } else if (entry.d_tag == DT_INIT) {
+    take_other(file.starts);
   } else if (entry.d_tag == DT_FINI_ARRAY) {
-    ends.functions = entry.d_un.d_ptr;
+    file.ends.array = entry.d_un.d_ptr;
   } else if (entry.d_tag == DT_FINI_ARRAYSZ) {
-    ends.count = std::exchange(entry.d_un.d_val, 0) / sizeof(ElfW(Addr));
+    take_count(file.ends);
   } else if (entry.d_tag == DT_FINI) {
-    ends.last = std::exchange(entry.d_un.d_ptr, 0);
-    entry.d_tag = DT_DEBUG;  // means nothing in a library
+    take_other(file.ends);
   } else if (entry.d_tag == DT_STRTAB) {
     dynamic.names = entry.d_un.d_ptr;
   } else if (entry.d_tag == DT_NEEDED) {
@@ -155,7 +167,7 @@ void prepare(const fs::path& program, ProgramFile& file) {
   if (header->e_type != ET_DYN) {
     refuse(program, std::string("found a program for a fixed address") + kExpected);
   }
-  const auto* segments = at<ElfW(Phdr)>(bytes, header->e_phoff, header->e_phnum);
+  auto* segments = at<ElfW(Phdr)>(bytes, header->e_phoff, header->e_phnum);
   if (segments == nullptr) refuse(program, "the program's file is cut off");
   bool is_dynamic = false;
   Dynamic dynamic;
@@ -165,13 +177,15 @@ void prepare(const fs::path& program, ProgramFile& file) {
              "found a program with thread_local variables, which several robots cannot have; "
              "expected global or static ones: each robot has its own");
     }
+    // The addresses of variables stay writable: ProgramVariables changes them.
+    if (segments[i].p_type == PT_GNU_RELRO) segments[i].p_type = PT_NULL;
     if (segments[i].p_type != PT_DYNAMIC) continue;
     const std::size_t count = segments[i].p_filesz / sizeof(ElfW(Dyn));
     auto* entries = at<ElfW(Dyn)>(bytes, segments[i].p_offset, count);
     if (entries == nullptr) refuse(program, "the program's file is cut off");
     is_dynamic = true;
     for (std::size_t k = 0; k < count && entries[k].d_tag != DT_NULL; ++k) {
-      change(entries[k], dynamic, file.ends);
+      change(entries[k], dynamic, file);
     }
   }
   if (!is_dynamic) refuse(program, std::string("found a static program") + kExpected);

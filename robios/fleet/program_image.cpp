@@ -54,37 +54,6 @@ std::string fresh_name(int descriptor) {
 
 }  // namespace
 
-template <class Visit>
-void ProgramImage::visit_copies(Visit visit) const {
-  const ElfW(Sym)* symbols = nullptr;
-  const char* names = nullptr;
-  const ElfW(Rela)* relocations = nullptr;
-  std::size_t size = 0;
-  for (const ElfW(Dyn)* entry = map_->l_ld; entry->d_tag != DT_NULL; ++entry) {
-    // glibc has relocated these addresses on x86-64 and AArch64.
-    if (entry->d_tag == DT_SYMTAB) {
-      symbols = reinterpret_cast<const ElfW(Sym)*>(entry->d_un.d_ptr);
-    } else if (entry->d_tag == DT_STRTAB) {
-      names = reinterpret_cast<const char*>(entry->d_un.d_ptr);
-    } else if (entry->d_tag == DT_RELA) {
-      relocations = reinterpret_cast<const ElfW(Rela)*>(entry->d_un.d_ptr);
-    } else if (entry->d_tag == DT_RELASZ) {
-      size = entry->d_un.d_val;
-    }
-  }
-  if (symbols == nullptr || names == nullptr || relocations == nullptr) return;
-#if defined(__aarch64__)
-  constexpr std::uint32_t kCopy = R_AARCH64_COPY;
-#else
-  constexpr std::uint32_t kCopy = R_X86_64_COPY;
-#endif
-  for (const ElfW(Rela)* one = relocations; one != relocations + size / sizeof *one; ++one) {
-    if (ELF64_R_TYPE(one->r_info) != kCopy) continue;
-    const ElfW(Sym)& symbol = symbols[ELF64_R_SYM(one->r_info)];
-    visit(names + symbol.st_name, map_->l_addr + one->r_offset, symbol.st_size);
-  }
-}
-
 std::unique_ptr<ProgramImage> ProgramImage::load(const std::filesystem::path& program) {
   const ProgramFile& file = ProgramFile::of(program);
   if (!file.own_library.empty()) {
@@ -97,7 +66,7 @@ std::unique_ptr<ProgramImage> ProgramImage::load(const std::filesystem::path& pr
 std::unique_ptr<ProgramImage> ProgramImage::load(const std::filesystem::path& program,
                                                  const ProgramFile& file) {
   const UniqueFd memory = in_memory(program, file.bytes);
-  std::unique_ptr<ProgramImage> image(new ProgramImage(file.ends));
+  std::unique_ptr<ProgramImage> image(new ProgramImage(program, file.ends));
   image->handle_ = dlopen(fresh_name(memory.get()).c_str(), RTLD_NOW | RTLD_LOCAL);
   if (image->handle_ == nullptr) {
     refuse_image(program, std::string("cannot be loaded for a robot: ") + dlerror());
@@ -108,7 +77,8 @@ std::unique_ptr<ProgramImage> ProgramImage::load(const std::filesystem::path& pr
                  "found a program that hides its main(); expected one built with eyebridge-cc or "
                  "eyebridge-c++, without -no-pie and -static");
   }
-  image->complete_copies();
+  image->variables_ = ProgramVariables(*image->map_);
+  image->start(file.starts);
   return image;
 }
 
@@ -144,33 +114,22 @@ const link_map* ProgramImage::around(const void* address) {
   return map != nullptr && std::string_view(map->l_name).starts_with(kImages) ? map : nullptr;
 }
 
+void ProgramImage::start(const ProgramFile::Functions& starts) {
+  if (starts.other != 0) reinterpret_cast<void (*)()>(map_->l_addr + starts.other)();
+  // glibc gives constructors what it gives main().
+  const auto* functions = reinterpret_cast<const Main*>(map_->l_addr + starts.array);
+  for (std::size_t i = 0; i < starts.count; ++i) functions[i](1, words_.data(), environ);
+}
+
 void ProgramImage::finish(bool is_quick, int status) {
   ExitHandlers::run(*map_, is_quick, status);
   if (is_quick) return;
   using Function = void (*)();
-  const auto* functions = reinterpret_cast<const Function*>(map_->l_addr + ends_.functions);
+  const auto* functions = reinterpret_cast<const Function*>(map_->l_addr + ends_.array);
   while (ends_.count > 0) functions[--ends_.count]();
-  if (const std::uint64_t last = std::exchange(ends_.last, 0); last != 0) {
+  if (const std::uint64_t last = std::exchange(ends_.other, 0); last != 0) {
     reinterpret_cast<Function>(map_->l_addr + last)();
   }
-}
-
-void* ProgramImage::variable(const std::string& name) const {
-  void* found = nullptr;
-  visit_copies([&](const char* copy, ElfW(Addr) place, std::size_t) {
-    if (name == copy) found = reinterpret_cast<void*>(place);
-  });
-  return found;
-}
-
-void ProgramImage::complete_copies() {
-  visit_copies([](const char* name, ElfW(Addr) place, std::size_t size) {
-    const auto original = reinterpret_cast<ElfW(Addr)>(dlsym(RTLD_DEFAULT, name));
-    auto* const words = reinterpret_cast<ElfW(Addr)*>(place);
-    for (std::size_t i = 0; i < size / sizeof *words; ++i) {
-      if (words[i] >= original && words[i] - original < size) words[i] += place - original;
-    }
-  });
 }
 
 }  // namespace eyebridge::robios

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <filesystem>
@@ -7,6 +8,7 @@
 #include <string>
 
 #include "program_file.hpp"
+#include "program_variables.hpp"
 
 struct link_map;
 
@@ -35,7 +37,7 @@ class ProgramImage {
 
   [[nodiscard]] Main main() const { return main_; }
   /// Where the image has its copy of a library's variable; null when it has none.
-  [[nodiscard]] void* variable(const std::string& name) const;
+  [[nodiscard]] void* variable(const std::string& name) const { return variables_.find(name); }
   /// That of any copy in which `address` lies; null when it lies in none. Also while one is being
   /// loaded.
   static const link_map* around(const void* address);
@@ -47,20 +49,21 @@ class ProgramImage {
   void finish(bool is_quick, int status);
 
  private:
-  explicit ProgramImage(const ProgramFile::Ends& ends) : ends_(ends) {}
+  ProgramImage(const std::filesystem::path& program, const ProgramFile::Functions& ends)
+      : name_(program.string()), ends_(ends) {}
   static std::unique_ptr<ProgramImage> load(const std::filesystem::path& program,
                                             const ProgramFile& file);
   bool share();
-  /// visit(name, address, size) of each copy that it has of a library's variable.
-  template <class Visit>
-  void visit_copies(Visit visit) const;
-  /// What points into itself, as std::cout, still points into the library's.
-  void complete_copies();
+  /// Calls the constructors of the program's objects.
+  void start(const ProgramFile::Functions& starts);
 
   void* handle_ = nullptr;  ///< Never closed: threads may still need it.
   const link_map* map_ = nullptr;
   Main main_ = nullptr;
-  ProgramFile::Ends ends_;  ///< What is still to be called.
+  std::string name_;
+  std::array<char*, 2> words_{name_.data(), nullptr};  ///< A constructor may keep them.
+  ProgramVariables variables_;
+  ProgramFile::Functions ends_;  ///< What is still to be called.
   std::atomic<std::size_t> users_ = 1;
 };
 

@@ -1,4 +1,5 @@
 // Several robots that run programs in one process.
+#include <map>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -20,14 +21,16 @@ using ::testing::StartsWith;
 using testing::trace_of;
 
 TEST(SeveralRobots, EachHasItsOwnVariablesTimeAndNumber) {
-  const auto r = run_named("several", several("3"));
-  EXPECT_EQ(r.exit_code, 0) << r.err;
-  EXPECT_THAT(sorted_lines(r.out),
-              ElementsAre("1: counted 6 calls 6 mine 3 camera 160 x 10 at 600 alone",
-                          "2: counted 7 calls 7 mine 7 camera 320 x 20 at 700 alone",
-                          "3: counted 8 calls 8 mine 10 camera 320 x 40 at 800 alone"))
-      << r.err;
-  EXPECT_THAT(r.err, HasSubstr("eyebridge: 3 robots, "));
+  for (const char* program : {"several", "several_by_table"}) {
+    const auto r = run_named(program, several("3"));
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    EXPECT_THAT(sorted_lines(r.out),
+                ElementsAre("1: counted 6 calls 6 mine 3 camera 160 x 10 at 600 alone",
+                            "2: counted 7 calls 7 mine 7 camera 320 x 20 at 700 alone",
+                            "3: counted 8 calls 8 mine 10 camera 320 x 40 at 800 alone"))
+        << r.err;
+    EXPECT_THAT(r.err, HasSubstr("eyebridge: 3 robots, "));
+  }
 }
 
 TEST(SeveralRobots, VariablesAreSharedWhenAskedFor) {
@@ -68,8 +71,9 @@ TEST(SeveralRobots, AnEndOfAnyKindIsThatRobotsOwn) {
 }
 
 TEST(SeveralRobots, EachHasTheStreamsOfCpp) {
-  for (const auto& clock : testing::kClocks) {
-    const auto r = run_named("several_streams", several("6", clock));
+  const auto expect_own = [](const std::string& program,
+                             const std::map<std::string, std::string>& variables) {
+    const auto r = run_named(program, variables);
     EXPECT_EQ(r.exit_code, 0) << r.err;
     EXPECT_THAT(
         sorted_lines(r.out),
@@ -80,7 +84,9 @@ TEST(SeveralRobots, EachHasTheStreamsOfCpp) {
     EXPECT_THAT(r.err, HasSubstr("eyebridge: 6 robots, "));  // though wide characters came before
     EXPECT_THAT(r.err, AllOf(HasSubstr("robot 1 errs\n"), HasSubstr("robot 3 errs\n"),
                              HasSubstr("robot 1 logs\n"), HasSubstr("robot 3 logs\n")));
-  }
+  };
+  for (const auto& clock : testing::kClocks) expect_own("several_streams", several("6", clock));
+  expect_own("several_streams_by_table", several("6"));
 }
 
 #if !defined(__SANITIZE_ADDRESS__)  // whose heap is another one
