@@ -27,7 +27,8 @@ int main()
         printf("range %d, bad range %d\n", SERVORange(1, 50, 250), SERVORange(1, 250, 50));
         for (i = 0; i <= 255; i += 85) { SERVOSet(1, i); SERVOSetRaw(2, 255 - i); OSWait(100); }
         SERVOSet(1, 128); SERVOSet(2, 128);
-        printf("bad servo %d, bad angle %d\n", SERVOSet(99, 0), SERVOSet(1, 999));
+        i = SERVOSet(1, 999);
+        printf("bad servo %d, bad angle %d\n", SERVOSet(99, 0), i);
         break;
       case KEY3:
         printf("controller %s\n", VWControl(70, 30, 70, 10) ? "cannot be set" : "set");

@@ -16,7 +16,8 @@ int main()
   printf("line 9: %d, line 1: %d\n", DIGITALRead(9), DIGITALRead(1));
   DIGITALWrite(9, 0);
   printf("line 9: %d, all %s\n", DIGITALRead(9), DIGITALReadAll() >= 0 ? "fine" : "bad");
-  printf("line 17: %d, letter x: %d\n", DIGITALWrite(17, 1), DIGITALSetup(2, 'x'));
+  i = DIGITALSetup(2, 'x');
+  printf("line 17: %d, letter x: %d\n", DIGITALWrite(17, 1), i);
   ANALOGRecord(8, 200);
   OSWait(300);
   n = ANALOGTransfer(sample);

@@ -16,7 +16,11 @@ int main()
     printf("PSD %d %s\n", i, n[i] < 0 ? "is not there" : "works");
   }
   printf("down: %d, front left: %d\n", PSDGet(PSD_DOWN), PSDGet(PSD_FL));
-  for (i = 1; i <= 4; i++) printf("motor %d: %d, encoder %d: %d\n", i, MOTORDrive(i, 0), i, ENCODERRead(i));
+  for (i = 1; i <= 4; i++)
+  { int encoder = ENCODERRead(i);
+    int motor = MOTORDrive(i, 0);
+    printf("motor %d: %d, encoder %d: %d\n", i, motor, i, encoder);
+  }
   for (i = 0; i <= 4; i++) printf("servo %d: %d\n", i, SERVOSet(i, 100));
   printf("robot 7: %d\n", SIMSetRobot(7, 100, 100, 0, 0));
   printf("stalled: %d\n", VWStalled());
