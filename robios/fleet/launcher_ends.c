@@ -79,14 +79,19 @@ EXPORTED int on_exit(void (*function)(int, void*), void* argument) {
   return next_on_exit(function, argument);
 }
 
-/* Those of the C library call an exit() of its own. */
+/* Those of the C library call an exit() of its own. A line is written in pieces: the lock keeps it
+   in one when two robots end at the same time. */
 EXPORTED void verr(int code, const char* format, va_list arguments) {
+  flockfile(stderr);
   vwarn(format, arguments);
+  funlockfile(stderr);
   exit(code);
 }
 
 EXPORTED void verrx(int code, const char* format, va_list arguments) {
+  flockfile(stderr);
   vwarnx(format, arguments);
+  funlockfile(stderr);
   exit(code);
 }
 
@@ -106,6 +111,7 @@ EXPORTED void error(int code, int number, const char* format, ...) {
   va_list arguments;
   va_start(arguments, format);
   fflush(stdout);
+  flockfile(stderr);
   if (error_print_progname != NULL) {
     error_print_progname();
   } else {
@@ -115,6 +121,7 @@ EXPORTED void error(int code, int number, const char* format, ...) {
   va_end(arguments);
   if (number != 0) fprintf(stderr, ": %s", strerror(number));
   fputc('\n', stderr);
+  funlockfile(stderr);
   ++error_message_count;
   if (code != 0) exit(code);
 }
