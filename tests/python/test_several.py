@@ -168,7 +168,9 @@ class Several(ProgramTest):
         for clock in CLOCKS:
             run = self.run_scenario(*["ends.py"] * 5, settings=clock)
             self.assertEqual(run.returncode, 3, run.err)
-            self.assertRegex(run.out, r"^robot 5 is left at 1[1-9]00\n$")
+            # In real time later than that, on a slow computer.
+            self.assertRegex(run.out, r"^robot 5 is left at \d+\n$")
+            self.assertGreaterEqual(int(run.out.split()[-1]), 1100)
             self.assertIn("ValueError: no more", run.err)
             self.assertIn("robot 3: error: the program was ended by a signal: Aborted; the others go on", run.err)
             for quiet in ("robot 1: error", "robot 4: error", "robot 5: error"):
