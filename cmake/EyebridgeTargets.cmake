@@ -74,7 +74,7 @@ function(eyebridge_test name)
     add_test(NAME ${name}@${preset}
              COMMAND "${CMAKE_SOURCE_DIR}/cmake/run-shards.sh" $<TARGET_FILE:test_${name}> ${arg_SHARDS})
     # Alone on a computer of two cores: others would only make them late.
-    set_tests_properties(${name}@${preset} PROPERTIES LABELS "${arg_LABEL}" TIMEOUT ${longest} PROCESSORS 2)
+    set_tests_properties(${name}@${preset} PROPERTIES LABELS "${arg_LABEL}" TIMEOUT 300 PROCESSORS 2)
   elseif(arg_CASES AND EYEBRIDGE_TEST_PROGRAMS)
     add_test(NAME ${name}@${preset} COMMAND test_${name} --gtest_brief=1 --gtest_filter=-*/*)
     set_tests_properties(${name}@${preset} PROPERTIES LABELS "${arg_LABEL}" TIMEOUT ${longest})

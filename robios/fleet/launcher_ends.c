@@ -79,8 +79,8 @@ EXPORTED int on_exit(void (*function)(int, void*), void* argument) {
   return next_on_exit(function, argument);
 }
 
-/* Those of the C library call an exit() of its own. A line is written in pieces: the lock keeps it
-   in one when two robots end at the same time. */
+/* Those of the C library call an exit() of its own. They write a line in pieces: the lock keeps the
+   lines of two robots apart that end at the same time. */
 EXPORTED void verr(int code, const char* format, va_list arguments) {
   flockfile(stderr);
   vwarn(format, arguments);
@@ -111,12 +111,10 @@ EXPORTED void error(int code, int number, const char* format, ...) {
   va_list arguments;
   va_start(arguments, format);
   fflush(stdout);
+  /* Not under the lock: a function of the program's may end it. */
+  if (error_print_progname != NULL) error_print_progname();
   flockfile(stderr);
-  if (error_print_progname != NULL) {
-    error_print_progname();
-  } else {
-    fprintf(stderr, "%s: ", program_invocation_name);
-  }
+  if (error_print_progname == NULL) fprintf(stderr, "%s: ", program_invocation_name);
   vfprintf(stderr, format, arguments);
   va_end(arguments);
   if (number != 0) fprintf(stderr, ": %s", strerror(number));

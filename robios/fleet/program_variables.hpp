@@ -8,17 +8,17 @@ struct link_map;
 
 namespace eyebridge::robios {
 
-/// The variables of libraries of which a program's image has copies of its own, as a program alone
-/// has them: the library's variables (CAMWIDTH and the like) and the standard streams of C++.
+/// A program image's own copies of library variables: ours (CAMWIDTH and the like) and the standard
+/// streams of C++. Without them all robots would share one variable.
 ///
-/// How a program reaches a library's variable depends on the compiler. By a copy relocation (what
-/// g++ and clang do on x86-64) the dynamic linker makes the copy. By the global offset table (on
-/// arm64, and everywhere with -fPIC) the program reaches the library's own; here it gets a copy.
+/// The compiler decides how a program reaches a library's variable. With a copy relocation (x86-64)
+/// the dynamic linker makes the copy. With the global offset table (arm64, and -fPIC everywhere)
+/// the program uses the library's variable; this class makes a copy and changes the table.
 class ProgramVariables {
  public:
   ProgramVariables() = default;
-  /// Of an image that is loaded, but for the constructors of its objects. Its relocated addresses
-  /// must still be writable (ProgramFile).
+  /// `image` is loaded and its constructors have not run. Its relocated addresses must be writable
+  /// (ProgramFile).
   explicit ProgramVariables(const link_map& image);
 
   /// Where the image has its copy of the variable `name`; null when it has none.

@@ -68,13 +68,14 @@ delete_machine() {
 # clone_into FOLDER: a fresh clone of this tree, changes that are not committed included, at the same path as here. The same path
 # lets ccache find what it knows.
 clone_into() {
-  local target=$1/changes$PWD folder=$PWD
+  local target=$1/changes$PWD folder=$PWD base
+  base=$(cat "$1/base")
   rm -rf "$target"
   mkdir -p "$target"
-  # They cover those of the machine: apt needs a /tmp that everybody may write to.
+  # These new folders hide the machine's own, so they get the same modes: apt needs a /tmp that everybody may write to.
   until [ "$folder" = / ]; do
     folder=$(dirname "$folder")
-    [ ! -d "$(cat "$1/base")$folder" ] || chmod --reference="$(cat "$1/base")$folder" "$1/changes$folder"
+    [ ! -d "$base$folder" ] || chmod --reference="$base$folder" "$1/changes$folder"
   done
   git clone -q --no-hardlinks "$PWD" "$target"
   git ls-files -z -mo --exclude-standard | while IFS= read -r -d '' file; do
