@@ -62,7 +62,7 @@ class OneSensorRobot final : public Backend {
   camera::Source* camera_source() override { return nullptr; }
   std::vector<DeviceFacts> facts_of(std::string_view) override { return {}; }
   void trace_to(TraceSink*) override {}
-  void stop() noexcept override {}
+  Result<void> stop() noexcept override { return {}; }
 
  private:
   TestClock clock_;

@@ -96,7 +96,9 @@ int run_plan(SweepPlan plan, const RunChoices& choices,
   if (link && link->rank() > 0) {
     prepared.settings.jobs = 1;
     serve_rank(*link, prepared.cells, prepared.settings, prepared.problem);
-    return prepared.problem.empty() ? kFine : kBadInput;
+    // Rank 0 says what is wrong. Where another rank failed first, Open MPI 5 would end them all
+    // before its words are out.
+    return kFine;
   }
   // Only one process opens the results.
   std::unique_ptr<ResultsFile> results;

@@ -44,7 +44,7 @@ std::string printable(std::string_view text) {
 }
 
 void read_report(Outcome& outcome, const std::filesystem::path& path) {
-  constexpr std::string_view kColumns[] = {"time",       "distance",   "collisions",
+  constexpr std::string_view kColumns[] = {"time",       "distance",   "collisions", "stuck",
                                            "state_hash", "trace_hash", "ended"};
   std::ifstream file(path);
   std::map<std::string, std::string> entries;

@@ -27,18 +27,21 @@ def drive(one, keep_going, belief_space, path):
         if math.dist(pose, last) > 0.02:  # metres and radians alike: it moves
             last, since = pose, time.time()
         elif time.time() - since > 1.0:
-            one.set_twist(-0.1)
-            time.sleep(0.5)
+            back_off(one)
             return
+
+
+def back_off(one):
+    """Half a second back, where it came from."""
+    one.set_twist(-0.1)
+    time.sleep(0.5)
+    one.set_twist(0.0)
 
 
 def way_on(grid, place, radius):
     """To the nearest border of the unknown; nearer to walls than it would like to be, if it must. None: all is known."""
-    for margin in (MARGIN, 0.01, -0.02):
-        try:
-            path = eyebridge.explore(grid, place, radius=radius + margin, smallest=3)
-        except ValueError:  # so near to a wall does it stand
-            continue
+    for margin in (MARGIN, 0.01):
+        path = eyebridge.explore(grid, place, radius=radius + margin, smallest=3)
         if path is not None:
             return path
     return None
@@ -52,7 +55,11 @@ def run(robot, keep_going, belief_space, map_space, interact):
         belief_space.update(one)
     while keep_going():
         x, y, theta = belief_space.robot(one)
-        path = way_on(belief_space.grid, (x, y), one.radius)
+        try:
+            path = way_on(belief_space.grid, (x, y), one.radius)
+        except ValueError:  # so near to a wall does it stand
+            back_off(one)
+            continue
         if path is None:
             break
         drive(one, keep_going, belief_space, path)

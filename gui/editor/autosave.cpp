@@ -86,6 +86,7 @@ Plan Autosave::left() const {
   plan.width = ground.width;
   plan.height = ground.height;
   plan.texture = ground.floor_texture;
+  plan.water = ground.water;
   plan.walls = ground.walls;
   plan.starts = ground.starts;
   const QString letters = kept["letters"].toString();

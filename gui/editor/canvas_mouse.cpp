@@ -279,8 +279,10 @@ void Canvas::finish_wall(Vec2 end) {
   const Vec2 start = *chain_;
   Item added;
   const Plan& plan = document_.plan();
-  // Like the wall drawn before it.
-  const world::Wall like = plan.walls.empty() ? world::Wall{} : plan.walls.back();
+  // Like the wall drawn before it; the first one like those of files.
+  world::Wall like;
+  like.thickness = world::Wall::kFileThickness;
+  if (!plan.walls.empty()) like = plan.walls.back();
   document_.edit(tr("Draw wall"),
                  [&](Plan& changed) { added = add_wall(changed, start, end, like); });
   document_.select({added});

@@ -60,6 +60,7 @@ class MazeTrial {
 
   void refuse_others() const {
     if (plan_.texture) throw NoFit{tr("it has a floor texture: a maze cannot name one")};
+    if (plan_.water) throw NoFit{tr("it has water: a maze cannot say how deep")};
     if (plan_.walls.empty()) throw NoFit{tr("it has no wall: a maze has one at least")};
     if (!all_things_) return;
     if (!plan_.markers.empty()) {
@@ -98,7 +99,9 @@ class MazeTrial {
 
   void take_wall(const world::Wall& wall) {
     const QString name = tr("the wall from %1 to %2").arg(at(wall.a), at(wall.b));
-    if (wall.thickness != 0 || wall.height != world::Wall::kDefaultHeight ||
+    // A maze file cannot say a thickness: walls of the default thickness become lines.
+    const bool is_bare = wall.thickness == 0 || wall.thickness == world::Wall::kFileThickness;
+    if (!is_bare || wall.height != world::Wall::kDefaultHeight ||
         wall.colour != world::Wall::kDefaultColour) {
       throw NoFit{tr("%1 has a thickness, height or colour of its own: a maze's walls are bare "
                      "lines, all alike")

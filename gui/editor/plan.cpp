@@ -11,9 +11,10 @@ char upper_letter(char c) { return static_cast<char>(std::toupper(static_cast<un
 }  // namespace
 
 bool same_plan(const Plan& a, const Plan& b) {
-  return a.width == b.width && a.height == b.height && a.texture == b.texture && a.cell == b.cell &&
-         a.walls == b.walls && a.starts == b.starts && a.things == b.things &&
-         a.markers == b.markers && files::same_meaning(sim_of(a), sim_of(b));
+  return a.width == b.width && a.height == b.height && a.texture == b.texture &&
+         a.water == b.water && a.cell == b.cell && a.walls == b.walls && a.starts == b.starts &&
+         a.things == b.things && a.markers == b.markers &&
+         files::same_meaning(sim_of(a), sim_of(b));
 }
 
 bool has(const Plan& plan, const Item& item) {
@@ -127,6 +128,7 @@ Plan empty_plan(double width, double height) {
   plan.width = width;
   plan.height = height;
   plan.walls = world::walls_around(width, height);
+  for (world::Wall& wall : plan.walls) wall.thickness = world::Wall::kFileThickness;
   return plan;
 }
 
@@ -136,6 +138,7 @@ world::WorldModel ground_of(const Plan& plan, bool letters) {
   ground.height = plan.height;
   ground.walls = plan.walls;
   ground.floor_texture = plan.texture;
+  ground.water = plan.water;
   ground.starts = plan.starts;
   if (!letters) {
     for (world::StartPose& start : ground.starts) start.letter = 0;

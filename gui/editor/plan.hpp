@@ -26,7 +26,8 @@ struct Plan {
   double width = 0.0;   ///< Of the floor.
   double height = 0.0;  ///< Of the floor.
   std::optional<std::string> texture;
-  std::optional<double> cell;  ///< Of the maze that it is to be; none: any.
+  std::optional<double> water;  ///< Its depth, as the world says; a simulation's is in `rest`.
+  std::optional<double> cell;   ///< Of the maze that it is to be; none: any.
   std::vector<world::Wall> walls;
   std::vector<world::StartPose> starts;
   std::vector<Thing> things;

@@ -69,6 +69,7 @@ void take_ground(const std::filesystem::path& path, PlanFiles& files) {
   plan.width = ground.width;
   plan.height = ground.height;
   plan.texture = ground.floor_texture;
+  plan.water = ground.water;
   plan.walls = ground.walls;
   plan.starts = ground.starts;
   if (ground.maze) plan.cell = ground.maze->cell;

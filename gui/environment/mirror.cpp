@@ -54,6 +54,7 @@ void Mirror::follow(const hal::WorldLook& look) {
     const auto robot = static_cast<robot::RobotIndex>(i);
     if (look.robots[i].is_there) {
       world_->set_pose(robot, look.robots[i].pose);
+      if (look.robots[i].depth) world_->set_altitude(robot, look.robots[i].altitude);
     } else if (world_->is_there(robot)) {
       world_->remove_robot(robot);
     }
@@ -92,8 +93,9 @@ std::vector<SensorRay> Mirror::distance_rays(std::size_t robot) {
   rays.reserve(sensors.size());
   for (std::size_t i = 0; i < sensors.size(); ++i) {
     const double range = ranges_[i];
+    const bool is_seen_from_above = sensors[i].kind != robot::RangeKind::Down;
     rays.push_back(ray(transform(pose, sensors[i].pose_in_robot),
-                       std::min(range, sensors[i].max_range), range));
+                       is_seen_from_above ? std::min(range, sensors[i].max_range) : 0.0, range));
   }
   return rays;
 }

@@ -25,6 +25,26 @@ void enter(QPainter& painter, const Viewport& view, const Pose& pose) {
   painter.rotate(-rad_to_deg(pose.theta));
 }
 
+/// Beside the robot's disc: a bar of water, as deep as the robot dives, with its mark and the depth
+/// in metres.
+void paint_depth(QPainter& painter, const Viewport& view, const world::BodyView& body, double depth,
+                 double deepest) {
+  constexpr double kWidth = 8.0;         // pixels
+  constexpr double kLeastLength = 40.0;  // pixels: it can be read
+  const double radius = body.radius * view.pixels_per_metre();
+  const double length = std::max(2 * radius, kLeastLength);
+  const QPointF centre = view.to_pixel(body.pose.position());
+  const QRectF bar(centre.x() + radius + kWidth, centre.y() - length / 2, kWidth, length);
+  const double mark = bar.top() + (deepest > 0.0 ? std::min(depth / deepest, 1.0) : 0.0) * length;
+  painter.setPen(thin(kWallLine));
+  painter.setBrush(QColor(225, 240, 250));
+  painter.drawRect(bar);
+  painter.fillRect(QRectF(bar.topLeft(), QPointF(bar.right(), mark)), QColor(40, 120, 190));
+  painter.drawLine(QPointF(bar.left() - kWidth / 2, mark), QPointF(bar.right() + kWidth / 2, mark));
+  painter.drawText(QPointF(bar.right() + kWidth, mark + painter.fontMetrics().ascent() / 2.0),
+                   QString("%1 m").arg(depth, 0, 'f', 2));
+}
+
 }  // namespace
 
 QColor colour_of(Rgb colour) { return {colour.r, colour.g, colour.b}; }
@@ -112,6 +132,9 @@ void paint_bodies(QPainter& painter, const Viewport& view, const hal::WorldLook&
     const auto index = static_cast<std::size_t>(robot - look.robots.begin());
     paint_robot(painter, view, body, QString::number(index + 1), chosen == index,
                 robot->stalled != robot::kStallNone);
+    if (robot->depth) {
+      paint_depth(painter, view, body, *robot->depth, *robot->depth + robot->altitude);
+    }
   }
 }
 

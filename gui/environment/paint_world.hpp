@@ -26,7 +26,7 @@ void paint_thing(QPainter& painter, const Viewport& view, const world::BodyView&
 void paint_robot(QPainter& painter, const Viewport& view, const world::BodyView& body,
                  const QString& number, bool is_chosen, bool is_stalled);
 /// Things and robots, these with their numbers and a marker in front. `chosen` has a
-/// ring; a robot that is stalled has one in red.
+/// ring; a robot that is stalled has one in red. A submarine has a gauge of its depth beside it.
 void paint_bodies(QPainter& painter, const Viewport& view, const hal::WorldLook& look,
                   std::optional<std::size_t> chosen);
 void paint_rays(QPainter& painter, const Viewport& view, std::span<const SensorRay> rays,

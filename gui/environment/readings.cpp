@@ -50,6 +50,7 @@ void Readings::show_robot(const hal::WorldLook& look, Mirror& mirror,
     put(tr("robot"),
         QString("%1 (%2)").arg(*robot + 1).arg(QString::fromStdString(seen.model->name)));
     put(tr("pose"), pose_text(seen.pose));
+    if (seen.depth) put(tr("depth"), QString("%1 mm").arg(m_to_mm(*seen.depth), 0, 'f', 0));
     put(tr("odometry"), pose_text(seen.odometry));
     put(tr("speed"), QString("%1 mm/s  %2°/s")
                          .arg(m_to_mm(seen.twist.linear), 0, 'f', 0)

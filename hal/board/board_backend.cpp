@@ -68,7 +68,7 @@ BoardBackend::BoardBackend(std::unique_ptr<Clock> line_clock, std::unique_ptr<Bo
 BoardBackend::~BoardBackend() {
   ending_ = true;
   if (thread_.joinable()) thread_.join();
-  stop();
+  (void)stop();
 }
 
 void BoardBackend::start() {
@@ -130,14 +130,14 @@ Motor* BoardBackend::motor(int id) { return find(motors_, id); }
 Encoder* BoardBackend::encoder(int id) { return find(encoders_, id); }
 Servo* BoardBackend::servo(int id) { return find(servos_, id); }
 
-void BoardBackend::stop() noexcept {
-  // Before the motors: a controller that is at work would start them again.
+Result<void> BoardBackend::stop() noexcept {
   try {
+    // Before the motors: a controller that is at work would start them again.
     if (controller_) controller_->release();
+    return link_->stop();
   } catch (const std::exception&) {
-    // A lock that fails; the motors are stopped all the same.
+    return tl::unexpected(Error{Errc::Disconnected, {}});  // no memory for a text
   }
-  link_->stop();
 }
 
 }  // namespace eyebridge::hal

@@ -66,7 +66,7 @@ class BoardBackend final : public Backend {
   void trace_to(TraceSink* sink) override;
   /// The encoders' ticks per metre, as the HDT says.
   std::vector<DeviceFacts> facts_of(std::string_view kind) override;
-  void stop() noexcept override;
+  Result<void> stop() noexcept override;
 
   [[nodiscard]] BoardLink& link() { return *link_; }
 

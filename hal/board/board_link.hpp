@@ -19,6 +19,14 @@ struct BoardScan {
   std::vector<double> ranges;  ///< Metres, left-most first; kBoardOutOfRange where nothing is seen.
 };
 
+/// What an encoder had counted, and when: on the clock of the line.
+struct BoardCount {
+  std::int32_t ticks = 0;  ///< Since the link was opened, also across a restart of the board; wraps
+                           ///< as 32 bits do.
+  Time at{0};
+  Time within{0};  ///< It may have been so much later: how long the answer took.
+};
+
 /// A board, whatever line and protocol it is behind. Numbers are the board's: see board_units.hpp.
 ///
 /// Every call fails with Timeout or Disconnected while the board cannot be reached, Unsupported
@@ -43,8 +51,7 @@ class BoardLink {
   virtual Result<void> motor_duty(int id, int percent) = 0;
   virtual Result<void> motor_speed(int id, int ticks_per_10ms) = 0;
   virtual Result<void> motor_pid(int id, int p, int i, int d) = 0;
-  /// Ticks since the link was opened, also across a restart of the board; wraps as 32 bits do.
-  virtual Result<std::int32_t> encoder(int id) = 0;
+  virtual Result<BoardCount> encoder(int id) = 0;
   virtual Result<void> servo(int id, int position) = 0;
   /// 0 … 4095.
   virtual Result<int> psd_raw(int id) = 0;
@@ -70,8 +77,9 @@ class BoardLink {
   /// outlive it.
   virtual std::unique_ptr<DriveController> make_drive(const BoardDriveShape& shape) = 0;
 
-  /// All motors stand, as far as the board can be reached. Never throws.
-  virtual void stop() noexcept = 0;
+  /// All motors stand. Fails with why that is not known: the board cannot be reached, or does not
+  /// answer.
+  virtual Result<void> stop() = 0;
   /// To be called every 10 ms by one thread: keeps the link alive and finds lost boards again.
   virtual void look_after() = 0;
   /// Grows whenever the board forgot what it was told, or stands where it was driving.

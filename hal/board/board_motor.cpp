@@ -25,16 +25,16 @@ Result<void> BoardMotor::set_pid(int p, int i, int d) {
 }
 
 Result<int> BoardEncoder::read() {
-  return link_.encoder(id_).map([this](std::int32_t ticks) {
-    const auto counted = static_cast<std::uint32_t>(ticks);
+  return link_.encoder(id_).map([this](const BoardCount& count) {
+    const auto counted = static_cast<std::uint32_t>(count.ticks);
     const std::lock_guard lock(mutex_);
     return static_cast<int>(static_cast<std::int32_t>((reversed_ ? 0 - counted : counted) - zero_));
   });
 }
 
 Result<void> BoardEncoder::reset() {
-  return link_.encoder(id_).map([this](std::int32_t ticks) {
-    const auto counted = static_cast<std::uint32_t>(ticks);
+  return link_.encoder(id_).map([this](const BoardCount& count) {
+    const auto counted = static_cast<std::uint32_t>(count.ticks);
     const std::lock_guard lock(mutex_);
     zero_ = reversed_ ? 0 - counted : counted;
   });

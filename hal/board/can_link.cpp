@@ -44,20 +44,21 @@ Result<void> CanLink::motor_pid(int id, int p, int i, int d) {
   return client_->pid({byte(id), byte(p), byte(i), byte(d)});
 }
 
-Result<std::int32_t> CanLink::encoder(int id) {
+Result<BoardCount> CanLink::encoder(int id) {
   if (!has_encoder(id)) return fail(Errc::Unsupported, "no encoder " + std::to_string(id));
   const std::size_t index = static_cast<std::size_t>(id) - 1;
+  Time at{0};
   const auto ticks = [&]() -> Result<std::int32_t> {
     if (id <= 2) {
-      return client_->latest<can::Encoder12Status>().map(
+      return client_->latest<can::Encoder12Status>(&at).map(
           [&](const can::Encoder12Status& status) { return status.ticks[index]; });
     }
-    return client_->latest<can::Encoder34Status>().map(
+    return client_->latest<can::Encoder34Status>(&at).map(
         [&](const can::Encoder34Status& status) { return status.ticks[index - 2]; });
   }();
   return ticks.map([&](std::int32_t count) {
     const std::lock_guard lock(mutex_);
-    return counters_[index].feed32(count, client_->generation());
+    return BoardCount{counters_[index].feed32(count, client_->generation()), at, Time{0}};
   });
 }
 

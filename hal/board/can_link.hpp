@@ -29,7 +29,7 @@ class CanLink final : public BoardLink {
   Result<void> motor_duty(int id, int percent) override;
   Result<void> motor_speed(int id, int ticks_per_10ms) override;
   Result<void> motor_pid(int id, int p, int i, int d) override;
-  Result<std::int32_t> encoder(int id) override;
+  Result<BoardCount> encoder(int id) override;
   Result<void> servo(int id, int position) override;
   Result<int> psd_raw(int id) override;
   Result<double> psd_metres(int id) override;
@@ -43,7 +43,7 @@ class CanLink final : public BoardLink {
   Result<int> remote_key() override;
   Result<void> scan(BoardScan& out) override;
   std::unique_ptr<DriveController> make_drive(const BoardDriveShape& shape) override;
-  void stop() noexcept override { client_->stop(); }
+  Result<void> stop() override { return client_->stop(); }
   void look_after() override {}  // the client has a thread of its own
   [[nodiscard]] std::uint32_t generation() const override { return client_->generation(); }
 

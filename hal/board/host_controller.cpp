@@ -1,6 +1,10 @@
 #include "board/host_controller.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
 
 namespace eyebridge::hal {
 namespace {
@@ -17,8 +21,8 @@ constexpr Time kPatience = 500ms;
 // a speed holds until the period after the one in which it came.
 constexpr double kDeadTime = 0.015;  // seconds
 
-constexpr Time kTogether = 4ms;
-constexpr Time kLongestPair = 50ms;  // beyond, a pair says nothing of what is usual
+constexpr Time kPrompt = 3ms;
+constexpr Time kLongestUsual = 200ms;  // beyond, a reply says nothing of what is usual
 constexpr int kAttempts = 3;
 
 HostDriveSettings settings_of(const BoardDriveShape& shape) {
@@ -32,20 +36,36 @@ HostDriveSettings settings_of(const BoardDriveShape& shape) {
 HostController::HostController(BoardLink& link, Clock& clock, const BoardDriveShape& shape)
     : link_(link), clock_(clock), drive_(settings_of(shape)), heard_(clock.now()) {}
 
-// Two counts of a robot that drives on between them look like a turn: a pair that took much longer
-// than others is read again.
-Result<WheelCounts> HostController::read_counts() {
+Result<BoardCount> HostController::prompt_count(int encoder) {
   for (int attempt = 1;; ++attempt) {
-    const Time start = clock_.now();
-    const auto left = link_.encoder(1);
-    if (!left) return tl::unexpected(left.error());
-    const auto right = link_.encoder(2);
-    if (!right) return tl::unexpected(right.error());
-    const Time took = clock_.now() - start;
-    const bool together = took <= std::max<Time>(kTogether, 2 * usual_pair_);
-    usual_pair_ += (std::min(took, kLongestPair) - usual_pair_) / 8;
-    if (together || attempt == kAttempts) return WheelCounts{*left, *right};
+    auto count = link_.encoder(encoder);
+    if (!count) return count;
+    if (usual_answer_ == Time{0}) usual_answer_ = count->within;
+    const bool prompt = count->within <= std::max<Time>(kPrompt, 2 * usual_answer_);
+    usual_answer_ += (std::min(count->within, kLongestUsual) - usual_answer_) / 8;
+    if (prompt || attempt == kAttempts) return count;
   }
+}
+
+// The right wheel is asked a reply later than the left one, and a robot that drives on meanwhile
+// would look as if it had turned. Where it was at the left one's time lies between its last counts.
+Result<HostController::TimedCounts> HostController::read_counts() {
+  const std::optional<BoardCount> before = std::exchange(right_, std::nullopt);
+  const auto left = prompt_count(1);
+  if (!left) return tl::unexpected(left.error());
+  const auto right = prompt_count(2);
+  if (!right) return tl::unexpected(right.error());
+  right_ = *right;
+  TimedCounts counts{{left->ticks, right->ticks}, left->at};
+  if (before && before->at < left->at && left->at < right->at) {
+    const double share = to_seconds(right->at - left->at) / to_seconds(right->at - before->at);
+    const auto moved = static_cast<std::int32_t>(static_cast<std::uint32_t>(right->ticks) -
+                                                 static_cast<std::uint32_t>(before->ticks));
+    const auto back = static_cast<std::uint32_t>(std::lround(share * moved));
+    counts.wheels.right =
+        static_cast<std::int32_t>(static_cast<std::uint32_t>(right->ticks) - back);
+  }
+  return counts;
 }
 
 void HostController::step() {
@@ -57,7 +77,7 @@ void HostController::step() {
     const std::lock_guard lock(mutex_);
     note(counts, now);
     if (counts) {
-      speeds = drive_.step(*counts, now).value_or(WheelSpeeds{});
+      speeds = drive_.step(counts->wheels, counts->at, now - counts->at).value_or(WheelSpeeds{});
     } else if (const auto unheard = speeds_unheard(counts.error(), now)) {
       speeds = *unheard;
     } else {
@@ -68,7 +88,7 @@ void HostController::step() {
   send(speeds, now);
 }
 
-void HostController::note(const Result<WheelCounts>& counts, Time now) {
+void HostController::note(const Result<TimedCounts>& counts, Time now) {
   if (counts) {
     trouble_.reset();
     heard_ = now;
@@ -99,6 +119,17 @@ Result<void> HostController::check() const {
   return fail(Errc::Timeout, "drive: the board has not told its encoders for half a second");
 }
 
+// Beyond, the drive would steer by what the robot did long ago.
+Result<void> HostController::check_line() const {
+  constexpr double kSlowest = 0.3;  // seconds
+  if (drive_.cycle() <= kSlowest) return {};
+  return fail(Errc::Timeout,
+              fmt::format("drive: the board tells both its encoders only every {:.0f} ms; expected "
+                          "at most {:.0f} ms to drive by them: a faster line, or profile=io7vw "
+                          "where the board can drive by itself",
+                          drive_.cycle() * 1e3, kSlowest * 1e3));
+}
+
 void HostController::send(const WheelSpeeds& speeds, Time now) {
   if (sent_ == speeds && now - sent_at_ < kRepeat) return;
   sent_.reset();
@@ -109,8 +140,9 @@ void HostController::send(const WheelSpeeds& speeds, Time now) {
 
 Result<void> HostController::set_speed(const Twist& twist) {
   const std::lock_guard lock(mutex_);
-  auto checked = check();
   const bool stop = twist.linear == 0.0 && twist.angular == 0.0;
+  auto checked = check();
+  if (checked && !stop) checked = check_line();
   // A stop is obeyed as soon as anything is, though it cannot be promised.
   if (checked || stop) {
     goal_lost_ = false;
@@ -122,7 +154,7 @@ Result<void> HostController::set_speed(const Twist& twist) {
 
 Result<void> HostController::start(const DriveGoal& goal) {
   const std::lock_guard lock(mutex_);
-  return check().map([&] {
+  return check().and_then([this] { return check_line(); }).map([&] {
     goal_lost_ = false;
     standing_ = false;
     drive_.start(goal);

@@ -29,9 +29,18 @@ class HostController final : public DriveController {
   void step() override;
 
  private:
-  Result<WheelCounts> read_counts();
+  struct TimedCounts {
+    WheelCounts wheels;
+    Time at{0};
+  };
+
+  Result<TimedCounts> read_counts();
+  /// A count that did not take much longer than others, of three at most: of one that did nobody
+  /// knows when the board counted.
+  Result<BoardCount> prompt_count(int encoder);
   [[nodiscard]] Result<void> check() const;                // under mutex_
-  void note(const Result<WheelCounts>& counts, Time now);  // under mutex_
+  [[nodiscard]] Result<void> check_line() const;           // under mutex_
+  void note(const Result<TimedCounts>& counts, Time now);  // under mutex_
   void stand();                                            // likewise
   /// What to send while the encoders are not heard; nothing where nothing can be.
   std::optional<WheelSpeeds> speeds_unheard(const Error& why, Time now);  // under mutex_
@@ -39,9 +48,11 @@ class HostController final : public DriveController {
 
   BoardLink& link_;
   Clock& clock_;
-  Time usual_pair_{0};  ///< How long reading two counts takes; only step()'s.
-  std::mutex sending_;  // taken before mutex_: after release() no speed is sent
-  std::mutex mutex_;    // of all below
+  // Only step()'s:
+  std::optional<BoardCount> right_;  ///< The one before.
+  Time usual_answer_{0};             ///< How long a count takes.
+  std::mutex sending_;               // taken before mutex_: after release() no speed is sent
+  std::mutex mutex_;                 // of all below
   HostDrive drive_;
   Time heard_;                    ///< When the encoders were read last.
   std::optional<Error> trouble_;  ///< Why they cannot be read any more.

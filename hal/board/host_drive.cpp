@@ -16,34 +16,45 @@ namespace eyebridge::hal {
 namespace {
 
 constexpr double kPeriodSeconds = 0.01;
-constexpr int kTopTicks = 127;           // of letter M
-constexpr int kMostPeriods = 10;         // that the ramps make up for after a late call
-constexpr std::size_t kMeasured = 5;     // periods: one alone is too coarse for a speed
-constexpr int kStallDebt = 4;            // ticks that a wheel owes before it counts as held …
-constexpr int kStallPeriods = 20;        // … and for how long
-constexpr double kCreepDistance = 1e-4;  // metres: nearer to its goal no motor drives
-constexpr double kCreepAngle = 1e-3;     // radians
+constexpr int kTopTicks = 127;        // of letter M
+constexpr double kLongestStep = 0.1;  // seconds that the ramps make up for after a late call
+// Between two counts nobody knows where the robot is: over a slow line it drives slower.
+constexpr double kFarthestBlind = 0.025;  // metres
+constexpr double kWidestBlind = 0.6;      // radians
+constexpr int kCycles = 8;                // of which `cycle` is an average
+constexpr std::size_t kMeasured = 5;      // periods: one alone is too coarse for a speed
+constexpr int kStallDebt = 4;             // ticks that a wheel owes before it counts as held …
+constexpr int kStallPeriods = 20;         // … and for how long
+constexpr double kCreepDistance = 1e-4;   // metres: nearer to its goal no motor drives
+constexpr double kCreepAngle = 1e-3;      // radians
 
-double speed_step(double acceleration) {
-  return acceleration > 0.0 ? acceleration * kPeriodSeconds
-                            : std::numeric_limits<double>::infinity();
+double speed_step(double acceleration, double seconds) {
+  return acceleration > 0.0 ? acceleration * seconds : std::numeric_limits<double>::infinity();
 }
 
-robot::DriveLimits limits_of(const HostDriveSettings& s) {
+/// For speeds that hold for `seconds`, and counts that usually come every `cycle` seconds.
+robot::DriveLimits limits_of(const HostDriveSettings& s, double seconds, double cycle) {
   assert(s.wheel_base > 0.0 && s.left_ticks_per_metre > 0.0 && s.right_ticks_per_metre > 0.0);
   const double coarser = std::min(s.left_ticks_per_metre, s.right_ticks_per_metre);
   const double finer = std::max(s.left_ticks_per_metre, s.right_ticks_per_metre);
   robot::DriveLimits limits;
-  limits.dt = kPeriodSeconds;
-  limits.linear = s.max_linear;
-  limits.angular = s.max_angular;
-  limits.linear_step = speed_step(s.linear_acceleration);
-  limits.angular_step = speed_step(s.angular_acceleration);
+  limits.dt = seconds;
+  limits.linear = std::min(s.max_linear, kFarthestBlind / cycle);
+  limits.angular = std::min(s.max_angular, kWidestBlind / cycle);
+  limits.linear_step = speed_step(s.linear_acceleration, seconds);
+  limits.angular_step = speed_step(s.angular_acceleration, seconds);
   limits.wheel = kTopTicks / kPeriodSeconds / finer;
   limits.half_base = s.wheel_base / 2;
-  // A goal between two ticks is reached at either of them.
-  limits.distance_end = kCreepDistance + 1.0 / coarser;
-  limits.angle_end = kCreepAngle + 1.0 / coarser / s.wheel_base;
+  // A goal between two ticks is reached at either of them; and the slowest speed is a tick in a
+  // period, held until the next counts.
+  const double ticks = std::max(1.0, seconds / kPeriodSeconds / 2);
+  limits.distance_end = kCreepDistance + ticks / coarser;
+  limits.angle_end = kCreepAngle + ticks / coarser / s.wheel_base;
+  // What is still driven before the next counts come must not lead away from the goal again.
+  if (seconds > kPeriodSeconds) {
+    limits.rest_linear = limits.distance_end / seconds;
+    limits.rest_angular = limits.angle_end / seconds;
+  }
   return limits;
 }
 
@@ -97,7 +108,7 @@ struct Stretch {
 struct HostDrive::Impl {
   explicit Impl(const HostDriveSettings& given)
       : settings(given),
-        controller(limits_of(given)),
+        controller(limits_of(given, kPeriodSeconds, kPeriodSeconds)),
         timeout_periods(static_cast<int>(
             std::clamp(std::ceil(given.stall_timeout / kPeriodSeconds - 1e-9), 1.0, 1e9))) {
     left.reversed = given.left_reversed;
@@ -151,22 +162,21 @@ struct HostDrive::Impl {
     }
   }
 
-  void command(int periods) {
+  /// For speeds that are sent `late` seconds after the counts, and hold for `seconds`.
+  void command(double seconds, double late) {
     if (!engaged || controller.at_rest()) {
       stand();
       return;
     }
-    Twist twist;
-    for (int i = 0; i < std::min(periods, kMostPeriods); ++i) {
-      twist = controller.next(
-          {rolling.linear * settings.motor_lag, rolling.angular * settings.motor_lag});
-      // What the wheels are believed to do: a first-order lag after what is asked of them. The
-      // counts themselves are too coarse for a speed from one period to the next.
-      const double part =
-          settings.motor_lag > kPeriodSeconds ? kPeriodSeconds / settings.motor_lag : 1.0;
-      rolling.linear += part * (twist.linear - rolling.linear);
-      rolling.angular += part * (twist.angular - rolling.angular);
-    }
+    controller.set_limits(limits_of(settings, seconds, cycle));
+    // What was told before goes on until then.
+    const double ahead = settings.motor_lag + late;
+    const Twist twist = controller.next({rolling.linear * ahead, rolling.angular * ahead});
+    // What the wheels are believed to do: a first-order lag after what is asked of them. The
+    // counts themselves are too coarse for a speed from one period to the next.
+    const double part = settings.motor_lag > seconds ? seconds / settings.motor_lag : 1.0;
+    rolling.linear += part * (twist.linear - rolling.linear);
+    rolling.angular += part * (twist.angular - rolling.angular);
     const double turning = twist.angular * settings.wheel_base / 2;
     left.ask(twist.linear - turning);
     right.ask(twist.linear + turning);
@@ -181,6 +191,7 @@ struct HostDrive::Impl {
   std::optional<Time> last;
   std::array<Stretch, kMeasured> recent{};
   std::size_t next_recent = 0;
+  double cycle = kPeriodSeconds;
   Twist measured;  ///< Over all of `recent`.
   Twist latest;    ///< Of the last one alone.
   Twist rolling;
@@ -211,35 +222,39 @@ void HostDrive::release() {
 
 bool HostDrive::engaged() const { return impl_->engaged; }
 
-Result<WheelSpeeds> HostDrive::step(const WheelCounts& counts, Time now) {
+Result<WheelSpeeds> HostDrive::step(const WheelCounts& counts, Time counted, Time late) {
   Impl& self = *impl_;
-  int periods = 1;
+  double seconds = kPeriodSeconds;
   if (self.last) {
-    const Time gap = now - *self.last;
+    const Time gap = counted - *self.last;
     if (gap > kLongestGap) {
-      const double seconds = to_seconds(gap);
       const bool driving = self.controller.state() == robot::DriveState::Driving;
-      const bool counted = gap <= kLongestCount;
-      if (counted) (void)self.roll(counts, 1);
+      const bool is_known = gap <= kLongestCount;
+      if (is_known) (void)self.roll(counts, 1);
       restart();
-      if (counted) self.last = now;
+      if (is_known) self.last = counted;
       self.failed_left = self.failed_right = false;
       if (driving) self.controller.fail();
       return fail(Errc::Timeout, "drive: the encoders were not read for " +
-                                     std::to_string(std::llround(seconds * 1000)) + " ms" +
-                                     (counted ? "" : ": what was driven meanwhile is unknown"));
+                                     std::to_string(std::llround(to_seconds(gap) * 1000)) + " ms" +
+                                     (is_known ? "" : ": what was driven meanwhile is unknown"));
     }
-    periods = static_cast<int>((gap + kPeriod / 2) / kPeriod);
+    const int periods = static_cast<int>((gap + kPeriod / 2) / kPeriod);
     if (periods < 1) return WheelSpeeds{self.left.on_board(), self.right.on_board()};
     self.measure(counts, to_seconds(gap), periods);
+    self.cycle += (to_seconds(gap) - self.cycle) / kCycles;
+    // The next gap is taken to be as long as this one, unless it was an exception.
+    if (periods > 1) seconds = std::min(to_seconds(gap), std::max(kLongestStep, self.cycle));
   } else {
     self.left.count = counts.left;
     self.right.count = counts.right;
   }
-  self.last = now;
-  self.command(periods);
+  self.last = counted;
+  self.command(seconds, to_seconds(late));
   return WheelSpeeds{self.left.on_board(), self.right.on_board()};
 }
+
+double HostDrive::cycle() const { return impl_->cycle; }
 
 void HostDrive::halt() {
   impl_->controller.stop();

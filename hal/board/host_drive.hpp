@@ -35,8 +35,8 @@ struct WheelSpeeds {
   friend bool operator==(const WheelSpeeds&, const WheelSpeeds&) = default;
 };
 
-/// The v-omega drive of a board that has none of its own: encoder counts and the time in, wheel
-/// speeds out, a hundred times a second.
+/// The v-omega drive of a board that has none of its own: encoder counts and their time in, wheel
+/// speeds out, a hundred times a second, or as often as the line to the board lets the counts come.
 ///
 /// The controller, its ramps and its meaning of goals are those of core/robot, fed with what the
 /// encoders measured. Speeds between two whole ticks are reached on average. Pure: no clock, no
@@ -62,12 +62,15 @@ class HostDrive {
   /// True when the speeds of step() are to be sent.
   [[nodiscard]] bool engaged() const;
 
-  /// Takes counts read at `now`, and says how fast the wheels must turn until the next call. Calls
-  /// that come less than half a period after the last one change nothing; after a late one the
-  /// ramps have caught up. Fails once with Timeout when the last call was more than kLongestGap
-  /// ago: a goal has failed, and the robot is to stand. The odometry then has what was driven
-  /// meanwhile, unless that was more than kLongestCount ago.
-  Result<WheelSpeeds> step(const WheelCounts& counts, Time now);
+  /// Takes what the wheels had counted at `counted`, and says how fast they must turn from `late`
+  /// after that until the next call. Calls that come less than half a period after the last one
+  /// change nothing; after a late one the ramps have caught up. Fails once with Timeout when the
+  /// last call was more than kLongestGap ago: a goal has failed, and the robot is to stand. The
+  /// odometry then has what was driven meanwhile, unless that was more than kLongestCount ago.
+  Result<WheelSpeeds> step(const WheelCounts& counts, Time counted, Time late = Time{0});
+  /// How long it usually is from counts to counts, seconds: what the line lets it be. The longer,
+  /// the slower the robot drives at most: some centimetres between two counts.
+  [[nodiscard]] double cycle() const;
   /// Ends what it does: the next step() asks for no speed. Odometry goes on.
   void halt();
   /// The board has restarted: the drive stands, and the next counts are first ones.

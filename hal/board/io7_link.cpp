@@ -14,7 +14,7 @@ namespace io7 = bridges::io7;
 using namespace std::chrono_literals;
 
 // At 127 ticks in 10 ms a 16-bit counter needs 2.5 s for half its range.
-constexpr Time kCountPeriod = 250ms;
+constexpr Time kCountPeriod = 1s;
 constexpr Time kUsualGap =
     25ms;  // after a longer one, which is a line in trouble, all is asked twice
 constexpr double kFastest = 3.0;  // metres per second
@@ -54,8 +54,10 @@ bool Io7Link::has_psd(int id) const {
   return id >= IO7_PSD_FIRST && id <= IO7_PSD_LAST && letters_.has(IO7_PSD);
 }
 
-Result<int> Io7Link::ask(const io7::Request& request) {
-  return client_->exchange(request).map([](const io7::Reply& reply) { return reply.values[0]; });
+Result<int> Io7Link::ask(const io7::Request& request, Time* asked) {
+  return client_->exchange(request, asked).map([](const io7::Reply& reply) {
+    return reply.values[0];
+  });
 }
 
 Result<void> Io7Link::tell(const io7::Request& request) {
@@ -79,36 +81,39 @@ Result<double> Io7Link::psd_metres(int) {
   return fail(Errc::Unsupported, "an IO7 board gives raw readings only; expected a PSD table");
 }
 
-Result<std::int32_t> Io7Link::encoder(int id) {
+// A board counts when it is asked. The answer may lie in a USB adapter for many milliseconds; where
+// the question takes as long as the answer, a command does, too, and the one makes up for the
+// other.
+Result<BoardCount> Io7Link::encoder(int id) {
   if (!has_encoder(id)) return fail(Errc::Unsupported, "no encoder " + std::to_string(id));
   const std::lock_guard lock(counting_);
-  const auto count = plausible_count(id, clock_.now());
-  if (!count) return tl::unexpected(count.error());
+  const auto reading = plausible_count(id, clock_.now());
+  if (!reading) return tl::unexpected(reading.error());
   const std::size_t index = static_cast<std::size_t>(id) - 1;
-  counted_[index] = clock_.now();
-  return counters_[index].feed16(*count, client_->generation());
+  counted_[index] = reading->asked;
+  return BoardCount{counters_[index].feed16(reading->count, client_->generation()), reading->asked,
+                    clock_.now() - reading->asked};
 }
 
 // Raw replies have no checksum: a flipped bit would be a jump of the robot. What the wheel can
 // hardly have done is asked again, and believed when the board insists.
-Result<std::uint16_t> Io7Link::plausible_count(int id, Time now) {
+Result<Io7Link::Reading> Io7Link::plausible_count(int id, Time now) {
   const std::size_t index = static_cast<std::size_t>(id) - 1;
   const auto reach = [this](Time gap) {
     return static_cast<int>(fastest_ * to_seconds(gap)) + kSlackTicks;
   };
   const int most = reach(std::min<Time>(now - counted_[index], kUsualGap));
-  std::optional<int> before;
+  std::optional<Reading> before;
   for (int attempt = 0; attempt < kCounts; ++attempt) {
-    const Time asked = clock_.now();
-    const auto count = ask(io7::encoder(id));
+    Time asked{0};
+    const auto count = ask(io7::encoder(id), &asked);
     if (!count) return tl::unexpected(count.error());
     const auto bits = static_cast<std::uint16_t>(*count);
     const bool near = std::abs(counters_[index].step_to(bits, client_->generation())) <= most;
-    const bool insists =
-        before && std::abs(static_cast<std::int16_t>(static_cast<std::uint16_t>(
-                      bits - static_cast<std::uint16_t>(*before)))) <= reach(clock_.now() - asked);
-    if (near || insists) return bits;
-    before = *count;
+    const bool insists = before && std::abs(static_cast<std::int16_t>(static_cast<std::uint16_t>(
+                                       bits - before->count))) <= reach(clock_.now() - asked);
+    if (near || insists) return Reading{bits, asked};
+    before = Reading{bits, asked};
   }
   return fail(Errc::Corrupt, "encoder " + std::to_string(id) + ": counts that do not fit");
 }
@@ -116,17 +121,6 @@ Result<std::uint16_t> Io7Link::plausible_count(int id, Time now) {
 std::unique_ptr<DriveController> Io7Link::make_drive(const BoardDriveShape& shape) {
   if (!vw_letters_) return nullptr;
   return std::make_unique<Io7Drive>(*client_, shape);
-}
-
-void Io7Link::stop() noexcept {
-  try {
-    if (vw_letters_) (void)tell(io7::request(IO7_VW_SET_SPEED, 0, 0));
-    for (int id = IO7_MOTOR_FIRST; id <= IO7_MOTOR_LAST; ++id) {
-      if (has_motor(id)) (void)motor_duty(id, 0);
-    }
-  } catch (const std::exception&) {
-    // Out of memory for an error's text: the board's own watchdog has to do.
-  }
 }
 
 void Io7Link::tell_parameters() {
@@ -145,12 +139,24 @@ void Io7Link::tell_parameters() {
 void Io7Link::look_after() {
   client_->look_after();
   if (client_->generation() != told_generation_) tell_parameters();
-  if (clock_.now() < next_count_) return;
-  next_count_ = clock_.now() + kCountPeriod;
+  if (const int id = longest_unread(); id != 0) (void)encoder(id);
+}
+
+// One at a time: over a slow line each question is one that the drive has to wait for.
+int Io7Link::longest_unread() {
+  const std::lock_guard lock(counting_);
+  int unread = 0;
+  Time before = clock_.now() - kCountPeriod;
   for (const int id : tables_.encoders) {
     if (!has_encoder(id)) continue;
-    if (const auto count = encoder(id); !count && count.error().code == Errc::Disconnected) return;
+    Time& tried = tried_[static_cast<std::size_t>(id) - 1];
+    tried = std::max(tried, counted_[static_cast<std::size_t>(id) - 1]);
+    if (tried > before) continue;
+    before = tried;
+    unread = id;
   }
+  if (unread != 0) tried_[static_cast<std::size_t>(unread) - 1] = clock_.now();
+  return unread;
 }
 
 }  // namespace eyebridge::hal

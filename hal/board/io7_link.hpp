@@ -31,7 +31,7 @@ class Io7Link final : public BoardLink {
   Result<void> motor_duty(int id, int percent) override;
   Result<void> motor_speed(int id, int ticks_per_10ms) override;
   Result<void> motor_pid(int id, int p, int i, int d) override;
-  Result<std::int32_t> encoder(int id) override;
+  Result<BoardCount> encoder(int id) override;
   Result<void> servo(int id, int position) override;
   Result<int> psd_raw(int id) override;
   Result<double> psd_metres(int id) override;
@@ -45,7 +45,7 @@ class Io7Link final : public BoardLink {
   Result<int> remote_key() override;
   /// By the v-omega letters, when the profile allows them and the board lists all of them.
   std::unique_ptr<DriveController> make_drive(const BoardDriveShape& shape) override;
-  void stop() noexcept override;
+  Result<void> stop() override { return client_->confirm_stop(); }
   void look_after() override;
   [[nodiscard]] std::uint32_t generation() const override { return client_->generation(); }
 
@@ -58,10 +58,17 @@ class Io7Link final : public BoardLink {
     int p = 0, i = 0, d = 0;
   };
 
-  Result<int> ask(const bridges::io7::Request& request);
+  /// `asked`, when not null, becomes the time at which the question that was answered went out.
+  Result<int> ask(const bridges::io7::Request& request, Time* asked = nullptr);
   Result<void> tell(const bridges::io7::Request& request);
-  Result<std::uint16_t> plausible_count(int id, Time now);  // under counting_
+  struct Reading {
+    std::uint16_t count = 0;
+    Time asked{0};
+  };
+  Result<Reading> plausible_count(int id, Time now);  // under counting_
   void tell_parameters();
+  /// The encoder that nobody has read for longest, and for too long; 0: none.
+  int longest_unread();
 
   const std::unique_ptr<bridges::Io7Client> client_;
   Clock& clock_;
@@ -77,7 +84,7 @@ class Io7Link final : public BoardLink {
   std::array<std::optional<Gains>, IO7_MOTOR_LAST> gains_;
   // Only the thread that looks after the link:
   std::uint32_t told_generation_ = 0;
-  Time next_count_{0};
+  std::array<Time, kEncoders> tried_{};
 };
 
 }  // namespace eyebridge::hal

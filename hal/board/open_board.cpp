@@ -63,7 +63,8 @@ BoardTables take_tables(BackendUrl& url, const BackendContext& context) {
   }
   std::vector<Warning> warnings;
   BoardTables tables = read_board_tables(path, warnings);
-  for (const Warning& warning : warnings) context.log.write(Severity::Warning, warning.str());
+  for (const Warning& warning : warnings)
+    context.log.write(Severity::Warning, warning.where.str() + ": " + warning.text);
   return tables;
 }
 
@@ -80,9 +81,10 @@ const SourceLocation& place(const BackendContext& context) {
 
 std::unique_ptr<Backend> io7_board(const BackendContext& context, const BoardTables& tables,
                                    bool vw_letters, bridges::StreamOpener open,
-                                   std::unique_ptr<Clock> clock) {
+                                   std::unique_ptr<Clock> clock, bool guarded) {
   bridges::Io7Settings settings;
   settings.vw_letters = vw_letters;
+  settings.guarded = guarded;
   auto client =
       std::make_unique<bridges::Io7Client>(std::move(open), *clock, context.log, settings);
   if (const auto found = client->connect(); !found) {
@@ -96,13 +98,18 @@ std::unique_ptr<Backend> io7_board(const BackendContext& context, const BoardTab
 
 std::unique_ptr<Backend> can_board(const BackendContext& context, const BoardTables& tables,
                                    int node, std::unique_ptr<bridges::CanBus> bus,
-                                   std::unique_ptr<Clock> clock) {
+                                   std::unique_ptr<Clock> clock, bool guarded) {
   auto client = std::make_unique<bridges::CanClient>(std::move(bus), node, *clock, context.log);
   if (!clock->is_virtual()) client->start();  // else who moves the clock pumps
   if (const auto ready = client->wait_ready(kCanPatience); !ready) {
     throw ConfigError(place(context), ready.error().what +
                                           "; expected that it is switched on, and the same bit "
                                           "rate and terminations at all nodes");
+  }
+  if (guarded) {
+    if (const auto guard = client->guard(); !guard) {
+      throw ConfigError(place(context), guard.error().what);
+    }
   }
   auto link = std::make_unique<CanLink>(std::move(client));
   auto backend = std::make_unique<BoardBackend>(std::move(clock), std::move(link), tables);
@@ -128,7 +135,7 @@ std::unique_ptr<Backend> open_io7_board(
   BackendUrl rest = url;
   const bool vw_letters = take_vw_letters(rest, place(context));
   const BoardTables tables = take_tables(rest, context);
-  return io7_board(context, tables, vw_letters, std::move(open), std::move(clock));
+  return io7_board(context, tables, vw_letters, std::move(open), std::move(clock), false);
 }
 
 std::unique_ptr<Backend> open_io7_board(const BackendUrl& url, const BackendContext& context) {
@@ -140,7 +147,7 @@ std::unique_ptr<Backend> open_io7_board(const BackendUrl& url, const BackendCont
   Clock& time = *clock;
   // What is wrong with the URL is thrown by the first call.
   auto open = [line, where, &time] { return bridges::open_stream(line, where, time); };
-  return io7_board(context, tables, vw_letters, std::move(open), std::move(clock));
+  return io7_board(context, tables, vw_letters, std::move(open), std::move(clock), true);
 }
 
 std::unique_ptr<Backend> open_can_board(const BackendUrl& url, const BackendContext& context,
@@ -148,7 +155,8 @@ std::unique_ptr<Backend> open_can_board(const BackendUrl& url, const BackendCont
                                         std::unique_ptr<Clock> clock) {
   BackendUrl rest = url;
   const int node = take_node(rest, place(context));
-  return can_board(context, can_tables(rest, context), node, std::move(bus), std::move(clock));
+  return can_board(context, can_tables(rest, context), node, std::move(bus), std::move(clock),
+                   false);
 }
 
 std::unique_ptr<Backend> open_can_board(const BackendUrl& url, const BackendContext& context) {
@@ -158,7 +166,7 @@ std::unique_ptr<Backend> open_can_board(const BackendUrl& url, const BackendCont
   const BoardTables tables = can_tables(line, context);
   auto clock = std::make_unique<bridges::MonotonicClock>();
   auto bus = opened(bridges::open_bus(line, where, *clock), where);
-  return can_board(context, tables, node, std::move(bus), std::move(clock));
+  return can_board(context, tables, node, std::move(bus), std::move(clock), true);
 }
 
 }  // namespace eyebridge::hal

@@ -45,12 +45,26 @@ constexpr auto kSettings = std::to_array<Setting>({
     {"step", Kind::Duration, "10ms", "of the simulation", 0.0001, 1.0},
     {"time_limit", Kind::Duration, "", "the run ends after this long on the robot's clock"},
     {"hang_limit", Kind::Duration, "60s",
-     "one of several programs that computes or waits this long without a call is ended (virtual "
-     "time)",
+     "a program that computes this long without a call is ended, and one of several that waits so "
+     "long (virtual time)",
      0.1, 1e6},
     {"stall_timeout", Kind::Duration, "2s", "a movement stalled this long has failed"},
+    {"strict", Kind::Boolean, "false",
+     "a mistake in a world's files ends the run; else what a line breaks is a warning"},
+    {"contact", Kind::Text, "slide",
+     "what a robot does that touches something: slide along it, or stop, as in 2001",
+     -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+     "slide|stop"},
+    {"missing_devices", Kind::Text, "warn",
+     "a call for a device that the robot does not have: warn gives its failure value and says so "
+     "once, error ends the program",
+     -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+     "error|warn"},
     {"cost_scale", Kind::Number, "1", "factor on the time that API calls cost", 0.0, 1000.0},
-    {"keys", Kind::Text, "", "key presses: KEY1@2s,KEY4@10s,IRTV_5@12s; unset: the terminal"},
+    {"keys", Kind::Text, "",
+     "key presses and touches: KEY1@2s,IRTV_5@12s,120:80@3s, of robot 2 alone 2:KEY1@2s; unset: "
+     "the "
+     "terminal"},
     {"lcd", Kind::Size, "560x400", "size of the LCD, pixels", 160, 4096},
     {"panel", Kind::Text, "auto", "where the LCD is shown: in the terminal, or nowhere",
      -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),

@@ -43,14 +43,14 @@ class HandBackend final : public PassingBackend {
   Encoder* encoder(int) override { return nullptr; }
   camera::Source* camera_source() override { return &camera_; }
   HandGuide* hand_guide() override { return &robot_; }
-  void stop() noexcept override {
+  Result<void> stop() noexcept override {
     try {
       robot_.set_speed({});
       display_->finish();
     } catch (...) {
       // A display that has no memory left: there is no motor that could run on.
     }
-    inner_->stop();
+    return inner_->stop();
   }
 
  private:

@@ -24,14 +24,15 @@ class HostBackend final : public PassingBackend {
   }
   Sound* sound() override { return either(inner_->sound(), devices_.sound); }
   Radio* radio() override { return either(inner_->radio(), devices_.radio); }
-  void stop() noexcept override {
-    inner_->stop();
+  Result<void> stop() noexcept override {
+    auto stopped = inner_->stop();
     try {
       // So that the others know at once that it is gone.
       if (devices_.radio) (void)devices_.radio->stop();
     } catch (const std::exception&) {
       // No memory for an error's text: they will miss it.
     }
+    return stopped;
   }
 
  private:

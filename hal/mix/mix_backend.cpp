@@ -106,8 +106,12 @@ class MixBackend final : public Backend {
     return of(kind).facts_of(kind);
   }
   void trace_to(TraceSink* sink) override { main_->trace_to(sink); }
-  void stop() noexcept override {
-    for (const auto& backend : backends_) backend->stop();
+  Result<void> stop() noexcept override {
+    Result<void> all;
+    for (const auto& backend : backends_) {
+      if (auto stopped = backend->stop(); !stopped) all = std::move(stopped);
+    }
+    return all;
   }
 
  private:

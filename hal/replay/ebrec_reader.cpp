@@ -40,7 +40,7 @@ Result<Values> read_reply(const sqlite::Statement& row) {
   if (!sqlite::is_null(row, 5)) return numbers(row, 5);
   const auto code = sqlite::integer(row, 6);
   if (sqlite::is_null(row, 6) || code < static_cast<int>(Errc::Timeout) ||
-      code > static_cast<int>(Errc::OutOfRange)) {
+      code > static_cast<int>(Errc::NoDevice)) {
     throw std::runtime_error("an exchange has neither a reply nor a known error");
   }
   return fail(static_cast<Errc>(code), sqlite::text(row, 7));

@@ -43,6 +43,9 @@ Result<Values> set(WorldControl& world, const Call& call) {
   if (v.size() == 3 && call.name == "set_robot_pose") {
     return done(world.set_robot_pose(call.id, {v[0], v[1], v[2]}));
   }
+  if (v.size() == 1 && call.name == "set_robot_altitude") {
+    return done(world.set_robot_altitude(call.id, v[0]));
+  }
   if (v.size() == 3 && call.name == "set_object_pose") {
     return done(world.set_object_pose(call.id, {v[0], v[1], v[2]}));
   }
@@ -63,6 +66,9 @@ Result<Values> ask(WorldControl& world, const Call& call) {
   if (call.name == "robot_count") return Values{static_cast<double>(world.robot_count())};
   if (call.name == "object_count") return Values{static_cast<double>(world.object_count())};
   if (call.name == "robot_pose") return world.robot_pose(call.id).map(AsValues<Pose>::pack);
+  if (call.name == "robot_altitude") {
+    return world.robot_altitude(call.id).map(AsValues<double>::pack);
+  }
   if (call.name == "object_pose") return world.object_pose(call.id).map(AsValues<Pose>::pack);
   return fail(Errc::Unsupported, fmt::format("a world has no {}", call.name));
 }

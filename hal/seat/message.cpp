@@ -117,7 +117,7 @@ std::optional<SeatReply> decode_reply(std::span<const std::uint8_t> message) {
     reply.values = reader.values();
   } else {
     const auto code = reader.number<std::uint8_t>();
-    if (code > static_cast<std::uint8_t>(Errc::OutOfRange)) reader.refuse();
+    if (code > static_cast<std::uint8_t>(Errc::NoDevice)) reader.refuse();
     reply.values = fail(static_cast<Errc>(code), reader.text());
   }
   return whole_only(reader, std::move(reply));

@@ -93,7 +93,7 @@ Result<Values> SeatDesk::Impl::carry_out() {
   if (request.name == "trace") {
     robot.trace_to(request.request == Values{1.0} ? &trace : nullptr);
   } else if (request.name == "stop") {
-    robot.stop();
+    if (auto stopped = robot.stop(); !stopped) return tl::unexpected(std::move(stopped.error()));
   } else if (request.name == "arrive") {
     if (arrive) arrive();
   } else if (request.name != "now") {

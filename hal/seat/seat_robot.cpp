@@ -64,9 +64,10 @@ class SeatRobot final : public PassingBackend {
     return found == welcome_.facts.end() ? std::vector<DeviceFacts>{} : found->second;
   }
   void trace_to(TraceSink* sink) override { line_->trace_to(sink); }
-  void stop() noexcept override {
-    // Where the seat is gone, who has it stops the robot.
+  Result<void> stop() noexcept override {
+    // Where the seat is gone, who has it stops the robot, a simulated one.
     static_cast<void>(line_->ask({"seat", 1, "stop", true, {}}));
+    return {};
   }
 
  private:

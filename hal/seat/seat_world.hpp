@@ -20,6 +20,13 @@ class SeatWorld final : public WorldControl {
   Result<void> set_robot_pose(int id, const Pose& pose) override {
     return command(id, "set_robot_pose", AsValues<Pose>::pack(pose));
   }
+  Result<double> robot_altitude(int id) const override {
+    const Call call{"world", id, "robot_altitude", false, {}};
+    return reply_as<double>(call, line_.ask(call));
+  }
+  Result<void> set_robot_altitude(int id, double altitude) override {
+    return command(id, "set_robot_altitude", {altitude});
+  }
   Result<Pose> object_pose(int id) const override { return pose(id, "object_pose"); }
   Result<void> set_object_pose(int id, const Pose& pose) override {
     return command(id, "set_object_pose", AsValues<Pose>::pack(pose));

@@ -20,8 +20,10 @@ files::Scenario empty_room(const Config& config) {
 files::Scenario named_scenario(const Config& config) {
   if (!config.is_set("world")) return empty_room(config);
   const auto& robot = config.value("robot");
-  return files::load_scenario(find_world(config.value("world"), config.program()), robot.text,
-                              files::SearchPlaces::of_process(config.program()), robot.where);
+  return files::load_scenario(
+      find_world(config.value("world"), config.program()), robot.text,
+      files::SearchPlaces::of_process(config.program()), robot.where,
+      config.boolean("strict") ? files::Reading::Strict : files::Reading::Tolerant);
 }
 
 files::Scenario configured_scenario(const Config& config) {
@@ -36,11 +38,13 @@ robot::SimulationSettings simulation_settings(const Config& config) {
   settings.step = to_seconds(from_seconds(config.number("step")));
   settings.seed = static_cast<std::uint64_t>(config.integer("seed"));
   settings.stall_timeout = config.number("stall_timeout");
+  settings.slides = config.text("contact") == "slide";
   return settings;
 }
 
 void report_scenario(const files::Scenario& scenario, LogSink& log) {
-  for (const Warning& warning : scenario.warnings) log.write(Severity::Warning, warning.str());
+  for (const Warning& warning : scenario.warnings)
+    log.write(Severity::Warning, warning.where.str() + ": " + warning.text);
 }
 
 void begin_report(const Config& config, SimWorld& world) {

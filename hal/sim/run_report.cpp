@@ -47,11 +47,12 @@ void RunReport::write(const robot::Simulation& simulation, std::uint64_t trace,
   std::array<char, 512 + kMostNotes*(kLongestName + 24)> text{};
   char* end = text.data();
   const auto left = [&] { return static_cast<std::size_t>(text.data() + text.size() - end); };
-  end = fmt::format_to_n(end, left(),
-                         "time = {:18.6f}\ndistance = {:18.6f}\ncollisions = {:18}\n"
-                         "state_hash = \"{:016x}\"\ntrace_hash = \"{:016x}\"\nended = {:5}\n",
-                         simulation.time(), tally_.distance(), tally_.collisions(),
-                         simulation.state_hash(), trace, ended)
+  end = fmt::format_to_n(
+            end, left(),
+            "time = {:18.6f}\ndistance = {:18.6f}\ncollisions = {:18}\nstuck = {:18.6f}\n"
+            "state_hash = \"{:016x}\"\ntrace_hash = \"{:016x}\"\nended = {:5}\n",
+            simulation.time(), tally_.distance(), tally_.collisions(), tally_.longest_stuck(),
+            simulation.state_hash(), trace, ended)
             .out;
   if (simulation.robot_count() > 0) {
     const Pose pose = simulation.pose(0);
@@ -59,6 +60,9 @@ void RunReport::write(const robot::Simulation& simulation, std::uint64_t trace,
         fmt::format_to_n(end, left(), "end_x = {:18.6f}\nend_y = {:18.6f}\nend_theta = {:18.6f}\n",
                          pose.x, pose.y, pose.theta)
             .out;
+    if (const auto depth = simulation.depth(0)) {
+      end = fmt::format_to_n(end, left(), "end_depth = {:18.6f}\n", *depth).out;
+    }
   }
   for (const auto& [name, value] : notes_) {
     end = fmt::format_to_n(end, left(), "{} = {:18.6f}\n", name, value).out;

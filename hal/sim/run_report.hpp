@@ -11,10 +11,12 @@
 namespace eyebridge::hal {
 
 /// What has come of a run so far, as a small text that is always whole (`--report`): lines
-/// "key = value" of `time` (s), `distance` (m, of all robots), `collisions`, `state_hash` (of
-/// everything that moves, as it is), `trace_hash` (RunTrace), `ended` (the program did, by itself
-/// or by a signal), `end_x`, `end_y` (m) and `end_theta` (rad: where robot 1 is in the world, when
-/// there is one), and what note() was told.
+/// "key = value" of `time` (s), `distance` (m, of all robots), `collisions`, `stuck` (s: the
+/// longest time for which a robot stood although it was told to move), `state_hash` (of everything
+/// that moves, as it is), `trace_hash` (RunTrace), `ended` (the program did, by itself or by a
+/// signal), `end_x`, `end_y` (m) and `end_theta` (rad: where robot 1 is in the world, when there is
+/// one), `end_depth` (m: how far it is below the surface, of a submarine), and what note() was
+/// told.
 ///
 /// Written over once a second of the robot's time, so that a program that crashes or is killed
 /// leaves one, too. One thread at a time.

@@ -41,8 +41,6 @@ std::vector<DeviceFacts> facts_about(const std::vector<Sensor>& sensors) {
   return out;
 }
 
-constexpr unsigned kCameraServos = 2;  // pan and tilt
-
 /// What EyeSim's files call the wheels of a drive, with `prefix` before it.
 std::vector<DeviceFacts> facts_of_wheels(robot::DriveKind kind, const std::string& prefix,
                                          double ticks_per_metre) {
@@ -63,6 +61,8 @@ std::vector<DeviceFacts> facts_of_wheels(robot::DriveKind kind, const std::strin
       return named({"_LEFT", "_RIGHT", "_BACK"});
     case robot::DriveKind::Synchro:
       return named({"_DRIVE", "_TURN"});
+    case robot::DriveKind::Submarine:
+      return named({"_LEFT", "_FRONT", "_RIGHT", "_BACK"});
   }
   return named({"_LEFT", "_RIGHT"});
 }
@@ -91,17 +91,11 @@ SimBackend::SimBackend(std::shared_ptr<SimWorld> world, std::shared_ptr<Clock> c
       motors_(make_row_of<SimMotor>(*world_, robot, world_->model(robot).drive.motor_count())),
       encoders_(
           make_row_of<SimEncoder>(*world_, robot, world_->model(robot).drive.encoder_count())),
-      servos_(make_row_of<SimServo>(*world_, robot, kCameraServos)),
       digital_(*world_, robot),
       analog_(supply_voltage) {
   if (world_->model(robot).lidar) lidar_.emplace(*world_, robot);
   if (world_->model(robot).camera) view_.emplace(*world_, robot);
-  if (const auto& kicker = world_->model(robot).kicker) {
-    servos_.try_emplace(static_cast<int>(kicker->servo) + 1, *world_, robot, kicker->servo);
-  }
-  if (const robot::DriveModel drive = world_->model(robot).drive;
-      drive.kind == robot::DriveKind::Ackermann) {
-    const unsigned servo = drive.steering_servo;
+  for (const unsigned servo : world_->model(robot).servo_indices()) {
     servos_.try_emplace(static_cast<int>(servo) + 1, *world_, robot, servo);
   }
 }
@@ -124,20 +118,28 @@ std::vector<DeviceFacts> SimBackend::facts_of(std::string_view kind) {
   if (kind == "psd") return facts_about(model.range_sensors);
   if (kind == "proximity") return facts_about(model.proximity_sensors);
   if (kind == "bumper") return facts_about(model.bumpers);
+  if (kind == "servo") {
+    std::vector<DeviceFacts> out;
+    for (const robot::ServoModel& servo : model.servos) {
+      out.push_back({static_cast<int>(servo.servo) + 1, servo.name});
+    }
+    return out;
+  }
   // Two motors need no names: programs know left and right.
   const bool many_motors = model.drive.motor_count() > 2;
   if (kind == "motor" && many_motors) return facts_of_wheels(model.drive.kind, "MOTOR", 0.0);
   if (kind == "robot") return {{robot_id(), model.name}};
-  if (kind != "encoder") return {};
+  if (kind != "encoder" || model.drive.encoder_count() == 0) return {};
   const double ticks_per_metre =
       model.drive.ticks_per_revolution / (kPi * model.drive.wheel_diameter);
   return facts_of_wheels(model.drive.kind, "QUAD", ticks_per_metre);
 }
 
-void SimBackend::stop() noexcept {
-  if (at_end_ == AtEnd::KeepDriving) return;
+Result<void> SimBackend::stop() noexcept {
+  if (at_end_ == AtEnd::KeepDriving) return {};
   world_->locked([&](auto& sim) { sim.stop(robot_); });
   world_->end_report();
+  return {};
 }
 
 }  // namespace eyebridge::hal

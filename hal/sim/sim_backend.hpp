@@ -33,7 +33,7 @@ class SimBackend final : public Backend {
  public:
   /// `clock` steps `world`. The robot has the devices of its model, a compass, a gyroscope, an
   /// accelerometer, the motors and encoders of its kind of drive (differential: 1 left, 2 right;
-  /// the others as DriveKind has them, from 1), servos (1 pan, 2 tilt; a kicker's, the steering's),
+  /// the others as DriveKind has them, from 1), the servos of RobotModel::servo_indices(),
   /// digital lines, and analog inputs with a battery of `supply_voltage` volts. It has no I/O board
   /// and nothing of a computer. World, clock and environment may be shared with other robots;
   /// `shared`, when not null, lets more of them join.
@@ -70,7 +70,7 @@ class SimBackend final : public Backend {
   camera::Source* camera_source() override { return nullptr; }
   std::vector<DeviceFacts> facts_of(std::string_view kind) override;
   void trace_to(TraceSink* sink) override { world_->trace_to(sink, robot_); }
-  void stop() noexcept override;
+  Result<void> stop() noexcept override;
 
  private:
   std::shared_ptr<SimWorld> world_;

@@ -1,5 +1,7 @@
 #include "sim/sim_drive.hpp"
 
+#include <fmt/format.h>
+
 #include "arguments/arguments.hpp"
 
 namespace eyebridge::hal {
@@ -19,13 +21,32 @@ DriveProgress progress_of(robot::DriveState state) {
 
 }  // namespace
 
+void SimDrive::look_for_repeats(const robot::Simulation& simulation) {
+  const auto headings = repeats_.add(from_seconds(simulation.time()), simulation.pose(robot_));
+  if (!headings) return;
+  world_.warn(
+      fmt::format("robot {} has stayed in one place for a minute and turned only to the same {} "
+                  "headings: its program may never see anything new. Motion without errors repeats "
+                  "exactly; try --errors realistic",
+                  robot_ + 1, *headings));
+}
+
 Result<void> SimDrive::set_speed(const Twist& twist) {
-  return check_speed(twist).map(
-      [&] { world_.locked([&](auto& sim) { sim.set_speed(robot_, twist); }); });
+  return check_speed(twist).map([&] {
+    world_.locked([&](auto& sim) {
+      look_for_repeats(sim);
+      sim.set_speed(robot_, twist);
+    });
+  });
 }
 
 Result<void> SimDrive::start(const DriveGoal& goal) {
-  return check_goal(goal).map([&] { world_.locked([&](auto& sim) { sim.drive(robot_, goal); }); });
+  return check_goal(goal).map([&] {
+    world_.locked([&](auto& sim) {
+      look_for_repeats(sim);
+      sim.drive(robot_, goal);
+    });
+  });
 }
 
 Result<DriveStatus> SimDrive::status() {

@@ -18,6 +18,8 @@ RobotLook look_at(const robot::Simulation& sim, robot::RobotIndex robot) {
   look.twist = sim.twist(robot);
   look.stalled = sim.stalled(robot);
   look.is_there = sim.is_there(robot);
+  look.altitude = sim.altitude(robot);
+  look.depth = sim.depth(robot);
   if (sim.model(robot).camera) look.eye = camera::eye_of(sim, robot);
   return look;
 }

@@ -15,6 +15,10 @@ Result<void> SimMotor::set_duty(double duty) {
 }
 
 Result<void> SimMotor::set_speed(double ticks_per_second) {
+  const auto encoders = [&](auto& sim) { return sim.model(robot_).drive.encoder_count(); };
+  if (world_.locked(encoders) == 0) {
+    return fail(Errc::Unsupported, "a thruster has no encoder to control its speed by");
+  }
   return check_motor_speed(ticks_per_second).map([&] {
     world_.locked([&](auto& sim) { sim.set_motor_speed(robot_, index_, ticks_per_second); });
   });

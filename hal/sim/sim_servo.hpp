@@ -5,10 +5,10 @@
 
 namespace eyebridge::hal {
 
-/// One servo of a simulated robot: of its camera or of its kicker.
+/// One servo of a simulated robot: RobotModel::servo_indices().
 class SimServo final : public Servo, private SimDevice {
  public:
-  /// `index`: 0 is pan, 1 is tilt, others as the robot's model says.
+  /// `index`: the number that programs use, less 1.
   SimServo(SimWorld& world, robot::RobotIndex robot, unsigned index);
   Result<void> set(double position) override;
 

@@ -30,17 +30,18 @@ Result<robot::RobotIndex> robot_there(const robot::Simulation& simulation, std::
 
 SimWorld::SimWorld(files::Scenario scenario, const robot::SimulationSettings& settings,
                    LogSink& log)
-    : directory_(scenario.directory.string()),
+    : log_(log),
+      directory_(scenario.directory.string()),
       starts_paused_(scenario.start_paused),
       step_length_(from_seconds(settings.step)),
       simulation_(std::make_shared<const world::WorldModel>(std::move(scenario.world)), settings) {
   for (const files::RobotPlacement& placement : scenario.robots) {
     simulation_.add_robot(scenario.models.at(placement.model), placement.pose);
   }
-  simulation_.on_collision([this, &log](const robot::CollisionEvent& event) { tell(event, log); });
+  simulation_.on_collision([this](const robot::CollisionEvent& event) { tell(event); });
 }
 
-void SimWorld::tell(const robot::CollisionEvent& event, LogSink& log) {
+void SimWorld::tell(const robot::CollisionEvent& event) {
   if (!event.robot && !event.with_robot) return;  // things among themselves
   const std::string who = name_of(event.robot, event.object);
   const std::string with = name_of(event.with_robot, event.with_object);
@@ -48,9 +49,9 @@ void SimWorld::tell(const robot::CollisionEvent& event, LogSink& log) {
   const world::World& world = simulation_.world();
   const bool pushed =
       world.gives_way(event.body) || (!event.with_wall() && world.gives_way(event.with_body));
-  log.write(pushed ? Severity::Info : Severity::Warning,
-            fmt::format("{} hit {} at x={:.3f} y={:.3f}", who, event.with_wall() ? "a wall" : with,
-                        event.pose.x, event.pose.y));
+  log_.write(pushed ? Severity::Info : Severity::Warning,
+             fmt::format("{} hit {} at x={:.3f} y={:.3f}", who, event.with_wall() ? "a wall" : with,
+                         event.pose.x, event.pose.y));
   if (report_) report_->collision(event);
   // The steps are counted when one is over.
   const Time time = static_cast<Time::rep>(steps_ + 1) * step_length_;
@@ -64,13 +65,31 @@ Result<robot::RobotIndex> SimWorld::add_robot(const robot::RobotModel& model, co
   const std::lock_guard lock(mutex_);
   try {
     return simulation_.add_robot(model, pose);
-  } catch (const std::invalid_argument&) {
+  } catch (const std::invalid_argument& error) {
+    const bool is_submarine = model.drive.kind == robot::DriveKind::Submarine;
+    if (is_submarine && model.height > simulation_.world().model().water_depth()) {
+      return fail(Errc::OutOfRange, error.what());
+    }
     return fail(Errc::OutOfRange,
                 fmt::format("{} ({:g} mm across) at ({:g}, {:g}) mm would stand in {}: expected a "
                             "free place",
                             model.name, m_to_mm(model.diameter), m_to_mm(pose.x), m_to_mm(pose.y),
                             obstacle_at(pose.position(), model.radius())));
   }
+}
+
+void SimWorld::set_altitude(robot::RobotIndex robot, double altitude) {
+  const std::lock_guard lock(mutex_);
+  const double reached = simulation_.set_altitude(robot, altitude);
+  const std::optional<double> depth = simulation_.depth(robot);
+  constexpr double kRounding = 1e-9;  // metres
+  if (std::abs(reached - altitude) < kRounding || !depth || has_told_of_water_) return;
+  has_told_of_water_ = true;
+  log_.write(
+      Severity::Warning,
+      fmt::format("robot {} at z = {:g} mm is out of the water: expected 0 to {:g} mm; it "
+                  "is put to {:g} mm",
+                  robot + 1, m_to_mm(altitude), m_to_mm(reached + *depth), m_to_mm(reached)));
 }
 
 Result<void> SimWorld::remove_robot(std::size_t index) {

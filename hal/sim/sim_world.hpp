@@ -86,6 +86,11 @@ class SimWorld {
   /// Takes robot `index` out of the world, and tells nobody of it any more. OutOfRange for one that
   /// is not there.
   Result<void> remove_robot(std::size_t index);
+  /// Writes to the log of the run. Any thread, also one that has the lock.
+  void warn(const std::string& text) { log_.write(Severity::Warning, text); }
+  /// Moves a submarine up or down, clamped to the water: a warning tells of it the first time.
+  /// Other robots stay on the floor.
+  void set_altitude(robot::RobotIndex robot, double altitude);
   /// OutOfRange, in words, where robot `index` is not there.
   [[nodiscard]] Result<void> check_there(std::size_t index);
   /// The steps made so far, as time.
@@ -100,8 +105,9 @@ class SimWorld {
   /// What a robot would stand in, in words. mutex_ is held.
   [[nodiscard]] std::string obstacle_at(Vec2 centre, double radius) const;
   /// Called from a step: mutex_ is held.
-  void tell(const robot::CollisionEvent& event, LogSink& log);
+  void tell(const robot::CollisionEvent& event);
 
+  LogSink& log_;
   const std::string directory_;
   const bool starts_paused_;
   const Time step_length_;
@@ -117,6 +123,7 @@ class SimWorld {
   };
   std::map<robot::RobotIndex, Traced> traced_;
   std::optional<RunReport> report_;
+  bool has_told_of_water_ = false;
 };
 
 }  // namespace eyebridge::hal

@@ -59,6 +59,20 @@ Result<void> SimWorldControl::set_robot_pose(int id, const Pose& pose) {
   });
 }
 
+Result<double> SimWorldControl::robot_altitude(int id) const {
+  return robot_index(id).map([&](robot::RobotIndex index) {
+    return world_.locked([&](auto& sim) { return sim.altitude(index); });
+  });
+}
+
+Result<void> SimWorldControl::set_robot_altitude(int id, double altitude) {
+  if (!std::isfinite(altitude)) {
+    return fail(Errc::OutOfRange, "set robot: expected a finite altitude");
+  }
+  return robot_index(id).map(
+      [&](robot::RobotIndex index) { world_.set_altitude(index, altitude); });
+}
+
 Result<Pose> SimWorldControl::object_pose(int id) const {
   return with_object(world_, id, [](auto& sim, world::BodyId body) -> Result<Pose> {
     return sim.world().pose(body);

@@ -15,6 +15,8 @@ class SimWorldControl final : public WorldControl, private SimDevice {
   [[nodiscard]] int object_count() const override;
   [[nodiscard]] Result<Pose> robot_pose(int id) const override;
   Result<void> set_robot_pose(int id, const Pose& pose) override;
+  [[nodiscard]] Result<double> robot_altitude(int id) const override;
+  Result<void> set_robot_altitude(int id, double altitude) override;
   [[nodiscard]] Result<Pose> object_pose(int id) const override;
   Result<void> set_object_pose(int id, const Pose& pose) override;
   Result<int> add_object(const world::ObjectSpec& object) override;

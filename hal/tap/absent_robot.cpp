@@ -82,7 +82,7 @@ class AbsentRobot final : public Backend {
   camera::Source* camera_source() override { return nullptr; }
   std::vector<DeviceFacts> facts_of(std::string_view) override { return {}; }  // not listed
   void trace_to(TraceSink*) override {}  // nobody knows where the robot was
-  void stop() noexcept override {}
+  Result<void> stop() noexcept override { return {}; }
 
  private:
   LockstepClock clock_{std::chrono::milliseconds(10), [] {}};

@@ -60,9 +60,10 @@ class TapBackend final : public Backend {
     return inner_->facts_of(kind);
   }
   void trace_to(TraceSink* sink) override { inner_->trace_to(sink); }
-  void stop() noexcept override {
-    inner_->stop();
+  Result<void> stop() noexcept override {
+    auto stopped = inner_->stop();
     tap_->finish();
+    return stopped;
   }
 
  private:

@@ -29,10 +29,13 @@ class Scenario:
     def warnings(self) -> list[str]:
         """What was odd in the files and is read all the same."""
 
-def load_scenario(path: str | os.PathLike[str], robot: str = "S4") -> Scenario:
-    """Reads a .wld, .maz, .sim, .robi or EyeSim parameter file and all that it names. A `path` that does not exist is
+def load_scenario(
+    path: str | os.PathLike[str], robot: str = "S4", *, strict: bool = True
+) -> Scenario:
+    """Reads a .wld, .maz, .sim, .robi, .esObj or EyeSim parameter file and all that it names. A `path` that does not exist is
     looked for by name, also in the folder worlds beside the script that runs (docs/worlds.md). A world without robots
-    gets one `robot`. Raises ConfigError."""
+    gets one `robot`. Raises ConfigError for the first line that is wrong. Where `strict` is False, a wrong line is left
+    out and is one of the `warnings` (docs/worlds.md); ConfigError is raised only when nothing of the file can be used."""
 
 def default_scenario() -> Scenario:
     """An empty room, 2 m x 2 m, and one S4 in its middle."""
@@ -85,7 +88,7 @@ class Robot:
         """An obstacle holds a wheel."""
     @property
     def encoders(self) -> tuple[int, int]:
-        """Ticks, left and right."""
+        """Ticks, left and right. Raises IndexError for a submarine, which has none."""
     def set_pose(self, x: float, y: float, theta: float) -> None:
         """Puts the robot somewhere, at rest; nothing is checked, and odometry does not notice."""
     def set_speed(self, linear: float, angular: float = 0.0) -> None:
@@ -93,9 +96,9 @@ class Robot:
     def drive(self, distance: float = 0.0, angle: float = 0.0, speed: float = 0.3) -> None:
         """Drives a straight, a turn on the spot (distance 0; radians a second) or an arc, and stops."""
     def set_wheels(self, left: float, right: float) -> None:
-        """Duty of each motor, -1 … 1."""
+        """Duty of the left and the right motor (of a submarine: thruster), -1 … 1."""
     @property
-    def drive_kind(self) -> Literal["differential", "ackermann", "omni", "swedish", "synchro"]:
+    def drive_kind(self) -> Literal["differential", "ackermann", "omni", "swedish", "synchro", "submarine"]:
         """What wheels it has: docs/drives.md, which has the numbers of motors and encoders, too."""
     @property
     def motor_count(self) -> int: ...
@@ -110,6 +113,9 @@ class Robot:
     @property
     def steering(self) -> float:
         """Where the front wheels of a car, or all of a synchro drive, point: radians from its front; 0 for others."""
+    @property
+    def depth(self) -> float | None:
+        """How far the upper side of a submarine is below the surface, metres; None for others."""
     def set_twist(self, linear: float, lateral: float = 0.0, angular: float = 0.0) -> None:
         """set_speed() for drives that can go sideways: m/s forward and to the left, radians a second. Too much for a wheel
         is scaled down as a whole. Differential drives and cars leave `lateral` out; synchro ones steer there and do not turn."""

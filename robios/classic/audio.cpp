@@ -32,7 +32,7 @@ struct PlayingSample {
 
 Result<hal::Sound*> sound_of(Session& session) {
   hal::Sound* const sound = session.backend().sound();
-  if (sound == nullptr) return fail(Errc::Unsupported, "this robot has no loudspeaker");
+  if (sound == nullptr) return fail(Errc::NoDevice, "this robot has no loudspeaker");
   return sound;
 }
 
@@ -113,7 +113,7 @@ int AUCheckRecord(void) {
 int AUCaptureMic(void) {
   return call("AUCaptureMic", -1, [](Session& session) -> Result<int> {
     hal::AnalogInputs* const inputs = session.backend().analog();
-    if (inputs == nullptr) return fail(Errc::Unsupported, "this robot has no microphone");
+    if (inputs == nullptr) return fail(Errc::NoDevice, "this robot has no microphone");
     return inputs->read(hal::AnalogInputs::kMicrophone).map([](int value) {
       return value >> kMicrophoneShift;
     });

@@ -70,7 +70,7 @@ int COMPASSInit(DeviceSemantics semantics) {
     const Result<int> id = robios::classic::find_device(session.backend(), "compass", semantics);
     if (!id) return tl::unexpected(id.error());
     if (session.backend().compass() == nullptr) {
-      return fail(Errc::Unsupported, "this robot has no compass");
+      return fail(Errc::NoDevice, "this robot has no compass");
     }
     auto& unit = session.own<CompassModule>();
     const std::lock_guard lock(unit.mutex);

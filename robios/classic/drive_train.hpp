@@ -30,7 +30,7 @@ struct Turn {
 /// `mutex`. Session::own() has it.
 struct DriveTrain {
   static constexpr VWHandle kVw = 1;
-  // Those of the VW drive.
+  // Encoders of the VW drive.
   static constexpr int kLeft = 1;
   static constexpr int kRight = 2;
 

@@ -31,7 +31,7 @@ struct Latches {
 
 Result<hal::DigitalLines*> lines_of(Session& session) {
   hal::DigitalLines* const lines = session.backend().digital();
-  if (lines == nullptr) return fail(Errc::Unsupported, "this robot has no digital lines");
+  if (lines == nullptr) return fail(Errc::NoDevice, "this robot has no digital lines");
   return lines;
 }
 
@@ -44,7 +44,7 @@ Result<hal::DigitalLines*> latch_lines(Session& session, int latchnr) {
 
 Result<void> need_port(Session& session) {
   if (session.backend().world() != nullptr) return {};
-  return fail(Errc::Unsupported, "this robot has no parallel port");
+  return fail(Errc::NoDevice, "this robot has no parallel port");
 }
 
 BYTE read_port(const robios::Call& name, BYTE Latches::*field) {
@@ -65,7 +65,7 @@ void write_port(const robios::Call& name, BYTE Latches::*field, int value) {
 
 Result<int> convert(Session& session, int channel) {
   hal::AnalogInputs* const inputs = session.backend().analog();
-  if (inputs == nullptr) return fail(Errc::Unsupported, "this robot has no analog inputs");
+  if (inputs == nullptr) return fail(Errc::NoDevice, "this robot has no analog inputs");
   return inputs->read(channel).map([](int value) { return value >> kConverterShift; });
 }
 

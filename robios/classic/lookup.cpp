@@ -10,6 +10,9 @@
 
 #include <fmt/format.h>
 
+#include "eyebridge/files/load.hpp"
+#include "no_device.hpp"
+
 namespace eyebridge::robios::classic {
 namespace {
 
@@ -104,14 +107,34 @@ std::optional<int> m6_id(std::string_view kind, std::string_view name) {
   return number && *number < kServos ? std::optional(*number + 1) : std::nullopt;
 }
 
-tl::unexpected<Error> none(std::string_view kind, DeviceSemantics semantics) {
-  return fail(Errc::OutOfRange, fmt::format("this robot has no {} {}", kind, describe(semantics)));
+/// What a device is called in messages.
+std::string_view in_words(std::string_view kind) { return kind == "psd" ? "PSD" : kind; }
+
+tl::unexpected<Error> none(hal::Backend& backend, std::string_view kind,
+                           DeviceSemantics semantics) {
+  const Row* const row =
+      is_number(semantics) ? row_of(static_cast<int>(semantics)) : row_of(name_of(semantics));
+  const bool is_psd = kind == "psd" && row != nullptr && row->kind == kind;
+  return no_device(backend, fmt::format("{} {}", in_words(kind), describe(semantics)),
+                   is_psd ? files::robots_with_psd(row->name) : std::vector<std::string>{});
 }
 
 }  // namespace
 
+std::array<int, 2> vw_motors(hal::Backend& backend) {
+  std::array<int, 2> ids{1, 2};
+  for (const hal::DeviceFacts& motor : backend.facts_of("motor")) {
+    if (same(motor.name, "MOTOR_LEFT")) ids[0] = motor.id;
+    if (same(motor.name, "MOTOR_RIGHT")) ids[1] = motor.id;
+  }
+  return ids;
+}
+
 std::string describe(DeviceSemantics semantics) {
   if (!is_number(semantics)) return fmt::format("\"{:.60}\"", name_of(semantics));
+  if (semantics <= SERVO1 && semantics > SERVO1 - kServos) {
+    return fmt::format("{} (SERVO{})", semantics, SERVO1 - semantics + 1);
+  }
   const Row* const row = row_of(static_cast<int>(semantics));
   return row == nullptr ? std::to_string(semantics) : fmt::format("{} ({})", semantics, row->name);
 }
@@ -125,9 +148,9 @@ DeviceSemantics number_of(DeviceSemantics semantics) {
 Result<int> find_device(hal::Backend& backend, std::string_view kind, DeviceSemantics semantics) {
   const bool numbered = is_number(semantics);
   const int number = numbered ? static_cast<int>(semantics) : 0;
-  if (numbered && number == 0) return none(kind, semantics);
+  if (numbered && number == 0) return none(backend, kind, semantics);
   const Row* const row = numbered ? row_of(number) : row_of(name_of(semantics));
-  if (row != nullptr && row->kind != kind) return none(kind, semantics);
+  if (row != nullptr && row->kind != kind) return none(backend, kind, semantics);
   const std::string_view name = !numbered        ? name_of(semantics)
                                 : row != nullptr ? row->name
                                                  : std::string_view{};
@@ -145,7 +168,7 @@ Result<int> find_device(hal::Backend& backend, std::string_view kind, DeviceSema
     return SERVO1 - number + 1;
   }
   if (facts.empty() && row != nullptr && row->id != 0) return row->id;
-  return none(kind, semantics);
+  return none(backend, kind, semantics);
 }
 
 }  // namespace eyebridge::robios::classic

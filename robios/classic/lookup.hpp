@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string_view>
 
 #include "eyebot.h"
@@ -18,6 +19,10 @@ namespace eyebridge::robios::classic {
 /// motors and encoders 1 left and 2 right, SERVO7 is 7, and the M6's names "PSD0", "ENCODER0" …
 /// count from 0. OutOfRange when there is none. Any thread.
 Result<int> find_device(hal::Backend& backend, std::string_view kind, DeviceSemantics semantics);
+
+/// The motors of the VW drive, left and right: those that the robot's description calls so (a
+/// submarine's are 1 and 3), else 1 and 2. Any thread.
+std::array<int, 2> vw_motors(hal::Backend& backend);
 
 /// "-205 (PSD_LEFT)", "\"PSD0\"": for messages.
 std::string describe(DeviceSemantics semantics);

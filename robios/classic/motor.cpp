@@ -9,6 +9,7 @@
 #include "drive_train.hpp"
 #include "eyebot.h"
 #include "lookup.hpp"
+#include "no_device.hpp"
 #include "slots.hpp"
 
 namespace {
@@ -21,6 +22,7 @@ using robios::classic::doing;
 using robios::classic::DriveTrain;
 using robios::classic::find_device;
 using robios::classic::Slots;
+using robios::classic::vw_motors;
 
 struct Servos {
   std::mutex mutex;
@@ -36,7 +38,7 @@ ServoHandle SERVOInit(DeviceSemantics semantics) {
     return find_device(session.backend(), "servo", semantics).and_then([&](int id) -> Result<int> {
       hal::Servo* const servo = session.backend().servo(id);
       if (servo == nullptr) {
-        return fail(Errc::OutOfRange, "this robot has no servo " + describe(semantics));
+        return robios::no_device(session, "servo", id, "servo " + describe(semantics));
       }
       return servos.open.open(id, servo);
     });
@@ -76,9 +78,10 @@ MotorHandle MOTORInit(DeviceSemantics semantics) {
     return find_device(session.backend(), "motor", semantics).and_then([&](int id) -> Result<int> {
       hal::Motor* const motor = session.backend().motor(id);
       if (motor == nullptr) {
-        return fail(Errc::OutOfRange, "this robot has no motor " + describe(semantics));
+        return robios::no_device(session, "motor", id, "motor " + describe(semantics));
       }
-      if (train.vw_open && (id == DriveTrain::kLeft || id == DriveTrain::kRight)) {
+      if (const auto vw = vw_motors(session.backend());
+          train.vw_open && (id == vw[0] || id == vw[1])) {
         return fail(Errc::OutOfRange, "this motor belongs to the VW drive, which is open");
       }
       return train.motors.open(id, motor);

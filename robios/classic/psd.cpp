@@ -5,6 +5,7 @@
 #include "convert.hpp"
 #include "eyebot.h"
 #include "lookup.hpp"
+#include "no_device.hpp"
 #include "psd_cycle.hpp"
 #include "slots.hpp"
 
@@ -74,8 +75,8 @@ PSDHandle PSDInit(DeviceSemantics semantics) {
         .and_then([&](int id) -> Result<int> {
           hal::RangeSensor* const sensor = session.backend().range_sensor(id);
           if (sensor == nullptr) {
-            return fail(Errc::OutOfRange,
-                        "this robot has no PSD " + robios::classic::describe(semantics));
+            return robios::no_device(session, "PSD", id,
+                                     "PSD " + robios::classic::describe(semantics));
           }
           return psds.open.open(id, {sensor, 0, {}, {}});
         });

@@ -1,11 +1,10 @@
 #include <mutex>
 
-#include <fmt/format.h>
-
 #include "call.hpp"
 #include "drive_train.hpp"
 #include "eyebot.h"
 #include "lookup.hpp"
+#include "no_device.hpp"
 
 namespace {
 
@@ -54,8 +53,8 @@ QuadHandle QUADInit(DeviceSemantics semantics) {
     if (!id) return id;
     hal::Encoder* const encoder = backend.encoder(*id);
     if (encoder == nullptr) {
-      return fail(Errc::OutOfRange,
-                  "this robot has no encoder " + robios::classic::describe(semantics));
+      return robios::no_device(session, "encoder", *id,
+                               "encoder " + robios::classic::describe(semantics));
     }
     if (train.vw_open && (*id == DriveTrain::kLeft || *id == DriveTrain::kRight)) {
       return fail(Errc::OutOfRange, "this encoder belongs to the VW drive, which is open");

@@ -56,7 +56,7 @@ void look_at_bumpers() {
 }
 
 tl::unexpected<Error> no_switch(DeviceSemantics semantics) {
-  return fail(Errc::OutOfRange, "this robot has no " + robios::classic::describe(semantics));
+  return fail(Errc::NoDevice, "this robot has no " + robios::classic::describe(semantics));
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ Result<hal::Drive*> open_drive(Session& session, VWHandle handle) {
     return fail(Errc::OutOfRange, fmt::format("handle {} is no open VW drive", handle));
   }
   hal::Drive* const drive = session.backend().drive();
-  if (drive == nullptr) return fail(Errc::Unsupported, "this robot has no drive");
+  if (drive == nullptr) return fail(Errc::NoDevice, "this robot has no drive");
   return drive;
 }
 
@@ -82,12 +82,12 @@ VWHandle VWInit(DeviceSemantics semantics, int Timescale) {
       return fail(Errc::OutOfRange, fmt::format("timescale {}, expected 1 or more", Timescale));
     }
     hal::Drive* const drive = session.backend().drive();
-    if (drive == nullptr) return fail(Errc::Unsupported, "this robot has no drive");
+    if (drive == nullptr) return fail(Errc::NoDevice, "this robot has no drive");
     if (train.vw_open) return fail(Errc::OutOfRange, "the VW drive is open already");
-    for (const int id : {DriveTrain::kLeft, DriveTrain::kRight}) {
-      if (train.motors.is_open(id) || train.quads.is_open(id)) {
-        return fail(Errc::OutOfRange, "a motor or an encoder of the VW drive is open already");
-      }
+    const auto [left, right] = robios::classic::vw_motors(session.backend());
+    if (train.motors.is_open(left) || train.motors.is_open(right) ||
+        train.quads.is_open(DriveTrain::kLeft) || train.quads.is_open(DriveTrain::kRight)) {
+      return fail(Errc::OutOfRange, "a motor or an encoder of the VW drive is open already");
     }
     return drive->set_odometry({}).map([&] {
       train.vw_open = true;

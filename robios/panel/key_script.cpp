@@ -109,24 +109,47 @@ int read_remote(Reader& in) {
       "or POWER");
 }
 
-ScriptedKey read_key(Reader& in) {
-  ScriptedKey key;
+/// Whether a key by its name follows, which is read then.
+bool read_named(Reader& in, ScriptedKey& key) {
   if (in.accept("IRTV_")) {
     key.remote = read_remote(in);
-  } else if (in.accept("KEY")) {
-    const std::size_t start = in.position();
-    const int number = in.number<int>("a key number 1..4");
-    if (number < 1 || number > 4) {
-      in.reject_at(start, "a key number 1..4");
-    }
-    key.key = 1 << (number - 1);
-  } else {
-    key.touch.x = in.number<int>("KEY1..KEY4, IRTV_5 or a touch like 120:80");
-    if (!in.accept(":")) {
-      in.reject("':' and the y of a touch");
-    }
-    key.touch.y = in.number<int>("the y of a touch, in pixels");
+    return true;
   }
+  if (!in.accept("KEY")) return false;
+  const std::size_t start = in.position();
+  const int number = in.number<int>("a key number 1..4");
+  if (number < 1 || number > 4) {
+    in.reject_at(start, "a key number 1..4");
+  }
+  key.key = 1 << (number - 1);
+  return true;
+}
+
+/// "KEY1", "IRTV_5", "120:80", each also after the number of a robot and a colon.
+void read_what(Reader& in, ScriptedKey& key) {
+  if (read_named(in, key)) return;
+  const std::size_t start = in.position();
+  const int first = in.number<int>("KEY1..KEY4, IRTV_5 or a touch like 120:80");
+  if (!in.accept(":")) {
+    in.reject("':' and the y of a touch");
+  }
+  const auto take_robot = [&] {
+    if (first < 1) in.reject_at(start, "the number of a robot, from 1");
+    key.robot = first;
+  };
+  if (read_named(in, key)) return take_robot();
+  const int second = in.number<int>("the y of a touch, in pixels, or a key of this robot");
+  if (!in.accept(":")) {
+    key.touch = {first, second};
+    return;
+  }
+  take_robot();
+  key.touch = {second, in.number<int>("the y of a touch, in pixels")};
+}
+
+ScriptedKey read_key(Reader& in) {
+  ScriptedKey key;
+  read_what(in, key);
   if (!in.accept("@")) {
     in.reject("'@' and a time");
   }

@@ -18,7 +18,7 @@ CameraPort::~CameraPort() = default;
 Result<void> CameraPort::init(int width, int height) {
   const std::unique_lock lock = lock_in_turn(mutex_);
   if (url_ == "none") {
-    return fail(Errc::Unsupported, "this robot has no camera (--camera none)");
+    return fail(Errc::NoDevice, "this robot has no camera (--camera none)");
   }
   if (given_ == nullptr && !opened_) opened_ = camera::open_source(url_, context_);
   source_ = given_ != nullptr ? given_ : opened_.get();

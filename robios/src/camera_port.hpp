@@ -23,7 +23,7 @@ class CameraPort {
   ~CameraPort();
 
   /// Frames of `width` x `height` pixels from now on; opens the source. Throws ConfigError when the
-  /// source cannot work here. Fails with Unsupported for "none".
+  /// source cannot work here. Fails with NoDevice for "none".
   Result<void> init(int width, int height);
   void release();
   [[nodiscard]] bool is_open() const;

@@ -8,7 +8,8 @@ bool Failures::add(std::string_view call, const Error& error) {
   const std::lock_guard lock(mutex_);
   last_ = std::string(call) + ": " + error.what;
   Seen& seen = calls_[std::string(call)];
-  if (error.code == Errc::OutOfRange || error.code == Errc::Unsupported) {
+  if (error.code == Errc::OutOfRange || error.code == Errc::Unsupported ||
+      error.code == Errc::NoDevice) {
     return seen.mistakes.size() < kMostMistakes && seen.mistakes.insert(error.what).second;
   }
   any_lost_ = true;

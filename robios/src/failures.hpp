@@ -13,8 +13,9 @@ namespace eyebridge::robios {
 
 /// Remembers which calls failed, so that a loop that fails a thousand times is reported once.
 ///
-/// A mistake of the program (OutOfRange, Unsupported) is reported once for each reason, and at most
-/// kMostMistakes of them for one call; a lost device once until the call works again. Any thread.
+/// A mistake of the program (OutOfRange, Unsupported, NoDevice) is reported once for each reason,
+/// and at most kMostMistakes of them for one call; a lost device once until the call works again.
+/// Any thread.
 class Failures {
  public:
   static constexpr std::size_t kMostMistakes = 5;

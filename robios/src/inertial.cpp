@@ -15,7 +15,7 @@ int EYEBRIDGEGyroscopeGet(int* rate) {
   return robios::guarded("EYEBRIDGEGyroscopeGet", 1, [&](robios::Session& session) -> Result<int> {
     if (rate == nullptr) return robios::null_pointer();
     hal::Gyroscope* gyroscope = session.backend().gyroscope();
-    if (gyroscope == nullptr) return fail(Errc::Unsupported, "this robot has no gyroscope");
+    if (gyroscope == nullptr) return fail(Errc::NoDevice, "this robot has no gyroscope");
     return gyroscope->read().map([&](double turning) {
       *rate = to_hundredths(turning);
       return 0;
@@ -29,7 +29,7 @@ int EYEBRIDGEAccelerometerGet(int* forward, int* left) {
                            if (forward == nullptr || left == nullptr) return robios::null_pointer();
                            hal::Accelerometer* accelerometer = session.backend().accelerometer();
                            if (accelerometer == nullptr) {
-                             return fail(Errc::Unsupported, "this robot has no accelerometer");
+                             return fail(Errc::NoDevice, "this robot has no accelerometer");
                            }
                            return accelerometer->read().map([&](Vec2 felt) {
                              *forward = robios::to_mm(felt.x);

@@ -60,7 +60,7 @@ Session& Session::only() {
             const InCall in_end;
             only().end();
             int code = only().await_joined();
-            if (only().impl_->results_lost) code = 1;
+            if (only().impl_->results_lost || only().impl_->is_left_moving) code = 1;
             if (status != 0 || code == 0) return;
             std::fflush(nullptr);
             _exit(code);

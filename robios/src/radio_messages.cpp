@@ -22,7 +22,7 @@ void check_hope(hal::Radio& radio, Session& session, Time since) {
 
 Result<hal::Radio*> radio_of(Session& session) {
   hal::Radio* const radio = session.backend().radio();
-  if (radio == nullptr) return fail(Errc::Unsupported, "this robot has no radio");
+  if (radio == nullptr) return fail(Errc::NoDevice, "this robot has no radio");
   return radio;
 }
 

@@ -119,18 +119,34 @@ void Session::look_around() {
   if (only_library_threads_left() && impl_->claim_end()) std::exit(0);
 }
 
-// A program that waits in an empty loop for what its timer changes makes no call with which virtual
-// time would pass. When it has only computed for a second, time goes on from timer to timer;
-// slowly, so that not many more are called than it waits for.
+// A program that computes on makes no call with which virtual time would pass.
 void Session::go_on_without_calls() {
   // While a person lets time stand still, whoever lets it pass would wait for him.
   hal::Environment* const world = impl_->backend->environment();
-  if (world != nullptr && world->time().is_paused()) return;
-  constexpr int kTimersAtOnce = 50;  // then signals are looked after, too
+  const bool is_paused = world != nullptr && world->time().is_paused();
   const std::uint64_t calls = impl_->calls;
   const std::clock_t processor = std::clock();
-  if (std::exchange(impl_->calls_seen, calls) != calls) impl_->processor_seen = processor;
-  if (processor - impl_->processor_seen < CLOCKS_PER_SEC) return;
+  // Time passes without calls, too: each sched_yield() is a microsecond.
+  const Time now = impl_->clock.now();
+  const bool has_time_passed = std::exchange(impl_->time_seen, now) != now;
+  if (std::exchange(impl_->calls_seen, calls) != calls || has_time_passed || is_paused) {
+    impl_->processor_seen = processor;
+    impl_->has_told_of_hang = false;
+  }
+  const double computed_s = static_cast<double>(processor - impl_->processor_seen) / CLOCKS_PER_SEC;
+  if (computed_s < 1.0) return;
+  if (impl_->timers.any()) {
+    run_timers_of_waiting(calls);
+    impl_->time_seen = impl_->clock.now();
+  } else {
+    end_hanging(computed_s);
+  }
+}
+
+// It may wait in an empty loop for what its timer changes: time goes on from timer to timer;
+// slowly, so that not many more are called than it waits for.
+void Session::run_timers_of_waiting(std::uint64_t calls) {
+  constexpr int kTimersAtOnce = 50;  // then signals are looked after, too
   for (int i = 0; i < kTimersAtOnce && impl_->calls == calls; ++i) {
     const std::optional<Time> due = impl_->timers.next_due();
     if (!due || !impl_->is_running()) return;
@@ -139,6 +155,29 @@ void Session::go_on_without_calls() {
     check_limit();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
+}
+
+// Nothing changes what it waits for. In real time the limit would end it; here computing costs
+// nothing, so that it may take some seconds more.
+void Session::end_hanging(double computed_s) {
+  constexpr double kAlways_s = 5.0;
+  const double hang_s = impl_->config.number("hang_limit");
+  const double limit_s = impl_->limit ? std::max(kAlways_s, to_seconds(*impl_->limit)) : hang_s;
+  if (computed_s >= std::min(kAlways_s, hang_s / 2) &&
+      !std::exchange(impl_->has_told_of_hang, true)) {
+    impl_->log.write(Severity::Warning,
+                     fmt::format("the program has computed for {:.0f} s without a call with which "
+                                 "virtual time passes; that stands still",
+                                 computed_s));
+  }
+  if (computed_s < std::min(limit_s, hang_s) || !impl_->claim_end()) return;
+  const bool is_limit = impl_->limit && limit_s <= hang_s;
+  impl_->log.write(
+      is_limit ? Severity::Warning : Severity::Error,
+      is_limit ? fmt::format("it has computed for longer than the time limit of {} s; it ends",
+                             to_seconds(*impl_->limit))
+               : fmt::format("it is ended after {:g} s; --hang-limit says when", hang_s));
+  leave(is_limit ? 0 : 124);
 }
 
 bool Session::may_call(std::string_view call) const {
@@ -216,8 +255,12 @@ void Session::abort_run(const Error& error) {
 void Session::succeeded(std::string_view call) { impl_->failures.succeeded(call); }
 
 void Session::failed(std::string_view call, const Error& error) {
-  if (!impl_->failures.add(call, error)) return;
-  impl_->log.write(Severity::Warning, fmt::format("{}: {}", call, error.what));
+  const bool is_new = impl_->failures.add(call, error);
+  if (error.code == Errc::NoDevice && impl_->config.text("missing_devices") == "error") {
+    abort_run({error.code, fmt::format("{}: {}; the program ends (--missing-devices error)", call,
+                                       error.what)});
+  }
+  if (is_new) impl_->log.write(Severity::Warning, fmt::format("{}: {}", call, error.what));
 }
 
 std::string Session::last_error() const { return impl_->failures.last(); }
@@ -226,7 +269,7 @@ void Session::abandon() noexcept {
   std::call_once(impl_->ended, [this] {
     impl_->claim_end();
     impl_->stage = Impl::Stage::Ended;
-    impl_->backend->stop();
+    static_cast<void>(impl_->backend->stop());
     impl_->backend->trace_to(nullptr);
   });
 }
@@ -238,6 +281,17 @@ void Session::tell_of_overruns() {
   impl_->log.write(
       Severity::Warning,
       fmt::format("the computer was too slow {} times: time slipped", world->time().overruns()));
+}
+
+// Nobody may take a robot that drives on for one whose program has ended.
+void Session::confirm(const Result<void>& stopped) {
+  if (stopped) return;
+  impl_->is_left_moving = true;
+  impl_->log.write(
+      Severity::Error,
+      fmt::format("the robot may still be moving: it was told to stand, but {}; expected that it "
+                  "answers: switch its motors off",
+                  stopped.error().what));
 }
 
 // Robots that joined go on to their ends.
@@ -260,7 +314,7 @@ void Session::end() noexcept {
     impl_->recorder.stop();
     // Where others go on it keeps its last command, as one of several robots does.
     const bool stops = !impl_->joining || !impl_->joining->is_busy();
-    if (stops) impl_->backend->stop();
+    if (stops) static_cast<void>(impl_->backend->stop());
     if (impl_->panel) impl_->panel->stop();
     if (impl_->runner == nullptr) {
       release_terminal();
@@ -274,7 +328,8 @@ void Session::end() noexcept {
       impl_->results_lost = true;
       impl_->log.write(Severity::Error, error.what());
     }
-    if (stops) impl_->backend->stop();  // again: another thread's call may have been under way
+    // Again: another thread's call may have been under way.
+    if (stops) confirm(impl_->backend->stop());
   });
 }
 

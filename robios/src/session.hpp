@@ -165,8 +165,11 @@ class Session {
   OwnPart& own_part(std::type_index type, std::unique_ptr<OwnPart> (*make)(Session&));
   void look_around();
   void tell_of_overruns();
+  void confirm(const Result<void>& stopped);
   int await_joined();
   void go_on_without_calls();
+  void run_timers_of_waiting(std::uint64_t calls);
+  void end_hanging(double computed_s);
   static void watch_forks();
 
   std::unique_ptr<Impl> impl_;

@@ -68,7 +68,8 @@ Session::Impl::Impl(SessionStart* start, hal::Config configuration)
       screen(make_screen(config)),
       // One terminal shows one robot.
       panel(!name.empty() ? nullptr : open_panel(config, *screen, windows != nullptr)),
-      keys(make_keys(config, clock, *screen, !name.empty() ? nullptr : person_at(panel.get()))),
+      keys(make_keys(config, backend->robot_id(), clock, *screen,
+                     !name.empty() ? nullptr : person_at(panel.get()))),
       camera(config.text("camera"), {&clock, backend->camera_view(), &log},
              backend->camera_source()),
       recorder(clock, timers),

@@ -85,10 +85,13 @@ struct Session::Impl {
   const std::chrono::steady_clock::time_point wall_start = std::chrono::steady_clock::now();
   std::once_flag ended;
   bool results_lost = false;
+  bool is_left_moving = false;  ///< As far as we know.
 
   std::atomic<std::thread::id> ending_thread{};
   std::uint64_t calls_seen = 0;
+  Time time_seen{};
   std::clock_t processor_seen = 0;
+  bool has_told_of_hang = false;
 
   std::mutex own_mutex;
   std::vector<std::pair<std::type_index, std::unique_ptr<OwnPart>>> own;

@@ -28,9 +28,11 @@ std::string text_of(const Screen& screen) {
   return text + '\n';
 }
 
-std::unique_ptr<Keys> make_keys(const hal::Config& config, Clock& clock, Screen& screen,
+std::unique_ptr<Keys> make_keys(const hal::Config& config, int robot, Clock& clock, Screen& screen,
                                 std::unique_ptr<KeyInput> input) {
   auto script = from_setting(config, "keys", parse_key_script);
+  std::erase_if(script,
+                [robot](const ScriptedKey& key) { return key.robot != 0 && key.robot != robot; });
   auto keys = std::make_unique<Keys>(clock, std::move(script), std::move(input));
   keys->set_touch_map([&screen](int x, int y) { return screen.key_at(x, y); });
   return keys;

@@ -35,7 +35,7 @@ std::string name_among_several(const hal::Config& config);
 std::string text_of(const Screen& screen);
 
 /// Keys by the script of the settings; `input`, unless null, is a person's.
-std::unique_ptr<Keys> make_keys(const hal::Config& config, Clock& clock, Screen& screen,
+std::unique_ptr<Keys> make_keys(const hal::Config& config, int robot, Clock& clock, Screen& screen,
                                 std::unique_ptr<KeyInput> input);
 
 /// A person's keys: at the panel, or at the terminal where there is none.

@@ -263,9 +263,9 @@ bool ThreadTurns::is_busy(Member& member) {
     return false;
   }
   if (!member.computes_since) member.computes_since = state.processor_s;
-  if (state.processor_s - *member.computes_since < kPatience_s) return true;
+  if (state.processor_s - *member.computes_since < member.patience_s) return true;
   member.is_left_alone = true;
-  tell_();
+  if (std::exchange(member.patience_s, kLessPatience_s) == kPatience_s) tell_();
   return false;
 }
 

@@ -26,20 +26,22 @@ struct TurnMember;
 /// (reads a file, waits in a lock that is not told of) sleeps, by the kernel's word, and the others
 /// go on without it; not so in a call of the library, where who sleeps waits for an answer that
 /// comes, unless the call says that it may not (Away). Who computes holds time up, for kPatience_s
-/// of processor time.
+/// of processor time; who did that once, for kLessPatience_s: it spins until others have done
+/// something, and will again.
 ///
 /// Any thread. A member is one thread's, which alone calls what takes it, but for leave().
 class ThreadTurns {
  public:
   static constexpr Time kNever = Time::max();
-  static constexpr double kPatience_s = 5.0;
+  static constexpr double kPatience_s = 2.0;
+  static constexpr double kLessPatience_s = 0.02;
 
   /// A thread of the program.
   using Member = TurnMember;
   /// Tells whether `what` need not be waited for; `value` as it was given.
   using IsFree = int (*)(const void* what, long value);
   using Look = std::function<ThreadState(Member&)>;
-  /// Told once for each time that a thread has computed too long: time goes on without it.
+  /// Told when a thread has computed too long for the first time: time goes on without it.
   using Tell = std::function<void()>;
 
   /// What else happens on the clock, and may wake somebody: a timer's function.
@@ -168,6 +170,7 @@ struct TurnMember {
   bool was_passed = false;               ///< Others went on while it slept somewhere else.
   bool is_left_alone = false;            ///< It has computed too long; until it is here again.
   std::optional<double> computes_since;  ///< Its processor time when it was first seen to.
+  double patience_s = ThreadTurns::kPatience_s;  ///< With it when it computes.
   const std::shared_ptr<WakeUp> turn = std::make_shared<WakeUp>();
 };
 

@@ -19,7 +19,7 @@ template <class Body>
 int with_inputs(const robios::Call& call, int failure, Body&& body) {
   return robios::guarded(call, failure, [&](Session& session) -> Result<int> {
     hal::AnalogInputs* inputs = session.backend().analog();
-    if (inputs == nullptr) return fail(Errc::Unsupported, "this robot has no analog inputs");
+    if (inputs == nullptr) return fail(Errc::NoDevice, "this robot has no analog inputs");
     return body(*inputs, session);
   });
 }

@@ -12,7 +12,7 @@ template <class Body>
 int with_sound(const robios::Call& call, int failure, Body&& body) {
   return robios::guarded(call, failure, [&](robios::Session& session) -> Result<int> {
     hal::Sound* sound = session.backend().sound();
-    if (sound == nullptr) return fail(Errc::Unsupported, "this robot has no loudspeaker");
+    if (sound == nullptr) return fail(Errc::NoDevice, "this robot has no loudspeaker");
     return body(*sound);
   });
 }

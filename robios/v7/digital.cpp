@@ -12,7 +12,7 @@ template <class Body>
 int with_lines(const robios::Call& call, int failure, Body&& body) {
   return robios::guarded(call, failure, [&](robios::Session& session) -> Result<int> {
     hal::DigitalLines* lines = session.backend().digital();
-    if (lines == nullptr) return fail(Errc::Unsupported, "this robot has no digital lines");
+    if (lines == nullptr) return fail(Errc::NoDevice, "this robot has no digital lines");
     return body(*lines);
   });
 }

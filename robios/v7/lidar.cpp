@@ -6,6 +6,7 @@
 #include "convert.hpp"
 #include "globals.hpp"
 #include "guarded.hpp"
+#include "no_device.hpp"
 #include <eyebot.h>
 
 int LIDAR_RESOLUTION = 360;
@@ -21,7 +22,7 @@ struct ScanTurn {
 
 Result<hal::Lidar*> find(robios::Session& session) {
   hal::Lidar* lidar = session.backend().lidar();
-  if (lidar == nullptr) return fail(Errc::Unsupported, "this robot has no lidar");
+  if (lidar == nullptr) return robios::no_device(session, "lidar", 1, "lidar");
   return lidar;
 }
 

@@ -4,6 +4,7 @@
 
 #include "eyebot.h"
 #include "guarded.hpp"
+#include "no_device.hpp"
 
 namespace {
 
@@ -14,18 +15,14 @@ template <class Command>
 int on_motor(const robios::Call& call, int id, Command&& command) {
   return robios::guarded(call, 1, [&](robios::Session& session) -> Result<int> {
     hal::Motor* motor = session.backend().motor(id);
-    if (motor == nullptr) {
-      return fail(Errc::OutOfRange, fmt::format("this robot has no motor {}", id));
-    }
+    if (motor == nullptr) return robios::no_device(session, "motor", id);
     return command(*motor).map([] { return 0; });
   });
 }
 
 Result<hal::Encoder*> find_encoder(robios::Session& session, int id) {
   hal::Encoder* encoder = session.backend().encoder(id);
-  if (encoder == nullptr) {
-    return fail(Errc::OutOfRange, fmt::format("this robot has no encoder {}", id));
-  }
+  if (encoder == nullptr) return robios::no_device(session, "encoder", id);
   return encoder;
 }
 

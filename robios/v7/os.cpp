@@ -111,7 +111,7 @@ int OSVersionIO(char* buf) {
     if (buf == nullptr) return robios::null_pointer();
     buf[0] = '\0';
     hal::IoBoard* board = session.backend().io_board();
-    if (board == nullptr) return fail(Errc::Unsupported, "this robot has no I/O board");
+    if (board == nullptr) return fail(Errc::NoDevice, "this robot has no I/O board");
     return board->version().map([&](const std::string& version) {
       constexpr std::size_t kLongest = 99;  // programs have 100 bytes for it
       const std::size_t length = std::min(version.size(), kLongest);

@@ -1,10 +1,9 @@
 #include <atomic>
 
-#include <fmt/format.h>
-
 #include "convert.hpp"
 #include "eyebot.h"
 #include "guarded.hpp"
+#include "no_device.hpp"
 
 namespace {
 
@@ -31,8 +30,7 @@ int in_robot(robios::Session& session, int psd) {
 
 Result<hal::RangeSensor*> find(robios::Session& session, int psd) {
   hal::RangeSensor* sensor = session.backend().range_sensor(in_robot(session, psd));
-  if (sensor == nullptr)
-    return fail(Errc::OutOfRange, fmt::format("this robot has no PSD {}", psd));
+  if (sensor == nullptr) return robios::no_device(session, "PSD", psd);
   return sensor;
 }
 

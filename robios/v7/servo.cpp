@@ -4,6 +4,7 @@
 
 #include "eyebot.h"
 #include "guarded.hpp"
+#include "no_device.hpp"
 
 namespace {
 
@@ -15,9 +16,7 @@ int set(const robios::Call& call, int id, int angle) {
       return fail(Errc::OutOfRange, fmt::format("servo position {} is outside 0..255", angle));
     }
     hal::Servo* servo = session.backend().servo(id);
-    if (servo == nullptr) {
-      return fail(Errc::OutOfRange, fmt::format("this robot has no servo {}", id));
-    }
+    if (servo == nullptr) return robios::no_device(session, "servo", id);
     // 128 is the middle, 1 and 255 the ends; 0 is one more step, as in EyeSim.
     return servo->set(std::clamp(0.5 + (angle - 128) / 254.0, 0.0, 1.0)).map([] { return 0; });
   });
@@ -36,7 +35,7 @@ int SERVORange(int servo, int low, int high) {
                   fmt::format("servo limits {}..{} are outside 0..255", low, high));
     }
     if (session.backend().servo(servo) == nullptr) {
-      return fail(Errc::OutOfRange, fmt::format("this robot has no servo {}", servo));
+      return robios::no_device(session, "servo", servo);
     }
     return 0;  // pulse lengths have no meaning for a simulated servo, as in EyeSim
   });

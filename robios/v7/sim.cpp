@@ -16,11 +16,11 @@ Value with_world(const robios::Call& call, Value failure, Body&& body) {
   });
 }
 
-// z is the height above the floor, which a plane world does not have.
-int give(const Pose& pose, int* x, int* y, int* z, int* phi) {
+// z is the height of a submarine above the floor, in metres; all else stands on it.
+int give(const Pose& pose, double altitude, int* x, int* y, int* z, int* phi) {
   robios::store(x, robios::to_mm(pose.x));
   robios::store(y, robios::to_mm(pose.y));
-  robios::store(z, 0);
+  robios::store(z, robios::to_mm(altitude));
   robios::store(phi, robios::to_deg(pose.theta));
   return 0;
 }
@@ -32,22 +32,28 @@ Pose pose_of(int x, int y, int phi) {
 }  // namespace
 
 int SIMGetRobot(int id, int* x, int* y, int* z, int* phi) {
-  give({}, x, y, z, phi);  // an unknown id reads as zeros
+  give({}, 0.0, x, y, z, phi);  // an unknown id reads as zeros
   return with_world("SIMGetRobot", 1, [&](hal::WorldControl& world) -> Result<int> {
-    return world.robot_pose(id).map([&](const Pose& pose) { return give(pose, x, y, z, phi); });
+    return world.robot_pose(id).and_then([&](const Pose& pose) -> Result<int> {
+      return world.robot_altitude(id).map(
+          [&](double altitude) { return give(pose, altitude, x, y, z, phi); });
+    });
   });
 }
 
-int SIMSetRobot(int id, int x, int y, int /*z*/, int phi) {
+int SIMSetRobot(int id, int x, int y, int z, int phi) {
   return with_world("SIMSetRobot", 1, [&](hal::WorldControl& world) -> Result<int> {
-    return world.set_robot_pose(id, pose_of(x, y, phi)).map([] { return 0; });
+    return world.set_robot_pose(id, pose_of(x, y, phi))
+        .and_then([&] { return world.set_robot_altitude(id, mm_to_m(z)); })
+        .map([] { return 0; });
   });
 }
 
 int SIMGetObject(int id, int* x, int* y, int* z, int* phi) {
-  give({}, x, y, z, phi);
+  give({}, 0.0, x, y, z, phi);
   return with_world("SIMGetObject", 1, [&](hal::WorldControl& world) -> Result<int> {
-    return world.object_pose(id).map([&](const Pose& pose) { return give(pose, x, y, z, phi); });
+    return world.object_pose(id).map(
+        [&](const Pose& pose) { return give(pose, 0.0, x, y, z, phi); });
   });
 }
 

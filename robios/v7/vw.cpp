@@ -19,7 +19,7 @@ template <class Body>
 int with_drive(const robios::Call& call, int failure, Body&& body) {
   return robios::guarded(call, failure, [&](Session& session) -> Result<int> {
     hal::Drive* drive = session.backend().drive();
-    if (drive == nullptr) return fail(Errc::Unsupported, "this robot has no drive");
+    if (drive == nullptr) return fail(Errc::NoDevice, "this robot has no drive");
     return body(*drive, session);
   });
 }
@@ -162,7 +162,7 @@ int VWControlOff(void) {
     for (int id = 1; id <= kMostMotors; ++id) {
       hal::Motor* motor = session.backend().motor(id);
       if (motor == nullptr && id == 1) {
-        return fail(Errc::Unsupported, "this robot has no motors of its own");
+        return fail(Errc::NoDevice, "this robot has no motors of its own");
       }
       if (motor == nullptr) continue;
       if (const auto stopped = motor->set_duty(0.0); !stopped) {

@@ -74,6 +74,18 @@ TEST_F(Dialect, HeadersByOtherNamesAreThereAndAProgramsOwnComeFirst) {
   }
 }
 
+TEST_F(Dialect, AnInlineFunctionOfClassicCIsThereForOtherFiles) {
+  folder_.write(
+      "a.c", "#include \"near.h\"\n__inline__ int near_hue(int a, int b) { return a - b < 10; }\n");
+  folder_.write("near.h", "__inline__ int near_hue(int, int);\n");
+  folder_.write("main.c",
+                "#include \"eyebot.h\"\n#include \"near.h\"\n"
+                "int main() { printf(\"%d\", near_hue(3, 5)); return 0; }\n");
+  const ProgramRun r = build("gccsim --classic main.c a.c -o x.x");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.out, "1");
+}
+
 TEST_F(Dialect, OldCGivesWarningsOnly) {
   folder_.write(
       "x.c",

@@ -39,7 +39,7 @@ TEST(MixCommand, SimulatedSensorsSeeWhatABoardsWheelsDo) {
   int before = 0;
   int after = 0;
   std::istringstream(r.out) >> before >> after;
-  EXPECT_NEAR(before, 1000 - 60, 1) << "an S4's front sensor sits 60 mm ahead of its centre";
+  EXPECT_NEAR(before, 995 - 60, 1) << "an S4's front sensor sits 60 mm ahead of its centre";
   EXPECT_NEAR(before - after, 300, 15);
   EXPECT_EQ(board.finish(SIGTERM), 0);
 }

@@ -167,9 +167,9 @@ TEST_F(Run, AMissingWorldIsAnError) {
   expect_bad_input(run({"--sim", "nowhere.sim", "prog"}), "nowhere.sim");
 }
 
-TEST_F(Run, ABadWorldIsAnErrorBeforeTheProgramStarts) {
+TEST_F(Run, ABadWorldIsAnErrorBeforeTheProgramStartsWhenThatIsAskedFor) {
   folder_.write("bad.wld", "floor 1000 1000\npop\n");
-  expect_bad_input(run({"--world", "bad.wld", "prog"}), "bad.wld:2:1");
+  expect_bad_input(run({"--strict", "--world", "bad.wld", "prog"}), "bad.wld:2:1");
 }
 
 }  // namespace

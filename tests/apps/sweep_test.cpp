@@ -243,12 +243,13 @@ TEST_F(Sweep, ARunTellsOfItselfInAReport) {
       run_command({"run", "--fast", "--report", "r.txt", cell_, "drive", "60000"}, folder_.path());
   ASSERT_EQ(r.exit_code, 0) << r.err;
   const std::string report = testing::file_text(folder_.path() + "/r.txt");
-  EXPECT_THAT(report, ::testing::MatchesRegex("time = +60\\.[0-9]+\ndistance = +0\\.[0-9]+\n"
-                                              "collisions = +1\nstate_hash = \"[0-9a-f]+\"\n"
-                                              "trace_hash = \"[0-9a-f]{16}\"\n"
-                                              "ended = true \n"
-                                              "end_x = +[0-9.]+\nend_y = +[0-9.]+\n"
-                                              "end_theta = +[-0-9.]+\n"));
+  EXPECT_THAT(report, ::testing::MatchesRegex(
+                          "time = +60\\.[0-9]+\ndistance = +0\\.[0-9]+\n"
+                          "collisions = +1\nstuck = +[0-9.]+\nstate_hash = \"[0-9a-f]+\"\n"
+                          "trace_hash = \"[0-9a-f]{16}\"\n"
+                          "ended = true \n"
+                          "end_x = +[0-9.]+\nend_y = +[0-9.]+\n"
+                          "end_theta = +[-0-9.]+\n"));
   const ProgramRun bad =
       run_command({"run", "--fast", "--report", "no/r.txt", cell_}, folder_.path());
   EXPECT_EQ(bad.exit_code, 2);

@@ -11,6 +11,7 @@ import sys
 import tomllib
 
 from headers import declared_in, defined_in, differences
+from robots import HEAD, robot_rows
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = pathlib.Path(__file__).resolve().parent
@@ -87,6 +88,12 @@ class Page:
         ]
         for generation, families in self.functions.items():
             self.add_generation(generation, families)
+        self.add_robots()
+
+    def add_robots(self) -> None:
+        self.lines += ["", "## Robots", "", *(HERE / "robots.md").read_text().splitlines(), ""]
+        self.lines += ["| " + " | ".join(HEAD) + " |", "|---" * len(HEAD) + "|"]
+        self.lines += ["| " + " | ".join(cell(text) for text in row) + " |" for row in robot_rows(ROOT)]
 
     def add_generation(self, generation: str, families: dict[str, list[str]]) -> None:
         declared: dict[str, str] = {}

@@ -18,8 +18,9 @@ using Bytes = std::vector<std::uint8_t>;
 files::Scenario room() {
   files::Scenario scenario;
   scenario.world = files::read_world(
-      "floor 4000 2000\n0 0 4000 0\n4000 0 4000 2000\n4000 2000 0 2000\n0 2000 0 0\n", "room.wld",
-      scenario.warnings);
+      "floor 4000 2000\n0 0 4000 0 0 200\n4000 0 4000 2000 0 200\n"
+      "4000 2000 0 2000 0 200\n0 2000 0 0 0 200\n",
+      "room.wld", scenario.warnings);
   robot::RobotModel model;
   robot::RangeSensorModel front;
   front.id = 1;

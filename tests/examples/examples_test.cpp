@@ -72,7 +72,7 @@ TEST(Soccer, FiveAgainstFivePlayTheSameTenMinutesEachTime) {
   const ProgramRun first = play();
   EXPECT_EQ(first.exit_code, 0) << first.err;
   EXPECT_THAT(first.out, HasSubstr("goal after "));
-  EXPECT_EQ(state_of(first.err), "eyebridge: 10 robots, 600.0trace 174b5f0840899ea3");
+  EXPECT_EQ(state_of(first.err), "eyebridge: 10 robots, 600.0trace 4e5c966805d0bc31");
   const ProgramRun second = play();
   EXPECT_EQ(second.out, first.out);
   EXPECT_EQ(state_of(second.err), state_of(first.err));
@@ -107,8 +107,8 @@ TEST(ClassicPatrol, DrivesToAndFroWhileItIsWatched) {
   const ProgramRun r = run(EYEBRIDGE_CLASSIC_PATROL, "empty-room.wld");
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_EQ(r.err, "");
-  EXPECT_THAT(r.out, HasSubstr("leg 1: 540 mm to the wall\n"));
-  EXPECT_THAT(r.out, HasSubstr("leg 6: 940 mm to the wall\n"));
+  EXPECT_THAT(r.out, HasSubstr("leg 1: 535 mm to the wall\n"));
+  EXPECT_THAT(r.out, HasSubstr("leg 6: 935 mm to the wall\n"));
   EXPECT_THAT(r.out, HasSubstr("patrol ended after "));
 }
 

@@ -38,12 +38,10 @@ namespace eyebridge::fuzz {
 /// Ends the process: what was read did not survive being written.
 [[noreturn]] inline void found() { std::abort(); }
 
-inline void world(std::string_view text) {
-  const std::string description = files::description_in(text);
-  if (in_quotes(description, 1000) != "'" + description + "'") found();
+inline void world_read(std::string_view text, files::Reading reading) {
   std::vector<Warning> warnings;
   try {
-    const auto model = files::read_world(text, "fuzz.wld", warnings);
+    const auto model = files::read_world(text, "fuzz.wld", warnings, nullptr, reading);
     std::string written;
     try {
       written = files::write_world(model);
@@ -53,6 +51,13 @@ inline void world(std::string_view text) {
     if (files::read_world(written, "again.wld", warnings) != model) found();
   } catch (const ConfigError&) {  // the input is no world
   }
+}
+
+inline void world(std::string_view text) {
+  const std::string description = files::description_in(text);
+  if (in_quotes(description, 1000) != "'" + description + "'") found();
+  world_read(text, files::Reading::Strict);
+  world_read(text, files::Reading::Tolerant);
 }
 
 inline void maze(std::string_view text) {
@@ -73,15 +78,16 @@ inline void maze(std::string_view text) {
 inline void robi(std::string_view text) {
   std::vector<Warning> warnings;
   try {
+    static_cast<void>(files::read_robi(text, "fuzz.robi", warnings, files::Reading::Tolerant));
     static_cast<void>(files::read_robi(text, "fuzz.robi", warnings));
   } catch (const ConfigError&) {  // the input is no robot
   }
 }
 
-inline void sim(std::string_view text) {
+inline void sim_read(std::string_view text, files::Reading reading) {
   std::vector<Warning> warnings;
   try {
-    const auto sim = files::read_sim(text, "fuzz.sim", warnings);
+    const auto sim = files::read_sim(text, "fuzz.sim", warnings, reading);
     std::string written;
     try {
       written = files::write_sim(sim);
@@ -93,6 +99,11 @@ inline void sim(std::string_view text) {
   }
 }
 
+inline void sim(std::string_view text) {
+  sim_read(text, files::Reading::Strict);
+  sim_read(text, files::Reading::Tolerant);
+}
+
 inline void parameter(std::string_view text) {
   std::vector<Warning> warnings;
   try {
@@ -102,11 +113,13 @@ inline void parameter(std::string_view text) {
 }
 
 inline void object(std::string_view text) {
-  std::vector<Warning> warnings;
-  try {
-    const auto object = files::read_object(text, "fuzz.esObj", "fuzz", warnings);
-    if (!(object.radius > 0 && object.height > 0)) found();
-  } catch (const ConfigError&) {  // the input is no object
+  for (const files::Reading reading : {files::Reading::Strict, files::Reading::Tolerant}) {
+    std::vector<Warning> warnings;
+    try {
+      const auto object = files::read_object(text, "fuzz.esObj", "fuzz", warnings, reading);
+      if (!(object.radius > 0 && object.height > 0)) found();
+    } catch (const ConfigError&) {  // the input is no object
+    }
   }
 }
 

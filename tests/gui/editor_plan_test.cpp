@@ -48,6 +48,14 @@ TEST(EditorPlan, StepsAreUndoneToTheLastBit) {
   EXPECT_TRUE(same_plan(document.plan(), third));
 }
 
+TEST(EditorPlan, WaterStaysInItsWorld) {
+  Plan plan = plan_with_robots(1);
+  const Plan dry = plan;
+  plan.water = 1.5;
+  EXPECT_FALSE(same_plan(plan, dry));
+  EXPECT_EQ(ground_of(plan, false).water, 1.5);
+}
+
 TEST(EditorPlan, WhatChangesNothingIsNoStep) {
   Document document(empty_plan(4, 4));
   document.edit("nothing", [](Plan& plan) { move_items(plan, {{Kind::Wall, 0}}, {0, 0}); });
@@ -213,11 +221,12 @@ TEST(EditorMaze, SaysPreciselyWhatDoesNotFit) {
             "the wall from (360, 0) mm to (360, 400) mm does not lie between cells of 360 mm");
   EXPECT_EQ(why_no_maze(wall({1.8, 0}, {2.16, 0})),
             "the wall from (1800, 0) mm to (2160, 0) mm leaves the floor");
-  EXPECT_THAT(why_no_maze([](Plan& plan) { plan.walls[0].thickness = 0.01; }),
+  EXPECT_THAT(why_no_maze([](Plan& plan) { plan.walls[0].thickness = 0.02; }),
               HasSubstr("the wall from (0, 0) mm to (1800, 0) mm has a thickness"));
   EXPECT_EQ(why_no_maze([](Plan& plan) { plan.width = 1.9; }),
             "its floor of 1900 mm x 1800 mm is no whole number of cells of 360 mm");
   EXPECT_THAT(why_no_maze([](Plan& plan) { plan.texture = "x.png"; }), HasSubstr("floor texture"));
+  EXPECT_THAT(why_no_maze([](Plan& plan) { plan.water = 2; }), HasSubstr("it has water"));
   EXPECT_THAT(why_no_maze([](Plan& plan) {
                 add_marker(plan, {1, 1});
               }),

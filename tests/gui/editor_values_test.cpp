@@ -26,11 +26,11 @@ TEST_F(EditorValues, ValuesAreTypedAsStepsThatCanBeUndone) {
   ASSERT_NE(thickness, nullptr);
   thickness->selectAll();
   QTest::keyClicks(thickness, "50");
-  EXPECT_EQ(plan().walls[1].thickness, 0.0) << "still being typed";
+  EXPECT_EQ(plan().walls[1].thickness, world::Wall::kFileThickness) << "still being typed";
   QTest::keyClick(thickness, Qt::Key_Return);
   EXPECT_EQ(plan().walls[1].thickness, 0.05);
   press_key(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(plan().walls[1].thickness, 0.0);
+  EXPECT_EQ(plan().walls[1].thickness, world::Wall::kFileThickness);
   window_->properties().set_value("Colour", QColor(1, 2, 3));
   EXPECT_EQ(plan().walls[1].colour, (Rgb{1, 2, 3}));
 }

@@ -1,8 +1,12 @@
+#include <QImage>
+#include <QPainter>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "environment/grip.hpp"
 #include "environment/mirror.hpp"
+#include "environment/paint_world.hpp"
 #include "environment/trails.hpp"
 #include "room.hpp"
 
@@ -121,6 +125,58 @@ TEST(Mirror, FollowsWhatComesAndGoes) {
   late.follow(look_at(room));
   EXPECT_FALSE(late.is_free(look.robots[0].body, {0.9, 0.5}));
   EXPECT_TRUE(late.is_free(look.robots[0].body, {1.0, 0.2}));
+}
+
+/// A submarine in the middle of a pool of 4 m x 4 m, as far below the surface.
+hal::WorldLook dived(double depth) {
+  auto pool = std::make_shared<world::WorldModel>();
+  pool->width = pool->height = 4.0;
+  robot::RobotModel model;
+  model.diameter = model.height = 0.4;
+  model.drive.kind = robot::DriveKind::Submarine;
+  model.range_sensors.emplace_back().kind = robot::RangeKind::Down;
+  robot::Simulation sim(pool, {});
+  const robot::RobotIndex robot = sim.add_robot(model, {2.0, 2.0, 0.0});
+  sim.set_altitude(robot, sim.altitude(robot) - depth);
+  hal::WorldLook look;
+  look.scene = sim.world().scene(0.0);
+  hal::RobotLook& seen = look.robots.emplace_back();
+  seen.model = std::make_shared<const robot::RobotModel>(model);
+  seen.body = sim.body(robot);
+  seen.pose = sim.pose(robot);
+  seen.altitude = sim.altitude(robot);
+  seen.depth = sim.depth(robot);
+  return look;
+}
+
+TEST(Mirror, KnowsHowDeepASubmarineIs) {
+  Mirror mirror;
+  mirror.follow(dived(0.5));
+  const auto rays = mirror.distance_rays(0);
+  ASSERT_EQ(rays.size(), 1U);
+  EXPECT_NEAR(rays[0].range, 1.6 - 0.5 + robot::RangeSensorModel{}.height, 1e-12);
+  EXPECT_EQ(rays[0].from, rays[0].to) << "it looks down";
+}
+
+TEST(PaintWorld, AGaugeBesideASubmarineSaysHowDeepItIs) {
+  Viewport view;
+  view.resize({400, 400});
+  view.fit({4.0, 4.0});
+  // Rows of the bar's column in the colour of the water above the mark.
+  const auto blue = [&](double depth) {
+    QImage picture(400, 400, QImage::Format_RGB32);
+    picture.fill(Qt::white);
+    QPainter painter(&picture);
+    paint_bodies(painter, view, dived(depth), std::nullopt);
+    painter.end();
+    const int x = qRound(200 + 0.2 * view.pixels_per_metre() + 12);
+    int rows = 0;
+    for (int y = 0; y < 400; ++y) rows += picture.pixelColor(x, y) == QColor(40, 120, 190);
+    return rows;
+  };
+  EXPECT_EQ(blue(0.0), 0);
+  EXPECT_NEAR(blue(0.8), 20, 2) << "of 40 pixels the half";
+  EXPECT_NEAR(blue(1.6), 40, 2);
 }
 
 TEST(Grip, TakesRobotsByMiddleAndRimAndThings) {

@@ -73,6 +73,18 @@ TEST_P(BackendContract, WorldControlRefusesUnknownIdsAndPoses) {
   EXPECT_EQ(world->set_robot_pose(1, {std::nan(""), 0, 0}).error().code, Errc::OutOfRange);
 }
 
+TEST_P(BackendContract, RobotsWithWheelsStayOnTheFloor) {
+  const Rig rig = make(0.5);
+  WorldControl* world = rig.backend->world();
+  ASSERT_EQ(world != nullptr, traits().world);
+  if (world == nullptr) return;
+  ASSERT_TRUE(world->set_robot_altitude(0, 1.0));
+  EXPECT_EQ(must(world->robot_altitude(0)), 0.0);
+  EXPECT_EQ(world->robot_altitude(3).error().what, "no robot 3, the world has 2");
+  EXPECT_EQ(world->set_robot_altitude(3, 0.0).error().code, Errc::OutOfRange);
+  EXPECT_EQ(world->set_robot_altitude(0, std::nan("")).error().code, Errc::OutOfRange);
+}
+
 TEST_P(BackendContract, WorldControlMovesRobotsAndObjects) {
   const Rig rig = make(0.5);
   WorldControl* world = rig.backend->world();

@@ -1,5 +1,7 @@
 #include "board/host_drive.hpp"
 
+#include <algorithm>
+
 #include <gmock/gmock.h>
 
 #include "host_drive_plant.hpp"
@@ -93,6 +95,30 @@ TEST(HostDrive, LateCallsLoseNoWay) {
   plant.steps(20);
   EXPECT_EQ(plant.drive.status().progress, DriveProgress::Done);
   EXPECT_NEAR(plant.sim.pose(plant.robot).x, kPlantRoom / 2 + 1.0, 0.02);
+}
+
+// Counts that are old when the speeds that follow from them are sent, and speeds that hold for
+// long.
+TEST(HostDrive, ASlowLineNeitherOvershootsNorSwings) {
+  for (const int periods : {2, 3, 6, 12}) {
+    Plant plant;
+    plant.drive.start({0.5, 0.0, 0.2});
+    double furthest = 0.0;
+    WheelSpeeds told;
+    for (int i = 0; i < 600 / periods; ++i) {
+      const WheelCounts counts = plant.counts();
+      const Time counted = plant.now;
+      for (int period = 0; period < periods; ++period) plant.sim.step();
+      plant.now += periods * HostDrive::kPeriod;
+      told = plant.drive.step(counts, counted, plant.now - counted).value();
+      plant.sim.set_motor_speed(plant.robot, 0, 100.0 * told.left);
+      plant.sim.set_motor_speed(plant.robot, 1, 100.0 * told.right);
+      furthest = std::max(furthest, plant.sim.pose(plant.robot).x - kPlantRoom / 2);
+    }
+    EXPECT_EQ(plant.drive.status().progress, DriveProgress::Done) << periods;
+    EXPECT_NEAR(plant.sim.pose(plant.robot).x - kPlantRoom / 2, 0.5, 5e-3) << periods;
+    EXPECT_LT(furthest, 0.505) << periods;
+  }
 }
 
 TEST(HostDrive, EarlyCallsChangeNothing) {

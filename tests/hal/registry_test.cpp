@@ -49,8 +49,9 @@ class Registry : public testing::Test {
 TEST_F(Registry, OpensAnEmptyRoomWhenNothingIsSaid) {
   const auto backend = open({});
   EXPECT_EQ(backend->world()->robot_count(), 1);
-  // An S4 in the middle of 2 m x 2 m: its front sensor sits 60 mm ahead of its centre.
-  EXPECT_NEAR(backend->range_sensor(1)->read().value(), 1.0 - 0.06, 1e-9);
+  // An S4 in the middle of 2 m x 2 m: its front sensor sits 60 mm ahead of its centre,
+  // and half of a wall stands in the room.
+  EXPECT_NEAR(backend->range_sensor(1)->read().value(), 1.0 - 0.005 - 0.06, 1e-9);
   EXPECT_TRUE(backend->clock().is_virtual());
   EXPECT_NE(backend->camera_view(), nullptr);
 }
@@ -60,7 +61,7 @@ TEST_F(Registry, OpensTheWorldThatTheConfigurationNames) {
                                   "floor 4000 2000\n"
                                   "0 0 4000 0\n4000 0 4000 2000\n4000 2000 0 2000\n0 2000 0 0\n"
                                   "position 1000 1000 0\n"
-                                  "2560 0 2560 2000\n");
+                                  "2560 0 2560 2000 0 200\n");
   const auto backend = open({{"world", world}});
   EXPECT_NEAR(backend->range_sensor(1)->read().value(), 1.5, 1e-9);
 }
@@ -98,7 +99,7 @@ TEST_F(Registry, RefusesAnUnknownRobot) {
 TEST_F(Registry, RefusesAWorldThatIsMissingOrWrong) {
   EXPECT_THAT(complaint({{"world", "no/such.maz"}}), HasSubstr("no/such.maz"));
   const std::string world = write("bad.wld", "floor 2000 2000\nwal 1 2 3 4\n");
-  EXPECT_THAT(complaint({{"world", world}}), HasSubstr(world + ":2:1: "));
+  EXPECT_THAT(complaint({{"world", world}, {"strict", "true"}}), HasSubstr(world + ":2:1: "));
 }
 
 TEST_F(Registry, ListsItsBackendsWithASummary) {

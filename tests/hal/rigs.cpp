@@ -12,12 +12,13 @@ namespace {
 constexpr double kWallX = 3.0;    // of the wall that the robot faces, metres
 constexpr double kPatience = 60;  // seconds
 
-/// A room of 4 m x 2 m with a wall across it.
+/// A room of 4 m x 2 m with a wall across it. Its walls are lines.
 std::string world_text() {
   const std::string wall = std::to_string(m_to_mm(kWallX));
   return "floor 4000 2000\n"
-         "0 0 4000 0\n4000 0 4000 2000\n4000 2000 0 2000\n0 2000 0 0\n" +
-         wall + " 0 " + wall + " 2000\n";
+         "0 0 4000 0 0 200\n4000 0 4000 2000 0 200\n"
+         "4000 2000 0 2000 0 200\n0 2000 0 0 0 200\n" +
+         wall + " 0 " + wall + " 2000 0 200\n";
 }
 
 }  // namespace

@@ -113,6 +113,7 @@ TEST(Seat, CallsThatThereAreNotAreErrorsOfThatCallAlone) {
   EXPECT_EQ(error_of({"drive", 1, "start", true, {1.0}}).what,
             "drive 1 start: 1 numbers in the request, expected 3");
   EXPECT_EQ(error_of({"world", 0, "set_robot_pose", true, {1.0}}).code, Errc::Corrupt);
+  EXPECT_EQ(error_of({"world", 0, "set_robot_altitude", true, {}}).code, Errc::Corrupt);
   EXPECT_EQ(error_of({"view", 1, "smell", false, {}}).code, Errc::Unsupported);
   EXPECT_EQ(error_of({"seat", 1, "bend", false, {}}).code, Errc::Unsupported);
 }

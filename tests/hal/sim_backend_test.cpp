@@ -8,9 +8,11 @@
 #include "eyebridge/base/hash.hpp"
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/camera/view.hpp"
+#include "eyebridge/files/load.hpp"
 #include "eyebridge/hal/environment.hpp"
 #include "rigs.hpp"
 #include "shared/open_only.hpp"
+#include "sim/sim_world.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -139,6 +141,19 @@ TEST(SimBackend, WarnsOfACollisionOnceAContact) {
               ElementsAre(HasSubstr("robot 1 hit a wall at x=2.907 y=1.000")));
 }
 
+// 0.6 - 0.46 is not 0.14 to the last bit.
+TEST(SimBackend, ASubmarineAtTheSurfaceIsNotOutOfTheWater) {
+  KeepingLog log;
+  files::Scenario scenario = files::default_scenario();
+  scenario.models[0] = *files::builtin_robot("Mako");
+  scenario.world.water = 0.6;
+  SimWorld world(scenario, {}, log);
+  world.set_altitude(0, 0.14);
+  EXPECT_TRUE(log.messages(Severity::Warning).empty());
+  world.set_altitude(0, 0.15);
+  EXPECT_THAT(log.messages(Severity::Warning), ElementsAre(HasSubstr("is out of the water")));
+}
+
 /// Keeps the contacts of a run, as text.
 class KeepingContacts final : public TraceSink {
  public:
@@ -187,7 +202,7 @@ TEST(SimBackend, PassesOnTheWarningsOfItsFiles) {
   scenario.start_paused = true;
   scenario.warnings.push_back({{"room.wld", 3, 1}, "odd wall"});
   const Rig rig = open({{"fast", "true"}}, std::move(scenario));
-  EXPECT_THAT(rig.log->messages(Severity::Warning), ElementsAre("room.wld:3:1: warning: odd wall"));
+  EXPECT_THAT(rig.log->messages(Severity::Warning), ElementsAre("room.wld:3:1: odd wall"));
   EXPECT_TRUE(rig.backend->environment()->starts_paused());
 }
 

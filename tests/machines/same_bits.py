@@ -31,6 +31,7 @@ RUNS = [
     ("classic patrol *", "examples/classic_patrol", "--world rooms.wld --errors realistic"),
     ("mecanum wheels *", "tests/robios/programs/mecanum", "--world empty-room.wld --robot Omni --errors realistic"),
     ("a car", "tests/robios/programs/car", "--world empty-room.wld --robot Car --errors harsh"),
+    ("a submarine *", "tests/robios/programs/submarine", "--world empty-room.wld --robot USAL --errors realistic"),
     ("gyroscope and accelerometer", "tests/robios/programs/inertial", "--world rooms.wld --errors harsh"),
     ("threads of a program *", "tests/robios/programs/families", "--world rooms.wld --errors realistic --camera pattern:"),
     ("two robots, radio", "tests/robios/programs/pingpong", "--world rooms.wld --robots 2 --errors realistic --time-limit 20s"),

@@ -62,8 +62,8 @@ class Algorithms(unittest.TestCase):
 
     def test_a_potential_field_draws_and_gets_stuck_before_a_wall(self):
         room = eyebridge.OccupancyGrid.truth_of(eyebridge.default_scenario())
-        path = eyebridge.plan(room, (0.5, 0.5), (1.5, 1.5), radius=0.1, method="potential_field")
-        np.testing.assert_allclose(path[-1], (1.5, 1.5))
+        path = eyebridge.plan(room, (0.5, 0.5), (1.4, 1.4), radius=0.1, method="potential_field")
+        np.testing.assert_allclose(path[-1], (1.4, 1.4))
         self.assertIsNone(eyebridge.plan(self.truth, (0.7, 1.0), (0.7, 3.0), radius=0.1, method="potential_field"))
 
     def test_dstar_lite_plans_anew_what_has_changed(self):

@@ -19,13 +19,13 @@ class Assess(ProgramTest):
             return list(csv.DictReader(file))
 
     def test_a_belief_is_compared_with_the_world(self):
-        # Of 39 x 39 free cells of 5 cm two are known; one of them is wrong, and no wall is near.
+        # Of 38 x 38 free cells of 5 cm two are known; one of them is wrong, and no wall is near.
         (run,) = self.assess("""
             belief_space.set(0.53, 0.53, 0.1)
             belief_space.set(1.53, 1.53, 0.9)
         """, "--seeds", "1")
         self.assertEqual((run["verdict"], run["agreement"], run["observed"]), ("success", "0.5", "2"))
-        self.assertAlmostEqual(float(run["coverage"]), 2 / 39**2, delta=1e-6)
+        self.assertAlmostEqual(float(run["coverage"]), 2 / 38**2, delta=1e-6)
 
     def test_readings_count_and_a_run_without_a_belief_has_no_number(self):
         scans = "for _ in range(5):\n    belief_space.update(1, 'lidar')"

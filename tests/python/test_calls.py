@@ -120,7 +120,7 @@ class Calls(ProgramTest):
             """,
             """
             True -1 PSDGet: this robot has no PSD 42
-            list 360 1000 360
+            list 360 995 360
             0 8 1 360
             True 0 True 0 0
             0 [0, 0]

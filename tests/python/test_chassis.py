@@ -17,7 +17,7 @@ def one(name):
 class Chassis(unittest.TestCase):
     def test_what_wheels_there_are(self):
         expected = {"S4": ("differential", 2, 2), "Car": ("ackermann", 1, 2), "Omni": ("omni", 4, 4),
-                    "Trio": ("swedish", 3, 3), "Synchro": ("synchro", 2, 2)}  # fmt: skip
+                    "Trio": ("swedish", 3, 3), "Synchro": ("synchro", 2, 2), "USAL": ("submarine", 4, 0)}  # fmt: skip
         for name, kind in expected.items():
             robot = one(name)[1]
             self.assertEqual((robot.drive_kind, robot.motor_count, robot.encoder_count), kind)
@@ -40,6 +40,24 @@ class Chassis(unittest.TestCase):
         sim.run(3)
         self.assertAlmostEqual(robot.steering, math.pi / 2, places=2)
         self.assertAlmostEqual(robot.pose[2], theta)
+
+    def test_a_submarine_dives_and_rises(self):
+        sim, robot = one("USAL")
+        self.assertEqual(robot.depth, 0)
+        for thruster in (2, 4):
+            robot.set_motor(thruster, -1.0)
+        sim.run(3)
+        # 135 mm/s in the end, and a drag of 0.8 s.
+        self.assertAlmostEqual(robot.depth, 0.135 * (3 - 0.8 * (1 - math.exp(-3 / 0.8))), places=6)
+        self.assertEqual(robot.twist, (0, 0), "not in the plane")
+        for thruster in (2, 4):
+            robot.set_motor(thruster, 1.0)
+        sim.run(10)
+        self.assertEqual(robot.depth, 0)
+        self.assertIsNone(one("S4")[1].depth)
+        for call in (lambda: robot.encoder(1), lambda: robot.set_wheel(1, 1.0)):
+            with self.assertRaises(IndexError):
+                call()
 
     def test_a_wheel_turns_as_fast_as_it_is_told_and_its_encoder_counts_it(self):
         sim, robot = one("S4")

@@ -6,7 +6,7 @@ from test_control import ControlTest
 
 class Sensors(ControlTest):
     def test_sensors_have_the_names_of_the_robots_file_and_numbers(self):
-        self.says(["True True", "psd PSD_FRONT 1", "0.940", "360 360", "1.000"], """
+        self.says(["True True", "psd PSD_FRONT 1", "0.935", "360 360", "0.995"], """
             front = robot("robot 1").sensor("psd front")
             interact.print(front is robot(1).sensor("PSD_FRONT"), front is robot("1").sensor("psd 1"))
             interact.print(front.kind, front.name, front.id)

@@ -170,6 +170,41 @@ class End(ProgramTest):
         self.assertEqual((run.returncode, run.out), (0, "printed here"), run.err)
         self.expect_results()
 
+    def test_an_empty_loop_ends_at_the_time_limit_in_virtual_time(self):
+        run = self.run_program(
+            """
+            from eye import *
+            OSWait(100)
+            print("before", flush=True)
+            while True:
+                pass
+            """,
+            {"time_limit": "2s"},
+        )
+        self.assertEqual(run.returncode, 0, run.err)
+        self.assertEqual(run.out, "before\n")
+        self.assertIn("longer than the time limit of 2 s; it ends", run.err)
+
+    def test_a_loop_that_waits_for_what_another_thread_sets_ends(self):
+        run = self.run_program(
+            """
+            import threading
+            from eye import *
+            flag = False
+            def setter():
+                global flag
+                OSWait(500)
+                flag = True
+            OSWait(1)
+            threading.Thread(target=setter, daemon=True).start()
+            while not flag:
+                pass
+            print("set", OSGetCount() >= 500, flush=True)
+            """,
+        )
+        self.assertEqual(run.returncode, 0, run.err)
+        self.assertEqual(run.out, "set True\n")
+
     def test_a_key_that_cannot_come_ends_the_program(self):
         run = self.run_program("from eye import *\nprint('printed')\nKEYWait(KEY1)\n")
         self.assertEqual((run.returncode, run.out), (1, "printed\n"))

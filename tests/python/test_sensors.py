@@ -75,14 +75,14 @@ class Sensors(unittest.TestCase):
     def test_sensors_read_what_geometry_says(self):
         sim = eyebridge.Simulation()
         robot = sim.robots[0]
-        self.assertEqual(robot.psd_ids, [1, 2, 3, 4])
+        self.assertEqual(robot.psd_ids, [1, 2, 3, 4, 5, 6, 7, 8])
         self.assertEqual(list(robot.psds()), [robot.psd(id) for id in robot.psd_ids])
         with self.assertRaises(IndexError):
             robot.psd(42)
         scan = robot.lidar(360)
         self.assertEqual(scan.shape, (360,))
         rays = sim.cast_rays(1, 1, [0, math.pi / 2, math.pi], ignore=0)
-        np.testing.assert_allclose(rays, [1, 1, 1], atol=1e-9)
+        np.testing.assert_allclose(rays, [0.995, 0.995, 0.995], atol=1e-9)
         self.assertLess(sim.cast_rays(0.5, 1, [0.0])[0], 0.5)
         self.assertEqual(robot.lidar(8, field_of_view=math.pi).shape, (8,))
         for bad in ({"points": 0}, {"field_of_view": 0.0}, {"tilt": 2.0}, {"points": 36001}):

@@ -46,7 +46,7 @@ class Episodes(unittest.TestCase):
         robot = episode.robots[0]
         robot.set_speed(0.5)
         self.assertTrue(episode.step_until(lambda e: robot.collisions, 10))
-        self.assertAlmostEqual(robot.distance, 1 - robot.radius, places=5)
+        self.assertAlmostEqual(robot.distance, 0.995 - robot.radius, places=5)
         episode.reset()
         self.assertEqual((robot.distance, robot.collisions), (0, 0))
 
@@ -54,8 +54,8 @@ class Episodes(unittest.TestCase):
 class Environments(unittest.TestCase):
     def test_says_what_its_numbers_are(self):
         env = eyebridge.VectorEnv(num_envs=3, observation="psd compass lidar:8")
-        self.assertEqual(env.single_observation_space.shape, (13,))
-        self.assertEqual(env.observation_space.shape, (3, 13))
+        self.assertEqual(env.single_observation_space.shape, (17,))
+        self.assertEqual(env.observation_space.shape, (3, 17))
         self.assertEqual((env.single_action_space.shape, env.action_space.shape), ((2,), (3, 2)))
         np.testing.assert_allclose(env.single_action_space.high, (0.6, 5.236), atol=1e-3)
         np.testing.assert_array_equal(env.action_space.low, -env.action_space.high)
@@ -241,7 +241,7 @@ class WithGymnasium(ProgramTest):
             """
         run = subprocess.run([sys.executable, "-c", textwrap.dedent(program)], cwd=self.folder, capture_output=True,
                              text=True, env=self.environment({}), check=False)  # fmt: skip
-        self.assertEqual((run.returncode, run.stdout), (0, "(2, 6)\n"), run.stderr)
+        self.assertEqual((run.returncode, run.stdout), (0, "(2, 10)\n"), run.stderr)
 
     def write(self, name, text):
         (self.folder / name).parent.mkdir(exist_ok=True)

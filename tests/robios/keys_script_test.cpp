@@ -59,6 +59,23 @@ TEST(KeyScript, MayBeEmpty) {
   EXPECT_TRUE(parse_key_script("  ").empty());
 }
 
+TEST(KeyScript, NamesTheRobotThatIsMeant) {
+  const auto script = parse_key_script("2:KEY1@1s,12:IRTV_5@2s,3:120:80@3s,KEY2@4s");
+  ASSERT_EQ(script.size(), 4u);
+  EXPECT_EQ(script[0].robot, 2);
+  EXPECT_EQ(script[0].key, 1);
+  EXPECT_EQ(script[1].robot, 12);
+  EXPECT_EQ(script[1].remote, '5');
+  EXPECT_EQ(script[2].robot, 3);
+  EXPECT_EQ(script[2].touch, (TouchPoint{120, 80}));
+  EXPECT_EQ(script[3].robot, 0);
+  EXPECT_EQ(error_of("0:KEY1@1s"),
+            "--keys:1:1: found '0:KEY1@1s', expected the number of a robot, from 1");
+  EXPECT_EQ(error_of("2:key1@1s"),
+            "--keys:1:3: found 'key1@1s', expected the y of a touch, in pixels, or a key of this "
+            "robot");
+}
+
 TEST(KeyScript, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(error_of("KEY5@2s"), "--keys:1:4: found '5@2s', expected a key number 1..4");
   EXPECT_EQ(error_of("KEY1@2s,kex"),

@@ -71,12 +71,12 @@ TEST(ProgramsIo, CommandsRunInBothForms) {
 
 TEST(ProgramsIo, PsdsMayCountAsIn2015) {
   const ProgramRun now = run_named("old_psd");
-  EXPECT_THAT(now.out, HasSubstr("1 1440 2 955 3 955 raw 955\nfront 1 left 2\n")) << now.err;
+  EXPECT_THAT(now.out, HasSubstr("1 1435 2 950 3 950 raw 950\nfront 1 left 2\n")) << now.err;
   const ProgramRun then = run_named("old_psd", {{"EYEBRIDGE_PSD_NUMBERS", "2015"}});
-  EXPECT_THAT(then.out, HasSubstr("1 955 2 1440 3 955 raw 1440\n")) << then.err;
+  EXPECT_THAT(then.out, HasSubstr("1 950 2 1435 3 950 raw 1435\n")) << then.err;
   const ProgramRun file = run_named(
       "old_psd", {{"EYEBRIDGE_WORLD", EYEBRIDGE_SOURCE_DIR "/worlds/robots/S4-2015.robi"}});
-  EXPECT_THAT(file.out, HasSubstr("1 955 2 1440 3 955 raw 1440\n")) << file.err;
+  EXPECT_THAT(file.out, HasSubstr("1 950 2 1435 3 950 raw 1435\n")) << file.err;
 }
 
 TEST(ProgramsIo, AnyNumberOfTimersRunOnTimeAndOsWaitDoesNotNotice) {

@@ -66,8 +66,8 @@ TEST(ProgramLife, MistakesInALoopAreReportedOnce) {
   const ProgramRun r = run_named("mistakes");
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("position 1\nimage 1 1\nspeed 1 1\n"));
-  EXPECT_THAT(r.err, HasSubstr("no PSD 5"));
-  EXPECT_THAT(r.err, HasSubstr("no PSD 6"));
+  EXPECT_THAT(r.err, HasSubstr("no PSD 9"));
+  EXPECT_THAT(r.err, HasSubstr("no PSD 10"));
   EXPECT_LT(std::count(r.err.begin(), r.err.end(), '\n'), 20);
 }
 

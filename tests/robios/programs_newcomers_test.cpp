@@ -40,9 +40,9 @@ TEST_F(Newcomers, ComeAtTheirTimesWithTheNextNumbers) {
   const auto r = run(kFour);
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_EQ(r.out,
-            "1 came at 0 to 500, saw 3440, drove 180\n"
-            "2 came at 0 to 500, saw 3440, drove 180\n"
-            "3 came at 500 to 500, saw 3440, drove 180\n"
+            "1 came at 0 to 500, saw 3435, drove 180\n"
+            "2 came at 0 to 500, saw 3435, drove 180\n"
+            "3 came at 500 to 500, saw 3435, drove 180\n"
             "4 came at 3020 to 500, saw 434, drove 180\n")  // the first one drives on ahead of it
       << r.err;
   EXPECT_THAT(r.err, HasSubstr("eyebridge: 4 robots, 4.0"));

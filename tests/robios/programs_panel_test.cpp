@@ -242,6 +242,25 @@ TEST(ProgramPanel, LendsTheTerminalToOthersWhileTheProgramIsStopped) {
   person.expect_restored();
 }
 
+// Its guard is to go on then, or the terminal stays open after the program's end.
+TEST(ProgramPanel, CtrlZThatComesBeforeTheGuardIsReadyStopsTheProgramOnly) {
+  Person person("shows", {{"LD_PRELOAD", EYEBRIDGE_TEST_PROGRAMS "/liblate_guard.so"},
+                          {"ASAN_OPTIONS",
+                           "handle_segv=0:handle_sigbus=0:use_sigaltstack=0:"
+                           "verify_asan_link_order=0"}});
+  ASSERT_TRUE(person.may_type());
+  ASSERT_TRUE(person.sees_on_lcd(25, "END"));
+  person.type("\x1a");  // Ctrl-Z
+  ASSERT_TRUE(WIFSTOPPED(person.next_state()));
+  kill(person.pid(), SIGCONT);
+  ASSERT_TRUE(person.look([&] { return !person.screen.has_region(); }));
+  ASSERT_TRUE(person.may_type());
+  ASSERT_TRUE(person.sees_on_lcd(25, "END"));
+  person.type("4");
+  EXPECT_EQ(person.wait(), 0);
+  person.expect_restored();
+}
+
 TEST(ProgramPanel, FollowsTheWindow) {
   Person person("shows", {});
   ASSERT_TRUE(person.sees_on_lcd(25, "END"));

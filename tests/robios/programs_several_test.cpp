@@ -33,6 +33,16 @@ TEST(SeveralRobots, EachHasItsOwnVariablesTimeAndNumber) {
   }
 }
 
+TEST(SeveralRobots, KeysAndTouchesMayBeOneRobotsAlone) {
+  const auto r = run_named(
+      "several_keys",
+      several("3", {{"EYEBRIDGE_KEYS", "KEY1@1s,2:KEY3@2s,3:120:80@3s,3:KEY4@1500ms,1:9:8@2s"}}));
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(sorted_lines(r.out),
+              ElementsAre("1: keys 1 touch 9:8", "2: keys 5 touch -1:-1", "3: keys 9 touch 120:80"))
+      << r.err;
+}
+
 TEST(SeveralRobots, VariablesAreSharedWhenAskedFor) {
   const auto r = run_named("several", several("3", {{"EYEBRIDGE_SHARED_GLOBALS", "true"}}));
   EXPECT_EQ(r.exit_code, 0) << r.err;

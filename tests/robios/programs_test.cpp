@@ -10,7 +10,9 @@
 namespace eyebridge {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::ProgramRun;
 using testing::run_named;
 using testing::ScratchFolder;
@@ -51,10 +53,59 @@ TEST(Programs, SensorsReadWhatGeometrySays) {
   const ProgramRun r = run_named("sensors");
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("no such psd -1: PSDGet: this robot has no PSD 42\n"));
-  EXPECT_THAT(r.out, HasSubstr("lidar 500 1000 1500 1000\n"));
-  EXPECT_THAT(r.out, HasSubstr("part 1000 1500 1000\n"));
-  EXPECT_THAT(r.out, HasSubstr("laser scan 1, resolution 5, still 1500\n"));
+  EXPECT_THAT(r.out, HasSubstr("lidar 495 995 1495 995\n"));
+  EXPECT_THAT(r.out, HasSubstr("part 995 1495 995\n"));
+  EXPECT_THAT(r.out, HasSubstr("laser scan 1, resolution 5, still 1495\n"));
   EXPECT_THAT(r.out, HasSubstr("bad lidar 1 1\n"));
+}
+
+// Walls are 10 mm thick, sensors at the sides sit 45 mm off the middle: 1900 mm in a room of 2 m.
+TEST(Programs, AnS4HasTheEightPsdsOfEyeSim) {
+  const ProgramRun r = run_named("devices");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("across 1900\n"));
+  // On lines at 48 and 18 degrees to the walls before the robot and beside it.
+  EXPECT_THAT(r.out, HasSubstr("PSD 5 = 1285\nPSD 6 = 1285\nPSD 7 = 983\nPSD 8 = 983\n"));
+}
+
+TEST(Programs, ADeviceThatTheRobotLacksIsNamedOnceWithTheRobotsThatHaveIt) {
+  const ProgramRun r = run_named("devices");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.err,
+            "eyebridge: warning: PSDGet: this robot has no PSD 9\n"
+            "eyebridge: warning: SERVOSet: this robot has no servo 12; robots that have it: "
+            "ServoBot, ServoBot-11\n"
+            "eyebridge: warning: MOTORDrive: this robot has no motor 3; robots that have it: Omni, "
+            "Mako, USAL\n"
+            "eyebridge: warning: ENCODERRead: this robot has no encoder 3; robots that have it: "
+            "Omni\n");
+  EXPECT_THAT(r.out, HasSubstr("went on\n"));
+}
+
+TEST(Programs, ADeviceThatTheRobotLacksEndsTheProgramWhereThatIsAskedFor) {
+  const ProgramRun r = run_named("devices", {{"EYEBRIDGE_MISSING_DEVICES", "error"}});
+  EXPECT_EQ(r.exit_code, 1);
+  EXPECT_EQ(r.err,
+            "eyebridge: error: PSDGet: this robot has no PSD 9; the program ends "
+            "(--missing-devices error)\n");
+  EXPECT_THAT(r.out, ::testing::Not(HasSubstr("went on\n")));
+  const ProgramRun late =
+      testing::run_program({{std::string(EYEBRIDGE_TEST_PROGRAMS) + "/devices", "late"},
+                            {{"EYEBRIDGE_FAST", "true"}, {"EYEBRIDGE_MISSING_DEVICES", "error"}},
+                            ""});
+  EXPECT_EQ(late.exit_code, 1);
+  EXPECT_THAT(late.err, HasSubstr("no servo 12; robots that have it: ServoBot, ServoBot-11; the "
+                                  "program ends (--missing-devices error)\n"));
+}
+
+TEST(Programs, PerfectMotionThatRepeatsForEverIsNoticed) {
+  const ProgramRun perfect = run_named("seeks", {{"EYEBRIDGE_TIME_LIMIT", "120s"}});
+  EXPECT_EQ(perfect.exit_code, 0) << perfect.err;
+  EXPECT_THAT(perfect.err, HasSubstr("for a minute and turned only to the same 36 headings: "));
+  const ProgramRun real =
+      run_named("seeks", {{"EYEBRIDGE_TIME_LIMIT", "120s"}, {"EYEBRIDGE_ERRORS", "drive 0.1 0.1"}});
+  EXPECT_EQ(real.exit_code, 0) << real.err;
+  EXPECT_THAT(real.err, ::testing::Not(HasSubstr("headings")));
 }
 
 TEST(Programs, GyroscopeAndAccelerometerFeelACurve) {
@@ -97,6 +148,18 @@ TEST(Programs, MecanumWheelsDriveSidewaysByMotorCalls) {
   EXPECT_THAT(r.out, HasSubstr("curve 200 200 90\n"));
 }
 
+TEST(Programs, ASubmarineDivesByItsThrustersAndTellsItsHeight) {
+  const ProgramRun r = run_named("submarine", {{"EYEBRIDGE_ROBOT", "USAL"}});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("floats 1740\nput 600 1000 1000 0, down 1000\n"));
+  EXPECT_THAT(r.out, HasSubstr("dives fine\nrises fine, down fine\n"));
+  EXPECT_THAT(r.out, HasSubstr("straight fine 0 0, deeper 1\nturns fine\n"));
+  EXPECT_THAT(r.out, HasSubstr("no encoder 1, no speed 1\nfloor 0\n"));
+  EXPECT_THAT(r.err, HasSubstr("robot 1 at z = 9000 mm is out of the water: expected 0 to 1740 "
+                               "mm; it is put to 1740 mm"));
+  EXPECT_THAT(r.err, Not(HasSubstr("z = -5"))) << "told once";
+}
+
 TEST(Programs, ACarDrivesArcsByVWAndSteersByItsServo) {
   const ProgramRun r = run_named("car", {{"EYEBRIDGE_ROBOT", "Car"}});
   EXPECT_EQ(r.exit_code, 0) << r.err;
@@ -123,6 +186,19 @@ TEST(Programs, ATimeLimitEndsAnEndlessProgram) {
       run_named("endless", {{"EYEBRIDGE_TIME_LIMIT", "5s"}, {"EYEBRIDGE_LOG", "info"}});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.err, HasSubstr("time limit of 5 s"));
+}
+
+TEST(Programs, AnEmptyLoopEndsAtTheTimeLimitInVirtualTime) {
+  const ProgramRun r = run_named("empty_loop", {{"EYEBRIDGE_TIME_LIMIT", "2s"}});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.err, AllOf(HasSubstr("warning: the program has computed for 5 s without a call"),
+                           HasSubstr("longer than the time limit of 2 s; it ends")));
+}
+
+TEST(Programs, AnEmptyLoopWithoutATimeLimitEndsAtTheHangLimit) {
+  const ProgramRun r = run_named("empty_loop", {{"EYEBRIDGE_HANG_LIMIT", "1s"}});
+  EXPECT_EQ(r.exit_code, 124) << r.err;
+  EXPECT_THAT(r.err, HasSubstr("it is ended after 1 s; --hang-limit says when"));
 }
 
 TEST(Programs, WaitingForAKeyThatCannotComeIsAnError) {

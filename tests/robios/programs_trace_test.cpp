@@ -71,18 +71,18 @@ TEST(Trace, OfAHundredRunsIsOne) {
 
 TEST(Trace, OfAHundredRunsWithThreadsIsOne) {
   EXPECT_EQ(of_a_hundred([] { return trace_of_run("several_crew", "5"); }),
-            "trace bc50bd24ec3064f6");
+            "trace 97a3db3db7cc01c0");
 }
 
 TEST(Trace, OfAHundredRunsWithThreadsOfTheSystemIsOne) {
-  EXPECT_EQ(of_a_hundred([] { return trace_alone("several_crew"); }), "trace eec4a4eabb51a4cd");
+  EXPECT_EQ(of_a_hundred([] { return trace_alone("several_crew"); }), "trace 722fae80771eea36");
 }
 
 // Not under load: each switch between processes would wait for the busy one's turn.
 TEST(Trace, OfRunsInProcessesWithThreadsIsOne) {
   EXPECT_EQ(of_runs(kRuns / 2, {Processors::Load::None},
                     [] { return trace_of_run("several_crew_apart", "2"); }),
-            "trace fd1d96ed4c52a8f9");
+            "trace 6b06d43b0fe04119");
 }
 
 TEST(Trace, IsAnotherOneWhereAnythingElseWasSeen) {

@@ -35,6 +35,14 @@ TEST(ProgramTurns, ThreadsWaitForEachOtherInEveryWay) {
   EXPECT_EQ(r.out, kWaits);
 }
 
+TEST(ProgramTurns, AThreadThatSpinsLetsTheOthersGoOn) {
+  const auto r = run_named("spins");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, ::testing::StartsWith("counted at 2"));
+  EXPECT_THAT(r.err, HasSubstr("a thread of the program has computed for 2 s without a call"));
+  EXPECT_EQ(r.err.find("computed"), r.err.rfind("computed")) << "told once";
+}
+
 TEST(ProgramTurns, TheSameThreadsOfOneOfSeveralDoTheSame) {
   const auto alone = run_named("several_crew");
   EXPECT_EQ(alone.exit_code, 0) << alone.err;

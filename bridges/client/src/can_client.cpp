@@ -61,7 +61,7 @@ CanClient::CanClient(std::unique_ptr<CanBus> bus, int node, Clock& clock, LogSin
 }
 
 CanClient::~CanClient() {
-  stop();
+  (void)stop();
   {
     const std::lock_guard sending(sending_);
     Outbox out;
@@ -220,19 +220,24 @@ Result<void> CanClient::set_pose(const can::PoseCommand& pose) {
   return fail(Errc::Timeout, who_ + " does not take the pose that it was told");
 }
 
-void CanClient::stop() noexcept {
-  try {
-    const std::lock_guard sending(sending_);
-    Outbox out;
-    {
-      const std::lock_guard lock(mutex_);
-      // A robot that was never ours is none of our business.
-      if (statistics_.enables > 0) add_zero(out);
-    }
-    (void)send_all(out);
-  } catch (const std::exception&) {
-    // Out of memory for an error's text: the robot's own watchdog has to do.
+Result<void> CanClient::stop() {
+  const std::lock_guard sending(sending_);
+  Outbox out;
+  bool is_lost = false;
+  {
+    const std::lock_guard lock(mutex_);
+    // A robot that was never ours is none of our business.
+    if (statistics_.enables == 0) return {};
+    add_zero(out);
+    is_lost = watch_.phase() == RobotWatch::Phase::Lost;
   }
+  if (auto sent = send_all(out); !sent) return sent;
+  if (!is_lost) {
+    tell_guard(false);
+    return {};
+  }
+  const std::lock_guard lock(mutex_);
+  return check_ready();
 }
 
 void CanClient::emergency_stop(std::uint8_t reason) {

@@ -90,6 +90,7 @@ Time CanClient::tick() {
   const std::lock_guard sending(sending_);
   Outbox out;
   Time next{0};
+  bool turning = false;
   {
     const std::lock_guard lock(mutex_);
     const Time now = clock_.now();
@@ -121,7 +122,9 @@ Time CanClient::tick() {
       }
     }
     next = std::min({next_heartbeat_, next_point_, next_servo_});
+    turning = command_.mode != Mode::Idle && command_.mode != Mode::Standing;
   }
+  if (turning) tell_guard(true);
   (void)send_all(out);  // That the bus does not work, receive() says too.
   return next;
 }

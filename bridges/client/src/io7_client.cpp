@@ -5,7 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "eyebridge/bridges/guard/line_guard.hpp"
 #include "io7_session.hpp"
+#include "io7_stop.hpp"
 
 namespace eyebridge::bridges {
 namespace {
@@ -61,7 +63,31 @@ Result<void> Io7Client::find_board(Time patience) {
   backoff_ = settings_.first_backoff;
   ++statistics_.connects;
   ++generation_;
+  auto guarded = guard();
+  if (guarded || generation_ == 1) return guarded;
+  // A board that is back is worth more than its guard.
+  log_.write(Severity::Error, std::string(session_->stream().name()) + ": " + guarded.error().what);
   return {};
+}
+
+Result<void> Io7Client::guard() {
+  if (!settings_.guarded) return {};
+  if (guard_ == nullptr) {
+    auto started = LineGuard::start();
+    if (!started) return tl::unexpected(std::move(started.error()));
+    guard_ = std::move(*started);
+  }
+  ByteStream& line = session_->stream();
+  session_->guard_with(guard_.get());
+  return guard_->hold(line.descriptor(), line.name(), stop_orders(*report_));
+}
+
+void Io7Client::note_guard() {
+  if (guard_ == nullptr || session_ == nullptr || session_->is_guarded()) return;
+  guard_.reset();
+  log_.write(Severity::Error,
+             std::string(session_->stream().name()) +
+                 ": its guard was ended: nobody stops the motors if the program crashes");
 }
 
 void Io7Client::note_found(const io7::ProbeReport& report, std::string_view name) const {
@@ -79,18 +105,31 @@ void Io7Client::note_found(const io7::ProbeReport& report, std::string_view name
 
 void Io7Client::lose(const Error& error) {
   loss_ = error;
+  // Its descriptor would keep the line busy. When the guard is gone nothing keeps it.
+  if (guard_ != nullptr && !guard_->let_go()) guard_.reset();
   session_.reset();
   ++statistics_.losses;
   retry_at_ = clock_.now() + backoff_;
   log_.write(Severity::Error, error.what + "; it is looked for again");
 }
 
-Result<io7::Reply> Io7Client::exchange(const io7::Request& request) {
+Result<io7::Reply> Io7Client::exchange(const io7::Request& request, Time* asked) {
   const std::lock_guard lock(mutex_);
   if (session_ == nullptr) return tl::unexpected(loss_);
   auto reply = session_->exchange(request);
+  if (asked != nullptr) *asked = session_->last_asked();
+  note_guard();
   if (!reply && reply.error().code == Errc::Disconnected) lose(reply.error());
   return reply;
+}
+
+Result<void> Io7Client::confirm_stop() {
+  const std::lock_guard lock(mutex_);
+  if (session_ == nullptr) return tl::unexpected(loss_);
+  auto stopped = session_->confirm_stop();
+  note_guard();
+  if (!stopped && stopped.error().code == Errc::Disconnected) lose(stopped.error());
+  return stopped;
 }
 
 Result<void> Io7Client::keep_alive() {

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "io7_stop.hpp"
 #include "opcodes.h"
 
 namespace eyebridge::bridges {
@@ -19,9 +20,17 @@ constexpr int kAttempts = 2;       // of an exchange
 constexpr int kNoisyAttempts = 3;  // on a line that is known to spoil bytes
 constexpr int kQuickAttempts = 5;  // to find back there, before silence counts for a board's
 constexpr int kSpoiltMode = 2;  // after so many of them a spoiled byte may have made replies text
-// Completes the longest binary request, whose arguments a board may still be waiting for. All 0: as
-// an argument that is "stop", as a letter it is none.
-constexpr std::array<std::uint8_t, 6> kCompletion{};
+
+// A line may be slower at times than it was while the board was probed.
+constexpr int kSlower = 4;
+constexpr Time kLongestReply = std::chrono::seconds(1);
+
+Io7Settings fit(Io7Settings settings, const io7::ProbeReport& report) {
+  settings.reply_timeout =
+      std::max(settings.reply_timeout, std::min(kSlower * report.usual_answer, kLongestReply));
+  settings.resync_timeout = std::max(settings.resync_timeout, settings.reply_timeout);
+  return settings;
+}
 
 bool is_lost(const Error& error) { return error.code == Errc::Disconnected; }
 
@@ -32,7 +41,7 @@ Io7Session::Io7Session(std::unique_ptr<ByteStream> stream, io7::ProbeReport repo
     : stream_(std::move(stream)),
       report_(std::move(report)),
       clock_(clock),
-      settings_(settings),
+      settings_(fit(settings, report_)),
       statistics_(statistics),
       last_heard_(clock.now()) {
   report_.profile.vw_letters = settings.vw_letters;
@@ -63,6 +72,7 @@ Result<io7::Reply> Io7Session::exchange(const io7::Request& request) {
   if (!bytes) return tl::unexpected(bytes.error());
   ++statistics_.requests;
   orders_.note(request, clock_.now());
+  note_turning(request);
   if (!noisy()) return exchange_once(request, *bytes);
   if (auto repeated = repeat_orders(); !repeated) {
     return tl::unexpected(std::move(repeated.error()));
@@ -112,6 +122,8 @@ Result<void> Io7Session::expect_silence() {
 Result<io7::Reply> Io7Session::ask(const io7::Request& request, const io7::RequestBytes& bytes,
                                    Time patience) {
   const Time start = clock_.now();
+  tell_guard(start);
+  last_asked_ = start;
   parser_.start(request, report_.profile);
   if (auto sent = stream_->write_all(bytes.view(), start + patience); !sent) {
     return tl::unexpected(std::move(sent.error()));
@@ -170,7 +182,7 @@ Result<std::size_t> Io7Session::drain_until_quiet() {
 Result<void> Io7Session::resync() {
   ++statistics_.resyncs;
   const auto wake_up = speaks_lines() ? io7::bytes_of(report_.profile.terminator)
-                                      : std::span<const std::uint8_t>(kCompletion);
+                                      : std::span<const std::uint8_t>(kIo7Completion);
   const auto version = io7::request(IO7_VERSION);
   const auto bytes = io7::encode(version, report_.profile);
   if (!bytes) return tl::unexpected(bytes.error());
@@ -204,21 +216,6 @@ Result<void> Io7Session::resync() {
               std::string(stream_->name()) +
                   ": the board does not answer any more; expected its version " + report_.version +
                   ", found " + found);
-}
-
-Result<void> Io7Session::stop_motors() {
-  const io7::LetterSet& letters = report_.profile.letters;
-  for (int motor = IO7_MOTOR_FIRST; motor <= IO7_MOTOR_LAST; ++motor) {
-    const bool plain = letters.has(IO7_MOTOR);
-    if (!plain && !letters.has(IO7_MOTOR_SPEED)) break;
-    const auto done = exchange(plain ? io7::motor(motor, 0) : io7::motor_speed(motor, 0));
-    if (!done) return tl::unexpected(done.error());
-  }
-  if (report_.profile.vw_letters && letters.has(IO7_VW_SET_SPEED)) {
-    const auto done = exchange(io7::request(IO7_VW_SET_SPEED, 0, 0));
-    if (!done) return tl::unexpected(done.error());
-  }
-  return {};
 }
 
 }  // namespace eyebridge::bridges

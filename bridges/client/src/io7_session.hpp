@@ -12,6 +12,8 @@
 
 namespace eyebridge::bridges {
 
+class LineGuard;
+
 /// One line to one board that was probed: a request, its reply, and finding back when they no
 /// longer fit. For one thread at a time. Disconnected is final.
 ///
@@ -24,6 +26,11 @@ class Io7Session {
   Io7Session(std::unique_ptr<ByteStream> stream, io7::ProbeReport report, Clock& clock,
              const Io7Settings& settings, Io7Statistics& statistics);
 
+  /// From now on `guard` hears of wheels that turn; it must outlive this.
+  void guard_with(LineGuard* guard) { guard_ = guard; }
+  /// False once the guard turned out to be gone.
+  [[nodiscard]] bool is_guarded() const { return guard_ != nullptr; }
+
   /// Fails with Unsupported or OutOfRange as io7::encode() does, before anything is sent; with
   /// Timeout or Corrupt when also the second attempt failed; Disconnected when the line is gone or
   /// the board does not answer as itself any more. Allocates only when it fails.
@@ -35,17 +42,25 @@ class Io7Session {
 
   /// Sets every motor to 0.
   Result<void> stop_motors();
+  /// The same, and waits until the board has answered what was asked after it.
+  Result<void> confirm_stop();
 
   [[nodiscard]] const io7::ProbeReport& report() const { return report_; }
   [[nodiscard]] ByteStream& stream() { return *stream_; }
   /// The line, for another session: this one is over.
   std::unique_ptr<ByteStream> release_stream() { return std::move(stream_); }
   [[nodiscard]] Time last_heard() const { return last_heard_; }
+  /// When the last question went out.
+  [[nodiscard]] Time last_asked() const { return last_asked_; }
 
  private:
   Result<io7::Reply> exchange_once(const io7::Request& request, const io7::RequestBytes& bytes);
   Result<io7::Reply> ask(const io7::Request& request, const io7::RequestBytes& bytes,
                          Time patience);
+  /// Before `request` is sent: whether wheels turn from then on.
+  void note_turning(const io7::Request& request);
+  /// The guard hears that the program lives.
+  void tell_guard(Time now);
   Result<void> resync();
   Result<void> expect_silence();
   /// Bytes that came until the line was quiet, for so long that a board gives up a request that it
@@ -76,14 +91,17 @@ class Io7Session {
   std::unique_ptr<ByteStream> stream_;
   io7::ProbeReport report_;
   Clock& clock_;
-  const Io7Settings& settings_;
+  const Io7Settings settings_;  ///< For this board.
   Io7Statistics& statistics_;
   LineQuality quality_;
   StandingOrders orders_;
+  LineGuard* guard_ = nullptr;  ///< Null: nobody guards this line, or the guard is gone.
+  bool turning_ = false;        ///< Wheels may turn.
   io7::ReplyParser parser_;
   std::array<std::uint8_t, 512> buffer_{};
   Time smoothed_latency_{0};  ///< 0: none known.
   Time last_heard_{0};
+  Time last_asked_{0};
 };
 
 }  // namespace eyebridge::bridges

@@ -10,18 +10,25 @@ namespace {
 constexpr int kWrongAnswers = 2;
 constexpr std::size_t kMostBytes = 8192;  // twice the longest command list
 
+struct Heard {
+  std::vector<std::uint8_t> bytes;
+  Time after{0};  ///< Which the first of them came.
+};
+
 /// Everything that comes until the line is quiet.
-Result<std::vector<std::uint8_t>> listen(ByteStream& stream, Clock& clock,
-                                         const ProbeTiming& timing) {
-  std::vector<std::uint8_t> heard;
-  const Time end = clock.now() + timing.longest;
+Result<Heard> listen(ByteStream& stream, Clock& clock, const ProbeTiming& timing) {
+  Heard heard;
+  const Time start = clock.now();
+  const Time end = start + timing.longest;
   Time deadline = clock.now() + timing.first_byte;
   std::array<std::uint8_t, 256> buffer;
-  while (heard.size() < kMostBytes) {
+  while (heard.bytes.size() < kMostBytes) {
     const auto count = stream.read_some(buffer, std::min(deadline, end));
     if (!count && count.error().code == Errc::Timeout) break;
     if (!count) return tl::unexpected(count.error());
-    heard.insert(heard.end(), buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(*count));
+    if (heard.bytes.empty()) heard.after = clock.now() - start;
+    heard.bytes.insert(heard.bytes.end(), buffer.begin(),
+                       buffer.begin() + static_cast<std::ptrdiff_t>(*count));
     deadline = clock.now() + timing.quiet;
     if (clock.now() >= end) break;
   }
@@ -36,15 +43,21 @@ Result<io7::ProbeReport> run_probe(ByteStream& stream, Clock& clock, const Probe
     return tl::unexpected(std::move(stale.error()));
   }
   io7::Probe probe;
+  std::vector<Time> answers;
   while (!probe.done()) {
     if (auto sent = stream.write_all(probe.step().send, clock.now() + timing.longest); !sent) {
       return tl::unexpected(std::move(sent.error()));
     }
     auto heard = listen(stream, clock, timing);
     if (!heard) return tl::unexpected(std::move(heard.error()));
-    probe.answer(*heard);
+    if (!heard->bytes.empty()) answers.push_back(heard->after);
+    probe.answer(heard->bytes);
   }
-  return probe.report();
+  return probe.report().map([&](io7::ProbeReport report) {
+    std::ranges::sort(answers);
+    if (!answers.empty()) report.usual_answer = answers[answers.size() / 2];
+    return report;
+  });
 }
 
 Result<io7::ProbeReport> run_probe_patiently(ByteStream& stream, Clock& clock,

@@ -1,6 +1,9 @@
 #include "can_wire.hpp"
 
 #include <algorithm>
+#include <cstring>
+
+#include "eyebridge/bridges/can_socket_bytes.hpp"
 
 namespace eyebridge::bridges {
 
@@ -19,6 +22,15 @@ std::size_t to_wire(const CanFrame& frame, canfd_frame& out) {
   }
   std::ranges::copy(frame.bytes(), out.data);
   return frame.fd ? CANFD_MTU : CAN_MTU;
+}
+
+CanSocketBytes socket_bytes(const CanFrame& frame) {
+  canfd_frame wire;
+  CanSocketBytes out;
+  static_assert(sizeof wire == sizeof out.bytes);
+  out.size = to_wire(frame, wire);
+  std::memcpy(out.bytes.data(), &wire, out.size);
+  return out;
 }
 
 std::optional<CanFrame> from_wire(const canfd_frame& in, std::size_t size) {

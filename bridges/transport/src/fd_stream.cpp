@@ -76,6 +76,7 @@ class FdStream final : public ByteStream {
   }
 
   void close() override { fd_.reset(); }
+  [[nodiscard]] int descriptor() const override { return fd_.get(); }
   [[nodiscard]] std::string_view name() const override { return name_; }
 
  private:

@@ -137,6 +137,7 @@ class SocketCan final : public CanBus {
     return statistics_;
   }
 
+  [[nodiscard]] int descriptor() const override { return fd_.get(); }
   [[nodiscard]] std::string_view name() const override { return name_; }
 
  private:
@@ -217,7 +218,7 @@ class SocketCan final : public CanBus {
     return filter_in_kernel();
   }
 
-  UniqueFd fd_;
+  const UniqueFd fd_;
   std::atomic<bool> fd_frames_;
   const std::string name_;
   Clock& clock_;

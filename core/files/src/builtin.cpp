@@ -1,5 +1,6 @@
 #include "builtin.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,38 @@ const std::vector<robot::RobotModel>& builtin_robots() {
   return robots;
 }
 
+bool has(const robot::RobotModel& robot, std::string_view kind, int id) {
+  if (kind == "lidar") return robot.lidar.has_value();
+  if (id < 1) return false;
+  const auto number = static_cast<unsigned>(id);
+  if (kind == "PSD") {
+    return std::ranges::any_of(robot.range_sensors, [&](const auto& psd) { return psd.id == id; });
+  }
+  if (kind == "servo") return std::ranges::count(robot.servo_indices(), number - 1) > 0;
+  if (kind == "motor") return number <= robot.drive.motor_count();
+  if (kind == "encoder") return number <= robot.drive.encoder_count();
+  return false;
+}
+
 }  // namespace
+
+std::vector<std::string> robots_with(std::string_view kind, int id) {
+  std::vector<std::string> names;
+  for (const robot::RobotModel& robot : builtin_robots()) {
+    if (has(robot, kind, id)) names.push_back(robot.name);
+  }
+  return names;
+}
+
+std::vector<std::string> robots_with_psd(std::string_view name) {
+  std::vector<std::string> names;
+  for (const robot::RobotModel& robot : builtin_robots()) {
+    const bool has_it = std::ranges::any_of(
+        robot.range_sensors, [&](const auto& psd) { return lower(psd.name) == lower(name); });
+    if (has_it) names.push_back(robot.name);
+  }
+  return names;
+}
 
 std::string_view builtin_names() {
   static const std::string names = [] {

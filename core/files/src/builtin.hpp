@@ -13,7 +13,7 @@ struct BuiltinText {
 
 std::span<const BuiltinText> builtin_texts();
 
-/// "S4, LabBot, Mouse, Car or Omni"
+/// "S4, S4-2015, LabBot, Mouse, Car, Omni, ServoBot, ServoBot-11, Mako or USAL"
 std::string_view builtin_names();
 
 }  // namespace eyebridge::files

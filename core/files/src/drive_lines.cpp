@@ -16,11 +16,12 @@ struct DriveName {
   std::string_view name;
   DriveKind kind;
 };
-constexpr std::array<DriveName, 5> kDriveKinds = {{{"DIFFERENTIAL_DRIVE", DriveKind::Differential},
+constexpr std::array<DriveName, 6> kDriveKinds = {{{"DIFFERENTIAL_DRIVE", DriveKind::Differential},
                                                    {"ACKERMANN_DRIVE", DriveKind::Ackermann},
                                                    {"OMNI_DRIVE", DriveKind::Omni},
                                                    {"SWEDISH_DRIVE", DriveKind::Swedish},
-                                                   {"SYNCHRO_DRIVE", DriveKind::Synchro}}};
+                                                   {"SYNCHRO_DRIVE", DriveKind::Synchro},
+                                                   {"SUBMARINE_DRIVE", DriveKind::Submarine}}};
 
 std::string kind_names() {
   std::array<std::string_view, kDriveKinds.size()> names;
@@ -49,6 +50,8 @@ bool DriveLines::read(const Statement& s, bool new_dialect) {
     axles_ = s.millimetres(1, "the distance between the axles", 1, kLargestRobot);
   } else if (keyword == "steering") {
     read_steering(s);
+  } else if (keyword == "dive") {
+    read_dive(s);
   } else {
     return false;
   }
@@ -113,6 +116,16 @@ void DriveLines::read_steering(const Statement& s) {
   steering_ = steering;
 }
 
+void DriveLines::read_dive(const Statement& s) {
+  s.expect_arguments(3, "dive mm_per_second rise_mm_per_second glide_seconds");
+  Dive dive;
+  dive.where = s.where(0);
+  dive.vertical = s.millimetres(1, "the vertical speed", 1, 1e5);
+  dive.rise = s.millimetres(2, "the speed of rising by itself", -1e5, 1e5);
+  dive.glide = s.number(3, "the time constant of its drag in seconds", 0.01, 1000);
+  dive_ = dive;
+}
+
 void DriveLines::finish_axles(robot::DriveModel& drive) const {
   if (axles_) drive.axle_distance = *axles_;
   if (drive.kind == DriveKind::Ackermann && rear_) drive.rear_axle = rear_->x;
@@ -147,6 +160,30 @@ void DriveLines::finish_steering(robot::RobotModel& model) const {
   }
 }
 
+void DriveLines::finish_submarine(robot::DriveModel& drive) const {
+  if (drive.kind != DriveKind::Submarine) {
+    if (!dive_) return;
+    throw ConfigError(dive_->where, "dive without thrusters: expected SUBMARINE_DRIVE");
+  }
+  if (wheels_) warnings_.add(line_, 1, "a submarine has no wheels: its 'wheel' is not used");
+  if (!speed_ || !turn_ || !dive_) {
+    warnings_.add(
+        line_, 1,
+        "a submarine needs 'speed', 'turn' and 'dive': a missing line counts as 'speed 500', "
+        "'turn 45' or 'dive 250 20 1'");
+  }
+  const Dive dive = dive_.value_or(Dive{});
+  drive.max_linear = speed_.value_or(0.5);
+  drive.max_angular = turn_.value_or(deg_to_rad(45));
+  drive.max_vertical = dive.vertical;
+  drive.rise_speed = dive.rise;
+  drive.motor_time_constant = dive.glide;
+  // So that both thrusters at full duty give these speeds.
+  drive.wheel_diameter = robot::DriveModel{}.wheel_diameter;
+  drive.max_wheel_speed = 2 * drive.max_linear / drive.wheel_diameter;
+  drive.wheel_base = 2 * drive.max_linear / drive.max_angular;
+}
+
 void DriveLines::finish(robot::RobotModel& model) {
   // The acceleration comes from a line of both kinds of files.
   drive_.linear_acceleration = model.drive.linear_acceleration;
@@ -155,6 +192,8 @@ void DriveLines::finish(robot::RobotModel& model) {
   robot::DriveModel& drive = model.drive;
   finish_axles(drive);
   finish_steering(model);
+  finish_submarine(drive);
+  if (drive.kind == DriveKind::Submarine) return;
   if (wheels_) drive.max_linear = drive.max_wheel_speed * drive.wheel_diameter / 2;
   if (speed_) drive.max_linear = *speed_;
   if (wheels_ && drive.kind != DriveKind::Synchro) {

@@ -8,7 +8,7 @@
 namespace eyebridge::files {
 
 /// Reads the lines of a `.robi` file about what makes the robot move: `drive`, `wheel`, `axel`,
-/// `speed`, `turn`, and our own `axles` and `steering`. They may come in any order.
+/// `speed`, `turn`, and our own `axles`, `steering` and `dive`. They may come in any order.
 class DriveLines {
  public:
   explicit DriveLines(Warnings& warnings) : warnings_(warnings) {}
@@ -31,6 +31,13 @@ class DriveLines {
     SourceLocation servo_where;
     double speed = 0.0;  ///< Radians per second; 0: at once.
   };
+  /// The `dive` line of a submarine; what it is like without one.
+  struct Dive {
+    SourceLocation where;
+    double vertical = 0.25;  ///< Up or down by its thrusters, metres per second.
+    double rise = 0.02;      ///< Up without them, metres per second; negative: it sinks.
+    double glide = 1.0;      ///< Time constant of its drag, seconds.
+  };
   /// Where an axle lies, by `axel`.
   struct Axle {
     SourceLocation where;
@@ -41,8 +48,10 @@ class DriveLines {
   void read_wheel(const Statement& s, bool new_dialect);
   void read_axel(const Statement& s);
   void read_steering(const Statement& s);
+  void read_dive(const Statement& s);
   void finish_axles(robot::DriveModel& drive) const;
   void finish_steering(robot::RobotModel& model) const;
+  void finish_submarine(robot::DriveModel& drive) const;
 
   Warnings& warnings_;
   robot::DriveModel drive_;
@@ -54,6 +63,7 @@ class DriveLines {
   std::optional<Axle> rear_;
   std::optional<Axle> front_;
   std::optional<Steering> steering_;
+  std::optional<Dive> dive_;
 };
 
 }  // namespace eyebridge::files

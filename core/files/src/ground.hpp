@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "eyebridge/files/load.hpp"
+#include "text.hpp"
 
 namespace eyebridge::files {
 
@@ -12,6 +14,10 @@ enum class GroundKind { World, Maze };
 /// texture is looked for beside `path`, then where find_file() looks; what is found becomes an
 /// absolute path, anything else stays as written. Throws ConfigError.
 void load_ground(const std::filesystem::path& path, GroundKind kind, const SearchPlaces& places,
-                 Scenario& scenario);
+                 Scenario& scenario, Reading reading);
+
+/// Reads "water MM" of a world or a simulation into `water`, metres. Throws ConfigError, also where
+/// `water` is known already.
+void read_water(const Statement& s, std::optional<double>& water);
 
 }  // namespace eyebridge::files

@@ -123,7 +123,7 @@ Rgb read_colour(const Statement& s, std::size_t first) {
 }
 
 /// What a box or polygon is, but for its outline.
-world::ObjectSpec block(world::ObjectKind kind, const char* name, const Pose& pose) {
+world::ObjectSpec block(world::ObjectKind kind, const std::string& name, const Pose& pose) {
   world::ObjectSpec out;
   out.kind = kind;
   out.name = name;
@@ -201,6 +201,14 @@ world::ObjectSpec read_box(const Statement& s, const Pose& pose) {
   box.radius = box.outer_radius();
   if (s.size() > 6) box.height = s.millimetres(6, "the height", kLeastSize, kMostSize);
   if (s.size() > 7) box.colour = read_colour(s, 7);
+  return box;
+}
+
+world::ObjectSpec standing_box(const std::string& name) {
+  world::ObjectSpec box = block(world::ObjectKind::Box, name, {});
+  box.size = {kStandInSize, kStandInSize};
+  box.radius = box.outer_radius();
+  box.matter.fixed = true;
   return box;
 }
 

@@ -24,6 +24,10 @@ inline constexpr double kBoxHeight = 0.2;  ///< Metres.
 inline constexpr Rgb kBoxColour{150, 110, 60};
 inline constexpr double kBoxMass = 1.0;  ///< Kilograms.
 
+/// What stands for an object whose file cannot be read: a fixed box of this length and width.
+inline constexpr double kStandInSize = 0.1;  ///< Metres.
+world::ObjectSpec standing_box(const std::string& name);
+
 /// Our own "box x y phi length width [height [red green blue]]". Throws ConfigError.
 world::ObjectSpec read_box(const Statement& s, const Pose& pose);
 

@@ -58,15 +58,15 @@ void add_shape(const Statement& s, const std::string& shape, std::size_t first, 
 }  // namespace
 
 world::ObjectSpec read_object(std::string_view text, const std::string& file,
-                              const std::string& name, std::vector<Warning>& out_warnings) {
+                              const std::string& name, std::vector<Warning>& out_warnings,
+                              Reading reading) {
   StatementReader statements(text, file);
   Warnings warnings(file, out_warnings);
-  Statement s;
   Extent extent;
   double scale = 1;
   world::ObjectSpec out;
   out.name = lower(name);
-  while (statements.next(s)) {
+  read_lines(statements, warnings, reading, [&](const Statement& s) {
     const std::string keyword = lower(s.text(0));
     if (keyword == "scale") {
       s.expect_arguments(1, "scale FACTOR");
@@ -99,7 +99,7 @@ world::ObjectSpec read_object(std::string_view text, const std::string& file,
       warnings.add(s.line(), s.token(0).column,
                    "unknown keyword " + in_quotes(s.text(0)) + " is ignored");
     }
-  }
+  });
   const double unit = extent.metres ? scale : scale / 1000;
   out.radius = extent.reach * unit;
   out.height = std::max(extent.top * unit, 0.001);

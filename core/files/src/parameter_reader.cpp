@@ -9,9 +9,10 @@
 namespace eyebridge::files {
 namespace {
 
-constexpr std::array<std::string_view, 17> kParameterKeywords = {
-    "name", "diameter", "speed",     "turn",      "world", "maze",  "pause",  "debug",   "psd",
-    "ir",   "bump",     "psd_range", "psd_table", "accel", "error", "kicker", "psd_kind"};
+constexpr std::array<std::string_view, 19> kParameterKeywords = {
+    "name",  "diameter", "speed",    "turn",     "world",     "maze",      "pause",
+    "debug", "psd",      "ir",       "bump",     "psd_range", "psd_table", "accel",
+    "error", "kicker",   "psd_kind", "friction", "servo"};
 
 bool on_or_off(const Statement& s) {
   s.expect_arguments(1, std::string(s.text(0)) + " on|off");

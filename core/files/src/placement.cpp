@@ -63,8 +63,10 @@ std::vector<Vec2> candidates(const world::WorldModel& world, double radius) {
 
 }  // namespace
 
-Placer::Placer(Scenario& scenario)
-    : scenario_(scenario), world_(std::make_shared<const world::WorldModel>(scenario.world)) {
+Placer::Placer(Scenario& scenario, Reading reading)
+    : scenario_(scenario),
+      reading_(reading),
+      world_(std::make_shared<const world::WorldModel>(scenario.world)) {
   for (const RobotPlacement& robot : scenario.robots) {
     add(robot.pose.position(), scenario.models.at(robot.model));
   }
@@ -123,12 +125,49 @@ void Placer::warn_outside(std::size_t model, const Pose& pose, const SourceLocat
   }
 }
 
+void Placer::check_water(std::size_t model, const SourceLocation& where) const {
+  const robot::RobotModel& robot = scenario_.models[model];
+  const double water = scenario_.world.water_depth();
+  if (robot.drive.kind != robot::DriveKind::Submarine || robot.height <= water) return;
+  throw ConfigError(where, robot.name + " is " + write_millimetres(robot.height) +
+                               " mm high, in water of " + write_millimetres(water) +
+                               " mm: expected deeper water ('water MM')");
+}
+
 void Placer::refuse(std::size_t model, const Pose& pose, const std::string& obstacle,
                     const SourceLocation& where) const {
+  throw ConfigError(where, in_the_way(model, pose, obstacle) + ": expected a free place");
+}
+
+std::string Placer::in_the_way(std::size_t model, const Pose& pose,
+                               const std::string& obstacle) const {
   const robot::RobotModel& robot = scenario_.models[model];
-  throw ConfigError(where, robot.name + " (" + write_millimetres(robot.diameter) +
-                               " mm across) at " + at(pose.position()) + " stands in " + obstacle +
-                               ": expected a free place");
+  return robot.name + " (" + write_millimetres(robot.diameter) + " mm across) at " +
+         at(pose.position()) + " stands in " + obstacle;
+}
+
+std::optional<Vec2> Placer::add_near(Vec2 wanted, const robot::RobotModel& robot) {
+  const world::WorldModel& world = scenario_.world;
+  const auto try_at = [&](Vec2 p) {
+    return p.x >= 0 && p.y >= 0 && p.x <= world.width && p.y <= world.height && add(p, robot);
+  };
+  // Near it in rings, then at the places where robots are put otherwise.
+  constexpr double kRing = 0.005;  // metres
+  constexpr int kDirections = 36;
+  const int rings = static_cast<int>(3 * robot.radius() / kRing);
+  for (int ring = 1; ring <= rings; ++ring) {
+    for (int i = 0; i < kDirections; ++i) {
+      const Vec2 p =
+          wanted + ring * kRing * Heading::from_angle(2 * kPi * i / kDirections).forward();
+      if (try_at(p)) return p;
+    }
+  }
+  std::vector<Vec2> places = candidates(world, robot.radius());
+  std::ranges::stable_sort(places, {}, [&](Vec2 p) { return norm_squared(p - wanted); });
+  for (const Vec2 p : places) {
+    if (try_at(p)) return p;
+  }
+  return std::nullopt;
 }
 
 void Placer::record(std::size_t model, const Pose& pose, const SourceLocation& where) {
@@ -140,11 +179,16 @@ void Placer::record(std::size_t model, const Pose& pose, const SourceLocation& w
 }
 
 void Placer::place(std::size_t model, const Pose& pose, const SourceLocation& where) {
+  check_water(model, where);
   const robot::RobotModel& robot = scenario_.models[model];
-  if (!add(pose.position(), robot)) {
-    refuse(model, pose, obstacle_at(pose.position(), robot.radius()), where);
-  }
-  record(model, pose, where);
+  if (add(pose.position(), robot)) return record(model, pose, where);
+  const std::string obstacle = obstacle_at(pose.position(), robot.radius());
+  if (reading_ == Reading::Strict) refuse(model, pose, obstacle, where);
+  const auto free = add_near(pose.position(), robot);
+  if (!free) refuse(model, pose, obstacle, where);
+  scenario_.warnings.push_back(
+      {where, in_the_way(model, pose, obstacle) + ": it is put to " + at(*free)});
+  record(model, {free->x, free->y, pose.theta}, where);
 }
 
 void Placer::check_walls(std::size_t model, const Pose& pose, const SourceLocation& where) {
@@ -153,6 +197,7 @@ void Placer::check_walls(std::size_t model, const Pose& pose, const SourceLocati
     bare.objects.clear();
     walls_.emplace(std::make_shared<const world::WorldModel>(std::move(bare)));
   }
+  check_water(model, where);
   const double radius = scenario_.models[model].radius();
   if (!walls_->is_free(pose.position(), radius - kSlack)) {
     refuse(model, pose, wall_at(pose.position()), where);
@@ -161,6 +206,7 @@ void Placer::check_walls(std::size_t model, const Pose& pose, const SourceLocati
 }
 
 void Placer::place_anywhere(std::size_t model, const SourceLocation& where) {
+  check_water(model, where);
   const robot::RobotModel& robot = scenario_.models[model];
   for (const Vec2 place : candidates(scenario_.world, robot.radius())) {
     if (add(place, robot)) return record(model, {place.x, place.y, 0}, where);

@@ -18,9 +18,10 @@ class Placer {
  public:
   /// `scenario` is lent for the object's life; its world does not change meanwhile. The robots that
   /// it has stand where they are.
-  explicit Placer(Scenario& scenario);
+  explicit Placer(Scenario& scenario, Reading reading = Reading::Strict);
 
-  /// Adds a robot. Throws ConfigError at `where` when something stands there already.
+  /// Adds a robot. Where something stands there already: throws ConfigError at `where`, or, where
+  /// reading is Tolerant and there is room, puts it to the nearest free place with a warning.
   void place(std::size_t model, const Pose& pose, const SourceLocation& where);
   /// Throws ConfigError at `where` when a robot would stand in a wall there; adds none.
   void check_walls(std::size_t model, const Pose& pose, const SourceLocation& where);
@@ -38,7 +39,13 @@ class Placer {
   /// Puts `robot` into world_; false where it would not stand, or has no `gap` metres around it.
   bool add(Vec2 centre, const robot::RobotModel& robot, double gap = 0);
   void record(std::size_t model, const Pose& pose, const SourceLocation& where);
+  /// Throws ConfigError at `where` for a submarine that is higher than the water is deep.
+  void check_water(std::size_t model, const SourceLocation& where) const;
   void warn_outside(std::size_t model, const Pose& pose, const SourceLocation& where);
+  /// The free place that is nearest to `wanted`, to a few millimetres; the robot is there then.
+  std::optional<Vec2> add_near(Vec2 wanted, const robot::RobotModel& robot);
+  [[nodiscard]] std::string in_the_way(std::size_t model, const Pose& pose,
+                                       const std::string& obstacle) const;
   [[noreturn]] void refuse(std::size_t model, const Pose& pose, const std::string& obstacle,
                            const SourceLocation& where) const;
   /// The robot placed already that a disc would overlap; null when there is none.
@@ -48,6 +55,7 @@ class Placer {
   [[nodiscard]] std::string wall_at(Vec2 centre) const;
 
   Scenario& scenario_;
+  Reading reading_;
   world::World world_;                 ///< The same walls, objects and robots, to ask what is free.
   std::optional<world::World> walls_;  ///< The same walls alone, once somebody asks.
 };

@@ -10,7 +10,8 @@
 namespace eyebridge::files {
 namespace {
 
-constexpr std::array<std::string_view, 3> kPsdKinds = {"ray", "ultrasound", "infrared"};
+// In the order of robot::RangeKind.
+constexpr std::array<std::string_view, 4> kPsdKinds = {"ray", "ultrasound", "infrared", "down"};
 
 /// ID of "ultrasound:ID".
 int read_sensor_number(const Statement& s, std::string_view word) {
@@ -57,6 +58,9 @@ PsdKind read_psd_kind(const Statement& s) {
     case robot::RangeKind::Infrared:
       s.expect_arguments(3, "psd_kind infrared[:ID] min_mm max_mm");
       kind.range = read_range_limits(s, 2);
+      break;
+    case robot::RangeKind::Down:
+      s.expect_arguments(1, "psd_kind down[:ID]");
       break;
   }
   return kind;

@@ -13,6 +13,7 @@ namespace eyebridge::files {
 ///   psd_kind ray[:ID]
 ///   psd_kind ultrasound[:ID] BEAM_DEG CRITICAL_DEG [MIN_MM MAX_MM]
 ///   psd_kind infrared[:ID] MIN_MM MAX_MM
+///   psd_kind down[:ID]
 struct PsdKind {
   std::optional<int> id;  ///< None: all of them.
   SourceLocation where;

@@ -15,24 +15,25 @@ namespace eyebridge::files {
 namespace {
 
 constexpr double kMaxSize = 10000;  // millimetres: no robot or mounting is larger
-constexpr std::array<std::string_view, 25> kRobiKeywords = {
+constexpr std::array<std::string_view, 28> kRobiKeywords = {
     "name",   "diameter", "speed", "turn",      "model",     "axis",     "axel",
     "psd",    "camera",   "wheel", "drive",     "mass",      "collider", "fisheye",
     "lidar",  "ir",       "bump",  "psd_range", "psd_table", "accel",    "error",
-    "kicker", "psd_kind", "axles", "steering"};
+    "kicker", "psd_kind", "axles", "steering",  "friction",  "servo",    "dive"};
 
 class RobiReader {
  public:
-  RobiReader(std::string_view text, const std::string& file, std::vector<Warning>& warnings)
+  RobiReader(std::string_view text, const std::string& file, std::vector<Warning>& warnings,
+             Reading reading)
       : statements_(text, file),
         file_(file),
         warnings_(file, warnings),
+        reading_(reading),
         builder_(warnings_),
         drive_(warnings_) {}
 
   robot::RobotModel read() {
-    Statement s;
-    while (statements_.next(s)) read_statement(s);
+    read_lines(statements_, warnings_, reading_, [&](const Statement& s) { read_statement(s); });
     if (!known_) {
       throw ConfigError({file_, std::max(1, statements_.line()), 1},
                         "no keyword of a robot description in the file: expected 'drive', 'name', "
@@ -254,7 +255,7 @@ class RobiReader {
       model().diameter = *diameter_;
     } else if (reach_ > 0) {
       model().diameter = 2 * reach_;
-    } else if (drive_.has_wheels()) {
+    } else if (drive_.has_wheels() && model().drive.kind != robot::DriveKind::Submarine) {
       model().diameter = 2 * model().drive.wheel_base;
     } else {
       warnings_.add(1, 1, "neither diameter, collider nor wheel is given: the diameter is 186 mm");
@@ -264,6 +265,7 @@ class RobiReader {
   StatementReader statements_;
   const std::string& file_;
   Warnings warnings_;
+  Reading reading_;
   RobotBuilder builder_;
   DriveLines drive_;
   bool known_ = false;
@@ -278,8 +280,8 @@ class RobiReader {
 }  // namespace
 
 robot::RobotModel read_robi(std::string_view text, const std::string& file,
-                            std::vector<Warning>& warnings) {
-  return RobiReader(text, file, warnings).read();
+                            std::vector<Warning>& warnings, Reading reading) {
+  return RobiReader(text, file, warnings, reading).read();
 }
 
 }  // namespace eyebridge::files

@@ -41,8 +41,10 @@ void RobotBuilder::add_psd(const Statement& s, std::size_t name_token,
   psd.name = std::string(s.text(name_token));
   psd.pose_in_robot = pose;
   psd.height = height;
+  // All that may throw comes first: a line is read whole or not at all.
+  const Id id = id_token ? read_id(s, *id_token) : Id{0, s.line(), 1, s.where(0)};
   model_.range_sensors.push_back(psd);
-  psd_ids_.push_back(id_token ? read_id(s, *id_token) : Id{0, s.line(), 1, s.where(0)});
+  psd_ids_.push_back(id);
 }
 
 void RobotBuilder::add_ir(const Statement& s, const Pose& pose,
@@ -52,8 +54,9 @@ void RobotBuilder::add_ir(const Statement& s, const Pose& pose,
   ir.name = std::string(s.text(1));
   ir.pose_in_robot = pose;
   if (threshold_token) ir.threshold = s.millimetres(*threshold_token, "the threshold", 0, 1e5);
+  const Id id = read_id(s, 2);
   model_.proximity_sensors.push_back(ir);
-  ir_ids_.push_back(read_id(s, 2));
+  ir_ids_.push_back(id);
 }
 
 void RobotBuilder::add_bump(const Statement& s) {
@@ -63,8 +66,9 @@ void RobotBuilder::add_bump(const Statement& s) {
   bumper.name = std::string(s.text(1));
   bumper.start = s.degrees(3, "the start of the sector");
   bumper.end = s.degrees(4, "the end of the sector");
+  const Id id = read_id(s, 2);
   model_.bumpers.push_back(bumper);
-  bump_ids_.push_back(read_id(s, 2));
+  bump_ids_.push_back(id);
 }
 
 bool RobotBuilder::read_extension(const Statement& s) {
@@ -83,6 +87,11 @@ bool RobotBuilder::read_extension(const Statement& s) {
     read_table(s);
   } else if (keyword == "kicker") {
     read_kicker(s);
+  } else if (keyword == "servo") {
+    read_servo(s);
+  } else if (keyword == "friction") {
+    s.expect_arguments(1, "friction MU");
+    model_.contact_friction = s.number(1, "the coefficient of friction", 0, 100);
   } else if (keyword == "error") {
     read_error(s);
   } else {
@@ -101,6 +110,49 @@ void RobotBuilder::read_kicker(const Statement& s) {
   kicker.reach = s.millimetres(3, "the reach", 0, 1000);
   if (s.size() == 5) kicker.half_angle = deg_to_rad(s.number(4, "the half angle", 1, 90));
   model_.kicker = kicker;
+}
+
+void RobotBuilder::read_servo(const Statement& s) {
+  using Wheel = robot::ServoModel::Wheel;
+  s.expect_arguments({2, 3}, "servo number NAME [left|right]");
+  robot::ServoModel servo;
+  servo.servo =
+      static_cast<unsigned>(s.integer(1, "the servo (1 and 2 are the camera's)", 3, 16) - 1);
+  servo.name = std::string(s.text(2));
+  if (s.size() == 4) {
+    const std::string wheel = lower(s.text(3));
+    if (wheel != "left" && wheel != "right") {
+      s.fail(3, in_quotes(s.text(3)) + " found: expected the wheel that it turns, left or right");
+    }
+    servo.wheel = wheel == "left" ? Wheel::Left : Wheel::Right;
+  }
+  for (const robot::ServoModel& other : model_.servos) {
+    if (other.servo == servo.servo) s.fail(1, "a second servo of this number: expected one");
+    if (servo.wheel != Wheel::None && other.wheel == servo.wheel) {
+      s.fail(3, "a second servo for this wheel: expected one");
+    }
+  }
+  model_.servos.push_back(servo);
+  servo_where_.push_back(s.where(1));
+}
+
+/// Other lines may contradict a servo and stand below it, so that this is checked at the end.
+void RobotBuilder::check_servos() const {
+  for (std::size_t i = 0; i < model_.servos.size(); ++i) {
+    const robot::ServoModel& servo = model_.servos[i];
+    const std::string number = "servo " + std::to_string(servo.servo + 1);
+    if (model_.kicker && model_.kicker->servo == servo.servo) {
+      throw ConfigError(servo_where_[i], number + " kicks already: expected another one");
+    }
+    if (model_.drive.steers(servo.servo)) {
+      throw ConfigError(servo_where_[i], number + " steers already: expected another one");
+    }
+    if (servo.wheel != robot::ServoModel::Wheel::None &&
+        model_.drive.kind != robot::DriveKind::Differential) {
+      throw ConfigError(servo_where_[i],
+                        number + " turns a wheel: expected a DIFFERENTIAL_DRIVE for that");
+    }
+  }
 }
 
 void RobotBuilder::read_error(const Statement& s) {
@@ -174,6 +226,7 @@ void RobotBuilder::number_sensors(std::vector<Sensor>& sensors, const std::vecto
 }
 
 robot::RobotModel RobotBuilder::finish() {
+  check_servos();
   number_sensors(model_.range_sensors, psd_ids_, "psd");
   number_sensors(model_.proximity_sensors, ir_ids_, "ir");
   number_sensors(model_.bumpers, bump_ids_, "bump");

@@ -28,7 +28,7 @@ class RobotBuilder {
   /// "bump NAME id start end"
   void add_bump(const Statement& s);
   /// Our extensions: true when the line was one of "psd_range", "psd_table", "psd_kind", "accel",
-  /// "kicker" and "error".
+  /// "kicker", "servo", "friction" and "error".
   bool read_extension(const Statement& s);
 
   /// Numbers the sensors, applies errors and ranges. Throws ConfigError for an id met twice.
@@ -46,6 +46,8 @@ class RobotBuilder {
   void read_error(const Statement& s);
   void read_table(const Statement& s);
   void read_kicker(const Statement& s);
+  void read_servo(const Statement& s);
+  void check_servos() const;
   template <class Sensor>
   void number_sensors(std::vector<Sensor>& sensors, const std::vector<Id>& ids,
                       std::string_view kind);
@@ -58,6 +60,7 @@ class RobotBuilder {
   std::optional<std::pair<double, double>> psd_range_;
   robot::RangeTable psd_table_;
   std::vector<PsdKind> psd_kinds_;
+  std::vector<SourceLocation> servo_where_;  ///< Of the model's servos.
   std::vector<ErrorRule> errors_;
 };
 

@@ -46,6 +46,33 @@ std::string named(const std::vector<fs::path>& folders, const fs::path& name) {
 
 bool names_home(const std::string& written) { return lower(written).starts_with(kHome); }
 
+/// The first one, by its path, of the files in `folder` and below that are called `name`.
+std::optional<fs::path> anywhere_in(const fs::path& folder, const fs::path& name) {
+  constexpr int kDeepest = 6;
+  std::optional<fs::path> first;
+  std::error_code error;
+  fs::recursive_directory_iterator entry(folder, error);
+  for (const fs::recursive_directory_iterator end; !error && entry != end; entry.increment(error)) {
+    if (entry.depth() >= kDeepest) entry.disable_recursion_pending();
+    const fs::path& path = entry->path();
+    if (path.filename() == name && (!first || path < *first)) first = path;
+  }
+  return first;
+}
+
+std::optional<fs::path> by_last_name(const std::string& written, const fs::path& directory,
+                                     const SearchPlaces& places) {
+  const fs::path name = fs::path(with_slashes(written)).filename();
+  if (name.empty()) return std::nullopt;
+  std::error_code error;
+  for (const fs::path& folder : all_folders(directory, places)) {
+    fs::path path = folder / name;
+    if (fs::is_regular_file(path, error)) return path;
+  }
+  if (places.eyesim_home.empty()) return std::nullopt;
+  return anywhere_in(places.eyesim_home, name);
+}
+
 }  // namespace
 
 SearchPlaces SearchPlaces::of_process(const fs::path& program) {
@@ -130,6 +157,19 @@ std::filesystem::path find_file(const std::string& written, const std::filesyste
     if (lower(similar[i]) == lower(name.string())) text += " (only the case differs)";
   }
   throw ConfigError(where, text + "; looked in " + named(folders, name));
+}
+
+std::filesystem::path find_file_of_others(const std::string& written,
+                                          const std::filesystem::path& directory,
+                                          const SearchPlaces& places, const SourceLocation& where,
+                                          std::vector<Warning>& warnings, Reading reading) {
+  if (auto found = try_find_file(written, directory, places)) return *found;
+  if (reading == Reading::Strict) return find_file(written, directory, places, where);  // throws
+  const auto other = by_last_name(written, directory, places);
+  if (!other) return find_file(written, directory, places, where);  // throws
+  warnings.push_back({where, "no file " + in_quotes(written, 300) +
+                                 " here: " + in_quotes(other->string(), 300) + " is read instead"});
+  return *other;
 }
 
 }  // namespace eyebridge::files

@@ -19,11 +19,12 @@ namespace {
 class SimLoader {
  public:
   SimLoader(const SimFile& sim, const std::string& name, const SearchPlaces& places,
-            Scenario& scenario)
-      : sim_(sim), name_(name), places_(places), scenario_(scenario) {}
+            Scenario& scenario, Reading reading)
+      : sim_(sim), name_(name), places_(places), scenario_(scenario), reading_(reading) {}
 
   void load() {
     load_world();
+    if (sim_.water) scenario_.world.water = sim_.water;
     scenario_.show_sensors = sim_.show_sensors;
     scenario_.show_trail = sim_.show_trail;
     scenario_.world.markers = sim_.markers;
@@ -35,12 +36,14 @@ class SimLoader {
     // Custom objects look like robot lines; they are there before any robot is placed.
     std::vector<const SimRobot*> robots;
     for (const SimRobot& line : sim_.robots) {
-      if (!place_object(line)) robots.push_back(&line);
+      guard([&] {
+        if (!place_object(line)) robots.push_back(&line);
+      });
     }
     check_paths();
-    placer_.emplace(scenario_);
+    placer_.emplace(scenario_, reading_);
     taken_.assign(scenario_.world.starts.size(), false);
-    for (const SimRobot* line : robots) place_robot(*line);
+    for (const SimRobot* line : robots) guard([&] { place_robot(*line); });
     if (scenario_.robots.empty() && !scenario_.newcomers.empty()) {
       throw ConfigError(scenario_.newcomers.front().where,
                         "all robots enter later: expected one that is there from the start");
@@ -49,9 +52,21 @@ class SimLoader {
   }
 
  private:
+  /// Does what one line says. Where reading is Tolerant, what that throws is a warning.
+  template <class Do>
+  void guard(Do act) {
+    try {
+      act();
+    } catch (const ConfigError& error) {
+      if (reading_ == Reading::Strict) throw;
+      scenario_.warnings.push_back({error.where(), error.text() + "; the line is left out"});
+    }
+  }
+
   template <class Read>
   auto read_found(const std::string& written, const SourceLocation& where, Read read) {
-    const auto path = find_file(written, scenario_.directory, places_, where);
+    const auto path = find_file_of_others(written, scenario_.directory, places_, where,
+                                          scenario_.warnings, reading_);
     return read(read_text_file(path), path);
   }
 
@@ -62,7 +77,8 @@ class SimLoader {
           {{name_, 0, 0}, "no world or maze named: an empty room, 2 m x 2 m"});
       return;
     }
-    const auto path = find_file(*sim_.world, scenario_.directory, places_, sim_.world_where);
+    const auto path = find_file_of_others(*sim_.world, scenario_.directory, places_,
+                                          sim_.world_where, scenario_.warnings, reading_);
     const std::string extension = lower(path.extension().string());
     if (extension != ".wld" && extension != ".maz") {
       throw ConfigError(sim_.world_where, in_quotes(*sim_.world) +
@@ -70,32 +86,48 @@ class SimLoader {
                                               ".maz file");
     }
     load_ground(path, extension == ".wld" ? GroundKind::World : GroundKind::Maze, places_,
-                scenario_);
+                scenario_, reading_);
   }
 
   void load_robot_files() {
     for (const auto& [written, where] : sim_.robot_files) {
-      const robot::RobotModel model =
-          read_found(written, where, [&](const std::string& text, const auto& path) {
-            return read_robi(text, path.string(), scenario_.warnings);
-          });
-      const std::size_t index = scenario_.models.size();
-      scenario_.models.push_back(model);
-      models_[lower(model.name)] = index;
-      models_[lower(written)] = index;
+      guard([&, &written = written, &where = where] {
+        const robot::RobotModel model =
+            read_found(written, where, [&](const std::string& text, const auto& path) {
+              return read_robi(text, path.string(), scenario_.warnings, reading_);
+            });
+        const std::size_t index = scenario_.models.size();
+        scenario_.models.push_back(model);
+        models_[lower(model.name)] = index;
+        models_[lower(written)] = index;
+      });
     }
   }
 
   void load_object_files() {
     for (const auto& [written, where] : sim_.object_files) {
-      read_found(written, where, [&](const std::string& text, const std::filesystem::path& path) {
-        const std::string stem = path.stem().string();
-        const world::ObjectSpec object = read_object(text, path.string(), stem, scenario_.warnings);
-        objects_[lower(stem)] = object;
-        objects_[object.name] = object;
-        return 0;
-      });
+      try {
+        read_found(written, where, [&](const std::string& text, const std::filesystem::path& path) {
+          const std::string stem = path.stem().string();
+          const world::ObjectSpec object =
+              read_object(text, path.string(), stem, scenario_.warnings, reading_);
+          objects_[lower(stem)] = object;
+          objects_[object.name] = object;
+          return 0;
+        });
+      } catch (const ConfigError& error) {
+        if (reading_ == Reading::Strict) throw;
+        stand_in(written, error);
+      }
     }
+  }
+
+  /// What has no usable file is drawn as a box that nobody moves.
+  void stand_in(const std::string& written, const ConfigError& error) {
+    world::ObjectSpec box = standing_box(lower(std::filesystem::path(written).stem().string()));
+    scenario_.warnings.push_back(
+        {error.where(), error.text() + "; " + in_quotes(box.name) + " is a box of 100 mm instead"});
+    objects_[box.name] = std::move(box);
   }
 
   bool place_object(const SimRobot& line) {
@@ -119,23 +151,30 @@ class SimLoader {
   }
 
   /// An obstacle that could not go its way would stand there for good and look like a wall.
-  void check_paths() const {
-    const world::WorldModel& world = scenario_.world;
+  void check_paths() {
+    world::WorldModel& world = scenario_.world;
     const std::size_t first = world.objects.size() - path_places_.size();  // a maze's own: none
     for (std::size_t i = 0; i < path_places_.size(); ++i) {
-      const world::ObjectSpec& object = world.objects[first + i];
+      world::ObjectSpec& object = world.objects[first + i];
       if (!object.path) continue;
-      if (object.path->points.size() == 1 &&
-          object.path->points.front() == object.pose.position()) {
-        throw ConfigError(path_places_[i], "the only way-point is where the " + object.name +
-                                               " stands: expected another place");
-      }
-      const auto wall = world::wall_on_path(world, object);
-      if (!wall) continue;
-      throw ConfigError(path_places_[i], "the path leads the " + object.name + " into the wall " +
-                                             in_words(world.walls[*wall]) +
-                                             ": expected a free way");
+      guard([&] {
+        const world::ObjectSpec moving = object;
+        object.path.reset();  // it stands, unless the way is free
+        check_path(moving, path_places_[i]);
+        object.path = moving.path;
+      });
     }
+  }
+
+  void check_path(const world::ObjectSpec& object, const SourceLocation& where) const {
+    if (object.path->points.size() == 1 && object.path->points.front() == object.pose.position()) {
+      throw ConfigError(where, "the only way-point is where the " + object.name +
+                                   " stands: expected another place");
+    }
+    const auto wall = world::wall_on_path(scenario_.world, object);
+    if (!wall) return;
+    throw ConfigError(where, "the path leads the " + object.name + " into the wall " +
+                                 in_words(scenario_.world.walls[*wall]) + ": expected a free way");
   }
 
   std::size_t model_of(const SimRobot& line) {
@@ -170,13 +209,23 @@ class SimLoader {
                                       "' left for this robot: expected that letter in the maze");
   }
 
+  void refuse_traits(const ObjectTraits& traits) {
+    const std::string text =
+        "a robot stands before this: expected the line of an object, whose mass, path, ... it "
+        "says; "
+        "of a robot 'friction' can be said";
+    if (reading_ == Reading::Strict) throw ConfigError(traits.where, text);
+    scenario_.warnings.push_back({traits.where, text + "; the line is left out"});
+  }
+
   void place_robot(const SimRobot& line) {
-    if (line.traits.any) {
-      throw ConfigError(line.traits.where,
-                        "a robot stands before this: expected the line of an "
-                        "object, whose mass, friction, ... it says");
+    if (!line.traits.fit_a_robot()) refuse_traits(line.traits);
+    std::size_t model = model_of(line);
+    if (line.traits.friction) {
+      scenario_.models.push_back(scenario_.models[model]);
+      model = scenario_.models.size() - 1;
+      scenario_.models[model].contact_friction = *line.traits.friction;
     }
-    const std::size_t model = model_of(line);
     if (line.enters) return let_enter(model, line);
     if (line.start) {
       placer_->place(model, start_pose(line), line.where);
@@ -216,6 +265,7 @@ class SimLoader {
   const std::string& name_;
   const SearchPlaces& places_;
   Scenario& scenario_;
+  Reading reading_;
   std::map<std::string, std::size_t> models_;
   std::map<std::string, world::ObjectSpec> objects_;
   std::vector<SourceLocation> path_places_;  ///< Of the objects that are not the maze's own.
@@ -226,9 +276,9 @@ class SimLoader {
 }  // namespace
 
 std::vector<ErrorRule> load_sim(std::string_view text, const std::string& name,
-                                const SearchPlaces& places, Scenario& scenario) {
-  SimFile sim = read_sim(text, name, scenario.warnings);
-  SimLoader(sim, name, places, scenario).load();
+                                const SearchPlaces& places, Scenario& scenario, Reading reading) {
+  SimFile sim = read_sim(text, name, scenario.warnings, reading);
+  SimLoader(sim, name, places, scenario, reading).load();
   return std::move(sim.errors);
 }
 

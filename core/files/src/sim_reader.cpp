@@ -4,6 +4,7 @@
 
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/files/readers.hpp"
+#include "ground.hpp"
 #include "object_kinds.hpp"
 #include "object_lines.hpp"
 #include "text.hpp"
@@ -12,11 +13,11 @@ namespace eyebridge::files {
 namespace {
 
 constexpr std::size_t kMaxThings = 100000;
-constexpr std::array<std::string_view, 26> kSimKeywords = {
+constexpr std::array<std::string_view, 27> kSimKeywords = {
     "world",  "maze",   "robi",    "robot", "obj",          "object",      "settings",
     "marker", "box",    "mass",    "fixed", "friction",     "restitution", "path",
     "error",  "enters", "speeds",  "waits", "acceleration", "yields",      "follow",
-    "flee",   "wander", "polygon", "loose", "still"};
+    "flee",   "wander", "polygon", "loose", "still",        "water"};
 constexpr std::string_view kRobotForm = "NAME x y phi [program]' or 'NAME S [phi] [program]";
 
 bool is_start_letter(std::string_view word) {
@@ -32,14 +33,13 @@ std::string base_name(std::string_view path) {
 
 class SimReader {
  public:
-  SimReader(std::string_view text, const std::string& file, std::vector<Warning>& warnings)
-      : statements_(text, file), file_(file), warnings_(file, warnings) {}
+  SimReader(std::string_view text, const std::string& file, std::vector<Warning>& warnings,
+            Reading reading)
+      : statements_(text, file), file_(file), warnings_(file, warnings), reading_(reading) {}
 
   SimFile read() {
-    Statement s;
     bool any = false;
-    while (statements_.next(s)) {
-      any = true;
+    read_lines(statements_, warnings_, reading_, [&](const Statement& s) {
       if (out_.robots.size() + out_.objects.size() + out_.markers.size() + out_.robot_files.size() +
               out_.object_files.size() + out_.errors.size() >
           kMaxThings) {
@@ -47,7 +47,8 @@ class SimReader {
                "more than " + std::to_string(kMaxThings) + " robots, objects, markers and errors");
       }
       read_statement(s);
-    }
+      any = true;
+    });
     if (!any) {
       throw ConfigError({file_, std::max(1, statements_.line()), 1},
                         "nothing in the file: expected 'world FILE' and robots");
@@ -69,6 +70,8 @@ class SimReader {
       read_object_file(s);
     } else if (keyword == "settings") {
       read_settings(s);
+    } else if (keyword == "water") {
+      read_water(s, out_.water);
     } else if (keyword == "marker") {
       read_marker(s);
     } else if (keyword == "error") {
@@ -249,14 +252,16 @@ class SimReader {
   StatementReader statements_;
   const std::string& file_;
   Warnings warnings_;
+  Reading reading_;
   SimFile out_;
   Last last_ = Last::Nothing;
 };
 
 }  // namespace
 
-SimFile read_sim(std::string_view text, const std::string& file, std::vector<Warning>& warnings) {
-  return SimReader(text, file, warnings).read();
+SimFile read_sim(std::string_view text, const std::string& file, std::vector<Warning>& warnings,
+                 Reading reading) {
+  return SimReader(text, file, warnings, reading).read();
 }
 
 }  // namespace eyebridge::files

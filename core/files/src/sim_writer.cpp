@@ -159,6 +159,7 @@ class SimWriter {
 
   std::string text() {
     if (sim_.world) out_ += "world " + word(*sim_.world) + '\n';
+    if (sim_.water) out_ += "water " + write_millimetres(*sim_.water) + '\n';
     for (const auto& [file, where] : sim_.object_files) out_ += "object " + word(file) + '\n';
     for (const world::ObjectSpec& object : sim_.objects) out_ += object_lines(object);
     // Robot files come as late as they may: the old form names one and places a robot of it.
@@ -268,7 +269,8 @@ bool same_meaning(const SimFile& a, const SimFile& b) {
   const auto same_line = [](const SimRobot& one, const SimRobot& other) {
     return same_meaning(one, other);
   };
-  return a.world == b.world && std::ranges::equal(a.robot_files, b.robot_files, same_file) &&
+  return a.world == b.world && a.water == b.water &&
+         std::ranges::equal(a.robot_files, b.robot_files, same_file) &&
          std::ranges::equal(a.object_files, b.object_files, same_file) &&
          std::ranges::equal(a.robots, b.robots, same_line) && a.objects == b.objects &&
          a.markers == b.markers && std::ranges::equal(a.errors, b.errors, same_rule) &&

@@ -8,6 +8,7 @@
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/text.hpp"
+#include "eyebridge/files/scenario.hpp"
 
 namespace eyebridge::files {
 
@@ -111,6 +112,22 @@ class StatementReader {
   const std::string& file_;
   int line_ = 0;
 };
+
+/// Hands each statement to `read`. Where reading is Tolerant, what that throws is a warning.
+template <class Read>
+void read_lines(StatementReader& statements, Warnings& warnings, Reading reading, Read read) {
+  Statement s;
+  for (bool more = true; more;) {
+    try {
+      more = statements.next(s);
+      if (more) read(s);
+    } catch (const ConfigError& error) {
+      if (reading == Reading::Strict) throw;
+      warnings.add(error.where().line, error.where().column,
+                   error.text() + "; the line is left out");
+    }
+  }
+}
 
 /// The shortest decimal number that is read back as `value`.
 std::string decimal(double value);

@@ -6,6 +6,7 @@
 
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/files/readers.hpp"
+#include "ground.hpp"
 #include "text.hpp"
 
 namespace eyebridge::files {
@@ -14,8 +15,8 @@ namespace {
 constexpr std::size_t kMaxNesting = 1000;  // one published world nests 83 frames
 constexpr std::size_t kMaxWalls = 500000;
 constexpr std::size_t kMaxStarts = 10000;
-constexpr std::array<std::string_view, 7> kWorldKeywords = {
-    "floor", "width", "height", "push", "pop", "position", "floor_texture"};
+constexpr std::array<std::string_view, 8> kWorldKeywords = {
+    "floor", "width", "height", "push", "pop", "position", "floor_texture", "water"};
 
 struct Frame {
   Pose pose;
@@ -25,19 +26,19 @@ struct Frame {
 class WorldReader {
  public:
   WorldReader(std::string_view text, const std::string& file, std::vector<Warning>& warnings,
-              std::vector<SourceLocation>* start_places)
+              std::vector<SourceLocation>* start_places, Reading reading)
       : statements_(text, file),
         file_(file),
         warnings_(file, warnings),
-        start_places_(start_places) {}
+        start_places_(start_places),
+        reading_(reading) {}
 
   world::WorldModel read() {
-    Statement s;
     bool any = false;
-    while (statements_.next(s)) {
-      any = true;
+    read_lines(statements_, warnings_, reading_, [&](const Statement& s) {
       read_statement(s);
-    }
+      any = true;
+    });
     if (!any) {
       throw ConfigError({file_, std::max(1, statements_.line()), 1},
                         "nothing in the file: expected a world ('floor W H', then walls)");
@@ -86,6 +87,8 @@ class WorldReader {
       if (model_.floor_texture)
         warnings_.add(s.line(), 1, "a second floor_texture: this one counts");
       model_.floor_texture = std::string(s.text(1));
+    } else if (keyword == "water") {
+      read_water(s, model_.water);
     } else {
       const std::string_view near = nearest(keyword, kWorldKeywords);
       s.fail(0, "unknown keyword " + in_quotes(s.text(0)) + ": expected " +
@@ -129,6 +132,7 @@ class WorldReader {
     wall.a = point(s, {s.millimetres(0, "x1"), s.millimetres(1, "y1")});
     wall.b = point(s, {s.millimetres(2, "x2"), s.millimetres(3, "y2")});
     if (wall.a == wall.b) s.fail(0, "wall of zero length: expected two different ends");
+    wall.thickness = world::Wall::kFileThickness;
     if (s.size() >= 6) {
       wall.thickness = s.millimetres(4, "thickness", 0, 1e5);
       wall.height = s.millimetres(5, "height", 0.001, 1e5);
@@ -220,6 +224,7 @@ class WorldReader {
   const std::string& file_;
   Warnings warnings_;
   std::vector<SourceLocation>* start_places_;
+  Reading reading_;
   world::WorldModel model_;
   std::optional<double> width_;
   std::optional<double> height_;
@@ -232,8 +237,8 @@ class WorldReader {
 
 world::WorldModel read_world(std::string_view text, const std::string& file,
                              std::vector<Warning>& warnings,
-                             std::vector<SourceLocation>* start_places) {
-  return WorldReader(text, file, warnings, start_places).read();
+                             std::vector<SourceLocation>* start_places, Reading reading) {
+  return WorldReader(text, file, warnings, start_places, reading).read();
 }
 
 }  // namespace eyebridge::files

@@ -18,6 +18,7 @@ std::string write_world(const world::WorldModel& model) {
     if (texture.empty()) refuse("its floor_texture cannot be quoted");
     out += "floor_texture " + texture + '\n';
   }
+  if (model.water) out += "water " + write_millimetres(*model.water) + '\n';
   for (const world::StartPose& start : model.starts) {
     out += "position " + write_millimetres(start.pose.x) + ' ' + write_millimetres(start.pose.y) +
            ' ' + write_degrees(start.pose.theta) + '\n';
@@ -28,7 +29,8 @@ std::string write_world(const world::WorldModel& model) {
     }
     out.pop_back();
     const bool coloured = wall.colour != world::Wall::kDefaultColour;
-    if (coloured || wall.thickness != 0 || wall.height != world::Wall::kDefaultHeight) {
+    if (coloured || wall.thickness != world::Wall::kFileThickness ||
+        wall.height != world::Wall::kDefaultHeight) {
       out += ' ' + write_millimetres(wall.thickness) + ' ' + write_millimetres(wall.height);
     }
     if (coloured) {

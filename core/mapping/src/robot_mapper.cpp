@@ -66,6 +66,7 @@ Result<void> RobotMapper::insert_range(OccupancyGrid& grid, const Pose& robot_in
                                        std::size_t sensor, double range) {
   ScanMapper& mapper = impl_->ranges.at(sensor);
   const robot::RangeSensorModel& model = impl_->model.range_sensors[sensor];
+  if (model.kind == robot::RangeKind::Down) return {};  // it sees nothing that stands in the plane
   const Pose pose = transform(robot_in_world, model.pose_in_robot);
   if (is_cone(model)) {
     return insert_cone(grid, impl_->cones[sensor], pose, range);

@@ -57,6 +57,7 @@ class AckermannChassis final : public Chassis {
     return at_centre((travel[0] + travel[1]) / 2, (travel[1] - travel[0]) / wheel_base_);
   }
 
+  [[nodiscard]] bool can_turn_on_spot() const override { return false; }
   [[nodiscard]] bool is_stuck() const override { return is_stuck_; }
   [[nodiscard]] bool is_settled() const override { return steering_ == target_; }
 

@@ -14,6 +14,7 @@ unsigned DriveModel::motor_count() const {
     case DriveKind::Ackermann:
       return 1;
     case DriveKind::Omni:
+    case DriveKind::Submarine:
       return 4;
     case DriveKind::Swedish:
       return 3;
@@ -25,6 +26,7 @@ unsigned DriveModel::motor_count() const {
 }
 
 unsigned DriveModel::encoder_count() const {
+  if (kind == DriveKind::Submarine) return 0;
   return kind == DriveKind::Ackermann ? 2 : motor_count();
 }
 
@@ -35,18 +37,30 @@ double DriveModel::max_curvature() const {
 }
 
 Chassis::Chassis(const DriveModel& model, const MotorModel& motor)
-    : wheels_(model.encoder_count()), motor_count_(model.motor_count()) {
+    : wheels_(std::max(model.encoder_count(), model.motor_count())),
+      motor_count_(model.motor_count()),
+      encoder_count_(model.encoder_count()) {
   for (ChassisWheel& wheel : wheels_) wheel.motor = motor;
 }
 
 Rims Chassis::run() {
   Rims motors{};
-  for (std::size_t i = 0; i < motor_count_; ++i) {
-    ChassisWheel& w = wheels_[i];
-    motors[i] = w.command.controlled ? w.wheel.drive_controlled(w.command.speed, w.motor)
-                                     : w.wheel.drive(w.command.speed, w.motor);
-  }
+  for (std::size_t i = 0; i < motor_count_; ++i) motors[i] = obey(i);
   return rims_of(motors);
+}
+
+double Chassis::obey(std::size_t index) {
+  ChassisWheel& w = wheels_[index];
+  return w.command.controlled ? w.wheel.drive_controlled(w.command.speed, w.motor)
+                              : w.wheel.drive(w.command.speed, w.motor);
+}
+
+Rims Chassis::blocked(const Rims& travel, double progress) const {
+  Rims rims = travel;
+  for (std::size_t i = 0; i < rims.size(); ++i) {
+    if (is_held(i)) rims[i] *= progress;
+  }
+  return rims;
 }
 
 void Chassis::settle(const Rims& /*travel*/, const Ground& /*ground*/, bool /*held*/) {}
@@ -84,8 +98,10 @@ PathStep Chassis::rolling() const {
 }
 
 bool Chassis::is_commanded() const {
-  return std::any_of(wheels_.begin(), wheels_.end(),
-                     [](const ChassisWheel& w) { return w.command.speed != 0.0; });
+  for (std::size_t i = 0; i < wheels_.size(); ++i) {
+    if (wheels_[i].command.speed != 0.0 && !is_apart(i)) return true;
+  }
+  return false;
 }
 
 bool Chassis::stands(double speed) const {
@@ -98,7 +114,9 @@ void Chassis::halt() {
 }
 
 void Chassis::drop_commands() {
-  for (ChassisWheel& w : wheels_) w.command = {};
+  for (std::size_t i = 0; i < wheels_.size(); ++i) {
+    if (!is_apart(i)) wheels_[i].command = {};
+  }
 }
 
 ChassisWheel& Chassis::motor(unsigned index) {
@@ -106,7 +124,14 @@ ChassisWheel& Chassis::motor(unsigned index) {
   return wheels_[index];
 }
 
-std::unique_ptr<Chassis> make_chassis(const DriveModel& model, const MotorModel& motor) {
+ChassisWheel& Chassis::encoder(unsigned index) {
+  if (index >= encoder_count_) throw std::out_of_range("no such encoder");
+  return wheels_[index];
+}
+
+std::unique_ptr<Chassis> make_chassis(const RobotModel& robot, const MotorModel& motor,
+                                      double water) {
+  const DriveModel& model = robot.drive;
   switch (model.kind) {
     case DriveKind::Differential:
       break;
@@ -117,6 +142,8 @@ std::unique_ptr<Chassis> make_chassis(const DriveModel& model, const MotorModel&
       return make_omni(model, motor);
     case DriveKind::Synchro:
       return make_synchro(model, motor);
+    case DriveKind::Submarine:
+      return make_submarine(robot, motor, water);
   }
   return nullptr;
 }

@@ -55,8 +55,15 @@ class Chassis {
   [[nodiscard]] virtual BodyStep ground(const Rims& travel, const Ground& ground) const = 0;
   /// What odometry makes of it: `forward` and `angle` are what the controller counts.
   [[nodiscard]] virtual BodyStep seen(const Rims& travel) const = 0;
+  /// What is left of the rims' travel where an obstacle lets the robot make only `progress` of its
+  /// way, 0 … 1.
+  [[nodiscard]] virtual Rims blocked(const Rims& travel, double progress) const;
+  /// Whether the body turns, too, where something is in its way.
+  [[nodiscard]] virtual bool can_turn_on_spot() const { return true; }
   /// The step is over: so far the rims went; with `held` an obstacle stopped them.
   virtual void settle(const Rims& travel, const Ground& ground, bool held);
+  /// Whether motor `motor` has nothing to do with v-omega driving and runs beside it.
+  [[nodiscard]] virtual bool is_apart(std::size_t /*motor*/) const { return false; }
   /// Whether something that holds the robot holds wheel `wheel`.
   [[nodiscard]] virtual bool is_held(std::size_t /*wheel*/) const { return true; }
   /// True while the controller wants what this drive cannot do at all: a turn on the spot.
@@ -83,27 +90,36 @@ class Chassis {
   /// Where the steered wheels point, radians from the robot's front.
   [[nodiscard]] virtual double steering() const { return 0.0; }
 
+  /// How far what dives is above the floor, metres; others stay on it.
+  [[nodiscard]] virtual double altitude() const { return 0.0; }
+  /// Its altitude where it floats, metres.
+  [[nodiscard]] virtual double highest() const { return 0.0; }
+  /// Puts it there, clamped to the water, without vertical speed.
+  virtual void set_altitude(double /*altitude*/) {}
+
   virtual void add_to(StateHash& hash) const;
 
   /// Of what the motors do now: how fast the robot goes …
   [[nodiscard]] Twist present() const;
   /// … and how far it rolls when they are told to stand still.
-  [[nodiscard]] PathStep rolling() const;
-  /// True when no motor has a command to turn.
+  [[nodiscard]] virtual PathStep rolling() const;
+  /// True when a motor that moves it in the plane has a command to turn.
   [[nodiscard]] bool is_commanded() const;
   /// True when no rim is faster than `speed`.
   [[nodiscard]] bool stands(double speed) const;
-  /// Drops the motors' commands.
+  /// Drops the commands of these motors.
   void drop_commands();
 
   /// Throws std::out_of_range when there is no such motor, or encoder.
   ChassisWheel& motor(unsigned index);
-  ChassisWheel& encoder(unsigned index) { return wheels_.at(index); }
+  ChassisWheel& encoder(unsigned index);
   std::vector<ChassisWheel>& wheels() { return wheels_; }
 
  protected:
   /// What the rims do when the motors do that: the same, unless a gear is between.
   [[nodiscard]] virtual Rims rims_of(const Rims& motors) const { return motors; }
+  /// Drives motor `index` by the command that it has of its own; its travel.
+  double obey(std::size_t index);
   /// Drives motor `index` with PID, at `speed` of the rim; its travel.
   double drive(std::size_t index, double speed) {
     return wheels_[index].wheel.drive_controlled(speed, wheels_[index].motor);
@@ -111,13 +127,18 @@ class Chassis {
 
   std::vector<ChassisWheel> wheels_;
   unsigned motor_count_;
+  unsigned encoder_count_;
 };
 
 /// Mecanum wheels and three omnidirectional ones.
 std::unique_ptr<Chassis> make_omni(const DriveModel& model, const MotorModel& motor);
 std::unique_ptr<Chassis> make_ackermann(const DriveModel& model, const MotorModel& motor);
 std::unique_ptr<Chassis> make_synchro(const DriveModel& model, const MotorModel& motor);
+/// In water of the depth `water`, metres; at its surface at first.
+std::unique_ptr<Chassis> make_submarine(const RobotModel& model, const MotorModel& motor,
+                                        double water);
 /// Null for a differential drive.
-std::unique_ptr<Chassis> make_chassis(const DriveModel& model, const MotorModel& motor);
+std::unique_ptr<Chassis> make_chassis(const RobotModel& robot, const MotorModel& motor,
+                                      double water);
 
 }  // namespace eyebridge::robot

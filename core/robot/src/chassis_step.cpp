@@ -60,11 +60,11 @@ void turn_wheels(RobotState& state, const Rims& rims, bool held) {
     ChassisWheel& w = wheels[i];
     const bool stops = held && state.chassis->is_held(i);
     if (state.error.encoder_miss == 0.0) {
-      w.wheel.turn(rims[i], stops);
+      w.wheel.turn(rims[i], stops, w.motor);
       continue;
     }
     const std::int64_t before = w.wheel.raw_ticks(w.motor);
-    w.wheel.turn(rims[i], stops);
+    w.wheel.turn(rims[i], stops, w.motor);
     const std::int64_t ticks = w.wheel.raw_ticks(w.motor) - before;
     w.wheel.miss(state.faults->missed(state.error.encoder_miss, i, ticks));
   }
@@ -93,25 +93,25 @@ void Simulation::Impl::step_chassis(RobotState& state) {
   const Rims hold = held_by_ground(state, rims);
   const Ground ground = ground_of(state);
   const BodyStep step = chassis.ground(hold, ground);
-  const world::MoveResult result = step == BodyStep{}
-                                       ? world::MoveResult{}
-                                       : world.move(state.body, screw_of(step), settings.step);
-  const bool held = result.blocked();
-  for (std::size_t i = 0; i < rims.size(); ++i) {
-    if (chassis.is_held(i)) rims[i] *= result.fraction;
-  }
+  const world::MoveResult result =
+      step == BodyStep{} ? world::MoveResult{}
+                         : world.move(state.body, screw_of(step), settings.step, state.contact);
+  const bool held = result.blocked() && !result.slid;
+  const bool turns = state.contact.turns;
+  if (result.blocked()) rims = chassis.blocked(rims, result.progress);
   turn_wheels(state, rims, held);
   chassis.settle(rims, ground, held);
   const BodyStep measured = measured_step(state, rims);
   state.odometry.add(screw_of(measured));
-  const double per_second = result.fraction / settings.step;
-  state.driven = {step.forward * per_second, step.angle * per_second};
+  const double per_second = result.progress / settings.step;
+  state.driven = {step.forward * per_second,
+                  step.angle * (turns ? 1.0 / settings.step : per_second)};
   state.driven_left = step.left * per_second;
   const PathStep path{measured.forward, measured.angle};
   state.measured = {path.distance / settings.step, path.angle / settings.step};
   if (!state.by_motors) {
     if (held || chassis.is_stuck()) {
-      state.controller.hold(path);
+      state.controller.hold(path, turns);
     } else {
       state.controller.advance(path);
     }

@@ -33,11 +33,11 @@ void DriveController::Part::set(double amount) {
   side = amount;
 }
 
-void DriveController::Part::advance(double travelled, double speed, double speed_step, double end) {
+void DriveController::Part::advance(double travelled, double speed, double slow_speed, double end) {
   if (!open) return;
   left -= travelled;
   // A start too fast for a short goal runs past it and comes back: only slow passing counts.
-  const bool slow = std::abs(speed) <= speed_step * kRounding;
+  const bool slow = std::abs(speed) <= slow_speed * kRounding;
   if (slow && (std::abs(left) <= end || left * side < 0.0)) open = false;
   if (left != 0.0) side = left < 0.0 ? -1.0 : 1.0;
 }
@@ -135,15 +135,17 @@ Twist DriveController::towards_goal(double distance, double angle) const {
 void DriveController::advance(const PathStep& measured) {
   heading_owed_ -= measured.angle;
   if (state_ != DriveState::Driving) return;
-  distance_.advance(measured.distance, twist_.linear, limits_.linear_step, limits_.distance_end);
-  angle_.advance(measured.angle, twist_.angular, limits_.angular_step, limits_.angle_end);
+  distance_.advance(measured.distance, twist_.linear,
+                    std::min(limits_.linear_step, limits_.rest_linear), limits_.distance_end);
+  angle_.advance(measured.angle, twist_.angular,
+                 std::min(limits_.angular_step, limits_.rest_angular), limits_.angle_end);
   const bool can_stand = std::abs(twist_.linear) <= limits_.linear_step * kRounding &&
                          std::abs(twist_.angular) <= limits_.angular_step * kRounding;
   if (!distance_.open && !angle_.open && can_stand) state_ = DriveState::Idle;
 }
 
-void DriveController::hold(const PathStep& measured) {
-  twist_ = {};
+void DriveController::hold(const PathStep& measured, bool turns) {
+  twist_ = {0.0, turns ? twist_.angular : 0.0};
   advance(measured);
 }
 

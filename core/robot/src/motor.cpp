@@ -57,9 +57,11 @@ double Wheel::drive_controlled(double speed, const MotorModel& model) {
   return travel;
 }
 
-void Wheel::turn(double travel, bool held) {
+void Wheel::turn(double travel, bool held, const MotorModel& model) {
   travel_ += travel;
-  if (held) halt();
+  if (!held) return;
+  halt();
+  speed_ = last_target_ = travel / model.dt;
 }
 
 void Wheel::halt() {

@@ -42,9 +42,9 @@ class Wheel {
   double drive(double speed, const MotorModel& model);
   /// Speed-controlled: likewise, with PID.
   double drive_controlled(double speed, const MotorModel& model);
-  /// Counts `travel` metres on the encoder; with `held` the wheel stands now, and the controller
-  /// does not wind up against the obstacle.
-  void turn(double travel, bool held);
+  /// Counts `travel` metres on the encoder; with `held` the wheel is now as fast as that, and the
+  /// controller does not wind up against the obstacle.
+  void turn(double travel, bool held, const MotorModel& model);
   /// Stands still at once; the encoder keeps its count.
   void halt();
 

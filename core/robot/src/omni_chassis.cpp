@@ -86,6 +86,15 @@ class OmniChassis final : public Chassis {
     return {sum.forward / squares_.forward, sum.left / squares_.left, sum.angle / squares_.turn};
   }
 
+  /// The wheels go on with what turns the robot.
+  [[nodiscard]] Rims blocked(const Rims& travel, double progress) const override {
+    const BodyStep step = seen(travel);
+    const Rims way = rims_at({step.forward, step.left, 0.0});
+    Rims rims = travel;
+    for (std::size_t i = 0; i < rims.size(); ++i) rims[i] -= (1.0 - progress) * way[i];
+    return rims;
+  }
+
   void settle(const Rims& /*travel*/, const Ground& /*ground*/, bool held) override {
     if (held) lateral_ = 0.0;
   }

@@ -36,6 +36,7 @@ double arm_of(const DriveModel& drive) {
   switch (drive.kind) {
     case DriveKind::Differential:
     case DriveKind::Swedish:
+    case DriveKind::Submarine:
       break;
     case DriveKind::Omni:
       return (drive.wheel_base + drive.axle_distance) / 2;
@@ -83,14 +84,15 @@ std::vector<RayDevice> ray_devices(const auto& models, std::uint64_t seed, std::
 
 }  // namespace
 
-RobotState::RobotState(const RobotModel& model, const SimulationSettings& settings,
+RobotState::RobotState(const RobotModel& model, const SimulationSettings& settings, double water,
                        world::BodyId body_id, Random drive_noise, const DriveFaults& fault_noise)
     : body(body_id),
       wheel_base(model.drive.wheel_base),
       motor(motor_of(model.drive, settings.step)),
       controller(limits_of(model, settings.step)),
       noise(drive_noise),
-      chassis(make_chassis(model.drive, motor)) {
+      chassis(make_chassis(model, motor, water)) {
+  contact = {settings.slides, !chassis || chassis->can_turn_on_spot(), model.contact_friction};
   set_error(model, settings.step, fault_noise);
 }
 

@@ -41,8 +41,9 @@ class KnownAngle {
 
 /// Everything about a robot that step() touches: one block of memory a robot.
 struct RobotState {
-  RobotState(const RobotModel& model, const SimulationSettings& settings, world::BodyId body_id,
-             Random drive_noise, const DriveFaults& fault_noise);
+  /// `water`: how deep it is, metres; of submarines.
+  RobotState(const RobotModel& model, const SimulationSettings& settings, double water,
+             world::BodyId body_id, Random drive_noise, const DriveFaults& fault_noise);
 
   /// How fast the robot is meant to go now: where the next ramp starts.
   [[nodiscard]] Twist present() const;
@@ -77,6 +78,7 @@ struct RobotState {
       false;  ///< In the last step, from its start; the wheels stood at the start of this one.
   bool by_motors = false;
   bool has_left = false;  ///< The world: it makes no steps.
+  world::ContactLaw contact;
   unsigned stalled = kStallNone;
   std::uint32_t stalled_steps = 0;
   StepPlan plan;  ///< Of the last step.

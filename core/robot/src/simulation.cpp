@@ -16,10 +16,21 @@ void check(bool good, const char* what) {
   if (!good) throw std::invalid_argument(what);
 }
 
+void check_servos(const RobotModel& model) {
+  for (const ServoModel& servo : model.servos) {
+    check(servo.servo >= 2 && servo.servo < kServoCount,
+          "robot: servos of its own have the indices 2 to 15");
+    check(servo.wheel == ServoModel::Wheel::None || model.drive.kind == DriveKind::Differential,
+          "robot: servos turn the wheels of a differential drive only");
+  }
+}
+
 void check(const RobotModel& model) {
   const DriveModel& drive = model.drive;
   // Written so that NaN fails, too.
   check(model.diameter > 0.0, "robot: the diameter must be positive");
+  check(model.contact_friction >= 0.0 && std::isfinite(model.contact_friction),
+        "robot: the friction against what it meets must be finite and not negative");
   check(drive.wheel_base > 0.0, "robot: the distance between the wheels must be positive");
   check(drive.wheel_diameter > 0.0, "robot: the wheel diameter must be positive");
   check(drive.ticks_per_revolution > 0.0, "robot: the encoder needs ticks");
@@ -30,9 +41,13 @@ void check(const RobotModel& model) {
         "robot: the accelerations must not be negative");
   check(!model.kicker || (model.kicker->speed >= 0.0 && model.kicker->servo < kServoCount),
         "robot: a kicker needs a servo and a speed that is not negative");
+  check_servos(model);
   check(drive.motor_time_constant >= 0.0, "robot: the motor time constant must not be negative");
   std::for_each(model.range_sensors.begin(), model.range_sensors.end(), check_range_sensor);
   check(drive.steering_speed >= 0.0, "robot: the speed of the steering must not be negative");
+  check(drive.max_vertical >= 0.0 && std::isfinite(drive.max_vertical) &&
+            std::isfinite(drive.rise_speed),
+        "robot: vertical speeds must be finite, that of the thrusters not negative");
   if (drive.kind == DriveKind::Ackermann || drive.kind == DriveKind::Omni) {
     check(drive.axle_distance > 0.0, "robot: the distance between the axles must be positive");
   }
@@ -70,13 +85,16 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 RobotIndex Simulation::add_robot(const RobotModel& model, const Pose& pose) {
   check(model);
+  const double water = impl_->world.model().water_depth();
+  check(model.drive.kind != DriveKind::Submarine || model.height <= water,
+        "robot: the submarine is higher than the water is deep");
   const auto robot = static_cast<RobotIndex>(robot_count());
   const Rgb colour = body_colour(robot);
   const world::BodyId body = impl_->world.add_robot(pose, model.radius(), model.height, colour);
   const std::uint64_t seed = impl_->settings.seed;
   impl_->cruises.emplace_back().body = body;
   impl_->asked.push_back(Impl::kNothing);
-  impl_->states.emplace_back(model, impl_->settings, body,
+  impl_->states.emplace_back(model, impl_->settings, water, body,
                              noise_stream(seed, robot, NoiseSource::Drive, 0),
                              DriveFaults(seed, robot));
   const std::shared_ptr<const RangeLayout> last =
@@ -137,7 +155,7 @@ void Simulation::set_pose(RobotIndex robot, const Pose& pose) {
   if (state.has_left) return;
   impl_->world.set_pose(state.body, pose);
   state.halt();
-  state.controller.hold({});
+  state.controller.hold({}, false);
   state.driven = {};
   state.driven_before = {};
   state.driven_left = state.driven_left_before = 0.0;
@@ -184,6 +202,13 @@ double Simulation::remaining(RobotIndex robot) const {
 }
 unsigned Simulation::stalled(RobotIndex robot) const { return impl_->at(robot).stalled; }
 
+bool Simulation::is_told_to_move(RobotIndex robot) const {
+  const RobotState& state = impl_->at(robot);
+  if (!state.by_motors) return !state.controller.at_rest();
+  if (state.chassis) return state.chassis->is_commanded();
+  return state.commands[0].speed != 0.0 || state.commands[1].speed != 0.0;
+}
+
 void Simulation::stop(RobotIndex robot) {
   RobotState& state = impl_->command(robot);
   state.use_controller();
@@ -200,27 +225,6 @@ void Simulation::set_odometry(RobotIndex robot, const Pose& pose) {
   impl_->command(robot).odometry.set(pose);
 }
 Twist Simulation::measured_twist(RobotIndex robot) const { return impl_->at(robot).measured; }
-
-void Simulation::set_servo(RobotIndex robot, unsigned servo, double position) {
-  RobotDevices& devices = impl_->devices_of(robot);
-  const double before = devices.servos.at(servo);
-  devices.servos[servo] = std::clamp(position, 0.0, 1.0);
-  const std::optional<KickerModel>& kicker = devices.model.kicker;
-  if (kicker && strikes(*kicker, servo, before, devices.servos[servo])) {
-    impl_->strike(robot, *kicker);
-  }
-  const DriveModel& drive = devices.model.drive;
-  if (drive.steers(servo)) {
-    set_steering(robot, (1.0 - 2 * devices.servos[servo]) * drive.max_steering);
-  }
-}
-
-double Simulation::servo(RobotIndex robot, unsigned servo) const {
-  const RobotDevices& devices = impl_->devices_of(robot);
-  const DriveModel& drive = devices.model.drive;
-  if (drive.steers(servo)) return (1.0 - steering(robot) / drive.max_steering) / 2;
-  return devices.servos.at(servo);
-}
 
 std::uint64_t Simulation::camera_noise_seed(RobotIndex robot) const {
   return noise_stream(impl_->settings.seed, robot, NoiseSource::Camera, 0).bits();

@@ -58,11 +58,11 @@ PathStep true_path(RobotState& state, const WheelTravel& wheels) {
 void turn_wheel(RobotState& state, std::size_t side, double travel, bool held) {
   Wheel& wheel = state.wheels[side];
   if (state.error.encoder_miss == 0.0) {
-    wheel.turn(travel, held);
+    wheel.turn(travel, held, state.motor);
     return;
   }
   const std::int64_t before = wheel.raw_ticks(state.motor);
-  wheel.turn(travel, held);
+  wheel.turn(travel, held, state.motor);
   const std::int64_t ticks = wheel.raw_ticks(state.motor) - before;
   wheel.miss(state.faults->missed(state.error.encoder_miss, side, ticks));
 }
@@ -96,7 +96,8 @@ void make_plan(RobotState& state) {
 void Simulation::Impl::step_robot(RobotIndex robot) {
   Cruise& cruise = cruises[robot];
   if (cruise.steady) {
-    const world::MoveResult result = world.move(cruise.body, cruise.arc, settings.step);
+    const world::MoveResult result =
+        world.move(cruise.body, cruise.arc, settings.step, states[robot].contact);
     if (!result.blocked()) {
       cruise.advance();
       return;
@@ -105,8 +106,9 @@ void Simulation::Impl::step_robot(RobotIndex robot) {
     return;
   }
   if (cruise.pressed) {
-    const world::MoveResult result = world.move(cruise.body, cruise.arc, settings.step);
-    if (result.fraction == 0.0) {
+    const world::MoveResult result =
+        world.move(cruise.body, cruise.arc, settings.step, states[robot].contact);
+    if (result.progress == 0.0 && !result.slid) {
       cruise.wait();
       if (!cruise.stall_known) states[robot].stalled = kStallBoth;
       cruise.stall_known = true;
@@ -130,33 +132,39 @@ void Simulation::Impl::step_robot(RobotIndex robot) {
   const PathStep& path = state.plan.path;
   const bool moves = path.distance != 0.0 || path.angle != 0.0;
   finish_step(robot, state,
-              moves ? world.move(state.body, state.plan.arc, settings.step) : world::MoveResult{});
+              moves ? world.move(state.body, state.plan.arc, settings.step, state.contact)
+                    : world::MoveResult{});
 }
 
 void Simulation::Impl::finish_step(RobotIndex robot, RobotState& state,
                                    const world::MoveResult& result) {
   const StepPlan& plan = state.plan;
-  const bool held = result.blocked();
-  state.steady = state.steady && !held;
-  const WheelTravel wheels{plan.wheels.left * result.fraction, plan.wheels.right * result.fraction};
+  const bool blocked = result.blocked();
+  const bool held = blocked && !result.slid;
+  state.steady = state.steady && !blocked;
+  WheelTravel wheels = plan.wheels;
+  if (blocked) {
+    // The wheels go on with what turns the robot, and with as much of the way as it makes.
+    const double lost = (1.0 - result.progress) * (wheels.left + wheels.right) / 2;
+    wheels = {wheels.left - lost, wheels.right - lost};
+  }
   turn_wheel(state, 0, wheels.left, held);
   turn_wheel(state, 1, wheels.right, held);
   const PathStep measured = measured_path(state, wheels);
   state.odometry.add(measured == plan.path ? plan.arc : arc_of(measured));
   const double dt = settings.step;
   state.driven_before = state.driven;
-  state.driven = {plan.path.distance * result.fraction / dt,
-                  plan.path.angle * result.fraction / dt};
+  state.driven = {plan.path.distance * result.progress / dt, plan.path.angle / dt};
   state.measured = {measured.distance / dt, measured.angle / dt};
   if (!state.by_motors) {
     if (held) {
-      state.controller.hold(measured);
+      state.controller.hold(measured, true);
     } else {
       state.controller.advance(measured);
     }
   }
   account(state, held);
-  const bool stuck = held && result.fraction == 0.0;
+  const bool stuck = held && result.progress == 0.0 && plan.path.angle == 0.0;
   if (state.cruises(measured)) cruises[robot].take(state);
   if (stuck && state.presses()) cruises[robot].press(state);
   state.held_before = stuck;

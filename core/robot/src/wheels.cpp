@@ -15,6 +15,12 @@ struct MotorRef {
   MotorCommand& command;
 };
 
+/// A motor is commanded: it takes the robot out of v-omega control, unless it is apart from that.
+void take_over(RobotState& state, unsigned motor) {
+  if (state.chassis && state.chassis->is_apart(motor)) return;
+  state.use_motors();
+}
+
 /// Throws std::out_of_range.
 MotorRef motor_of(RobotState& state, unsigned motor) {
   if (state.chassis) {
@@ -29,14 +35,17 @@ MotorRef motor_of(RobotState& state, unsigned motor) {
 void Simulation::set_motor_duty(RobotIndex robot, unsigned motor, double duty) {
   RobotState& state = impl_->command(robot);
   const MotorRef ref = motor_of(state, motor);
-  state.use_motors();
+  take_over(state, motor);
   ref.command = {std::clamp(duty, -1.0, 1.0) * ref.model.top, false};
 }
 
 void Simulation::set_motor_speed(RobotIndex robot, unsigned motor, double ticks_per_second) {
   RobotState& state = impl_->command(robot);
   const MotorRef ref = motor_of(state, motor);
-  state.use_motors();
+  if (state.chassis && model(robot).drive.encoder_count() == 0) {
+    throw std::out_of_range("robot: no encoder to control a motor's speed by");
+  }
+  take_over(state, motor);
   const double speed = ticks_per_second / ref.model.ticks_per_metre;
   ref.command = {std::clamp(speed, -ref.model.top, ref.model.top), true};
 }
@@ -96,6 +105,24 @@ void Simulation::set_steering(RobotIndex robot, double angle) {
   }
   state.use_motors();
   state.chassis->set_steering(angle);
+}
+
+double Simulation::altitude(RobotIndex robot) const {
+  const RobotState& state = impl_->at(robot);
+  return state.chassis ? state.chassis->altitude() : 0.0;
+}
+
+std::optional<double> Simulation::depth(RobotIndex robot) const {
+  if (model(robot).drive.kind != DriveKind::Submarine) return std::nullopt;
+  const Chassis& chassis = *impl_->at(robot).chassis;
+  return chassis.highest() - chassis.altitude();
+}
+
+double Simulation::set_altitude(RobotIndex robot, double altitude) {
+  RobotState& state = impl_->command(robot);
+  if (!state.chassis) return 0.0;
+  if (!state.has_left) state.chassis->set_altitude(altitude);
+  return state.chassis->altitude();
 }
 
 double Simulation::steering(RobotIndex robot) const {

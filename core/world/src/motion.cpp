@@ -167,10 +167,10 @@ bool World::Impl::still_holds(const Hold& hold) const {
 
 MoveResult World::Impl::stopped(BodyId id, double fraction, const Obstacle& end) {
   note(id, end);
-  return {fraction, end.wall, end.body, towards(end, id)};
+  return {fraction, end.wall, end.body, towards(end, id), fraction};
 }
 
-MoveResult World::move(BodyId id, const Arc& arc, double dt) {
+MoveResult World::move(BodyId id, const Arc& arc, double dt, const ContactLaw& law) {
   Bodies& bodies = impl_->bodies;
   const Heading before{bodies.cos_[id], bodies.sin_[id]};
   MoveResult result;
@@ -183,14 +183,17 @@ MoveResult World::move(BodyId id, const Arc& arc, double dt) {
     } else if (hold.motion == motion && hold.from == bodies.position(id) &&
                impl_->still_holds(hold)) {
       hold.round = bodies.round();
-      return {0.0, hold.body == kNoBody, hold.body, hold.contact};
+      result = {0.0, hold.body == kNoBody, hold.body, hold.contact, 0.0};
     } else {
       result = impl_->drive(id, motion, dt);
+      if (law.slides && result.blocked()) impl_->slide(id, motion, dt, law.friction, result);
     }
   }
-  if (result.fraction == 0.0) return result;
   Heading turn = arc.turn;
-  if (result.fraction < 1.0) turn = Heading::from_angle(result.fraction * arc.turn.angle());
+  if (!law.turns && result.progress < 1.0) {
+    if (result.progress == 0.0) return result;
+    turn = Heading::from_angle(result.progress * arc.turn.angle());
+  }
   const Heading after = before.turned(turn);
   // One step of Newton's method for 1/sqrt keeps the length at 1 without a root.
   const double scale = 1.5 - 0.5 * (after.cos * after.cos + after.sin * after.sin);

@@ -63,6 +63,9 @@ struct World::Impl {
   MoveResult drive(BodyId id, Vec2 motion, double dt);
   /// The result of a drive that ended at `end` after `fraction` of the motion.
   MoveResult stopped(BodyId id, double fraction, const Obstacle& end);
+  /// slide.cpp. Goes on after a drive by `motion` that ended as `result` says, and notes in it how
+  /// far.
+  void slide(BodyId id, Vec2 motion, double dt, double friction, MoveResult& result);
   /// First wall on the way of `id` along `motion`. Keeps the clearance; the caller must go on to
   /// travelled() for the way that the body really goes.
   Obstacle first_wall(BodyId id, Vec2 motion);

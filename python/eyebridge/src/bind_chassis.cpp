@@ -88,6 +88,8 @@ const char* drive_name(robot::DriveKind kind) {
       return "swedish";
     case robot::DriveKind::Synchro:
       return "synchro";
+    case robot::DriveKind::Submarine:
+      return "submarine";
   }
   return "differential";
 }
@@ -129,6 +131,7 @@ void bind_chassis(py::module_& module) {
                              })
       .def_property_readonly("steering",
                              property([](auto& sim, auto i) { return sim.steering(i); }))
+      .def_property_readonly("depth", property([](auto& sim, auto i) { return sim.depth(i); }))
       .def("set_twist", &set_twist, py::arg("linear"), py::arg("lateral") = 0.0,
            py::arg("angular") = 0.0, Release())
       .def("set_wheel", &set_wheel, py::arg("motor"), py::arg("speed"), Release())

@@ -21,10 +21,13 @@ std::filesystem::path script() {
   return file.is_none() ? std::filesystem::path() : file.cast<std::filesystem::path>();
 }
 
-std::shared_ptr<Scenario> load(const std::filesystem::path& path, const std::string& robot) {
+std::shared_ptr<Scenario> load(const std::filesystem::path& path, const std::string& robot,
+                               bool strict) {
   const auto places = files::SearchPlaces::of_process(script());
   const py::gil_scoped_release others_run;
-  return std::make_shared<Scenario>(files::load_scenario(path, robot, places));
+  return std::make_shared<Scenario>(
+      files::load_scenario(path, robot, places, {"default robot"},
+                           strict ? files::Reading::Strict : files::Reading::Tolerant));
 }
 
 std::vector<std::string> warnings(const Scenario& scenario) {
@@ -63,7 +66,8 @@ void bind_scenario(py::module_& module) {
         return "<eyebridge.Scenario: " + std::to_string(s.world.walls.size()) + " walls, " +
                std::to_string(s.robots.size()) + " robots>";
       });
-  module.def("load_scenario", &load, py::arg("path"), py::arg("robot") = "S4");
+  module.def("load_scenario", &load, py::arg("path"), py::arg("robot") = "S4", py::kw_only(),
+             py::arg("strict") = true);
   module.def("default_scenario",
              [] { return std::make_shared<Scenario>(files::default_scenario()); });
 }

@@ -5,9 +5,10 @@
 /*
  * True poses in the world: mm from its lower-left corner, phi in degrees, 0 along x,
  * counter-clockwise, both when set and when read. Ids count from 1 in the order of the simulation
- * file; id 0 is the caller's own robot. z is read as 0 and ignored when set. All fail with 1 on a
- * real robot (older headers return void) and for an unknown id; reading then gives zeros. Null
- * pointers are left out.
+ * file; id 0 is the caller's own robot. z is how far the underside of a submarine is above the
+ * floor, in mm; values outside the water are clamped to the floor or the surface. For all other
+ * robots and objects z reads as 0 and is ignored when set. All fail with 1 on a real robot (older
+ * headers return void) and for an unknown id; reading then gives zeros. Null pointers are left out.
  */
 
 /** Pose of a robot. */

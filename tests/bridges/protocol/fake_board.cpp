@@ -51,7 +51,7 @@ void FakeBoard::reply(char letter, int argument, std::string& out) {
   if (letter == 'O' && quietens && argument <= 1) verbose = argument == 1;
   if (letter == 'v') out += verbose ? "Version: " + version + "\r\n" : version;
   if (letter == 'V') out += number("Voltage", battery_cv, 2);
-  if (letter == 'a' && argument == 0) out += number("Analog", analog_0, 2);
+  if (letter == 'a' && (argument == 0 || loose)) out += number("Analog", analog_0, 2);
   if (letter == 'p' && argument >= 1 && argument <= 6) out += number("PSD", 512, 2);
 }
 

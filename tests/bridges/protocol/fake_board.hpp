@@ -17,6 +17,7 @@ struct FakeBoard {
   bool echo = false;
   bool prompt_after_raw = false;
   bool silent = false;
+  bool loose = false;  ///< A reading of any channel is answered.
   std::string prompt = ">";
   std::string line_end = "\r";  ///< What ends a request.
   std::string version = "1.04";

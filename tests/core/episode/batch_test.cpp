@@ -63,7 +63,7 @@ TEST(EpisodeBatch, RewardsTheWayDrivenUntilToldOtherwise) {
 
 TEST(EpisodeBatch, ACollisionEndsAnEpisodeUnlessToldOtherwise) {
   Rig rig({.worlds = 2});
-  rig.drive(0, 0.6, 0.0);
+  rig.drive(0, 0.5, 0.0);
   int steps = 0;
   while (rig.rows().terminated[0] == 0 && steps++ < 100) rig.step();
   EXPECT_EQ(rig.rows().collisions[0], 1U);
@@ -133,7 +133,7 @@ TEST(EpisodeBatch, KnowsWhatTheRobotCanDo) {
   const auto [linear, angular] = rig.batch.action_high();
   EXPECT_NEAR(linear, 0.6, 1e-9);
   EXPECT_NEAR(angular, 5.236, 1e-3);
-  EXPECT_EQ(rig.batch.observation_size(), 6U);
+  EXPECT_EQ(rig.batch.observation_size(), 10U);
 }
 
 TEST(EpisodeBatch, RefusesWhatCannotBe) {

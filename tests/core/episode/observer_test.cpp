@@ -37,11 +37,11 @@ TEST(Observer, ReadsWhatItsWordsSayInTheirOrder) {
   Episode episode(room());
   episode.simulation().set_pose(0, {0.8, 1.0, 0.5});
   const std::vector<double> row = observe(episode, "compass pose  psd");
-  ASSERT_EQ(row.size(), 1 + 3 + 4U);
+  ASSERT_EQ(row.size(), 1 + 3 + 8U);
   EXPECT_NEAR(row[0], 0.5, 1e-12);
   EXPECT_THAT(std::vector(row.begin() + 1, row.begin() + 4),
               ElementsAre(0.8, 1.0, DoubleNear(0.5, 1e-12)));
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < 8; ++i) {
     EXPECT_EQ(row[4 + i], episode.simulation().true_range(0, i));
   }
 }
@@ -63,7 +63,7 @@ TEST(Observer, ALidarHasAsManyRaysAsAreAskedFor) {
   EXPECT_EQ(observe(episode, "lidar").size(), 360U);
   const std::vector<double> four = observe(episode, "lidar:4");
   ASSERT_EQ(four.size(), 4U);
-  for (const double range : four) EXPECT_NEAR(range, 1.0, 1e-6) << "in the middle of 2 m x 2 m";
+  for (const double range : four) EXPECT_NEAR(range, 0.995, 1e-6) << "in the middle of 2 m x 2 m";
 }
 
 TEST(Observer, SpeedIsWhatTheWheelsDo) {
@@ -98,11 +98,11 @@ TEST(Observer, BumpersAreZeroOrOne) {
 
 TEST(Observer, KnowsTheBoundsOfItsNumbers) {
   const Observer observer("psd compass speed", *files::builtin_robot("S4"));
-  ASSERT_EQ(observer.size(), 7U);
+  ASSERT_EQ(observer.size(), 8 + 1 + 2U);
   EXPECT_EQ(observer.low()[0], 0.0);
   EXPECT_EQ(observer.high()[0], 9.999);
-  EXPECT_NEAR(observer.high()[4], 3.14159, 1e-5);
-  EXPECT_TRUE(std::isinf(observer.high()[5]));
+  EXPECT_NEAR(observer.high()[8], 3.14159, 1e-5);
+  EXPECT_TRUE(std::isinf(observer.high()[9]));
 }
 
 TEST(Observer, RefusesWhatTheRobotDoesNotHave) {

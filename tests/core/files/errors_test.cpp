@@ -193,7 +193,7 @@ TEST(Sim, MistakesAboutErrorsHaveTheirPlace) {
   EXPECT_EQ(error("S4 500 500 0\nerror robot:2 harsh\n"),
             "a.sim:2:7: found robot 2: expected 1 to 1");
   EXPECT_EQ(error("S4 500 500 0\nerror psd:77 1\n"),
-            "a.sim:2:7: robot 'S4' has no psd 77: expected one of 1, 2, 3, 4");
+            "a.sim:2:7: robot 'S4' has no psd 77: expected one of 1, 2, 3, 4, 5, 6, 7, 8");
   EXPECT_EQ(error("S4 500 500 0\nerror harsch\n"),
             "a.sim:2:7: unknown error model 'harsch': expected 'harsh'?");
   EXPECT_EQ(error("error\n"), "a.sim:1:6: line ends: expected a preset or an error model");

@@ -256,15 +256,26 @@ TEST(Load, APathMustBeFreeOfWalls) {
   EXPECT_THAT(error("Can 500 500 0\npath 100 loop 500 500\n"),
               HasSubstr("a.sim:4:1: the only way-point is where the can stands"));
   const auto good = load_scenario(folder.write(
-      "b.sim", room + "box 500 500 0 200 100\npath 100 back 105 500\nCan 900 900 0\n"));
+      "b.sim", room + "box 500 500 0 200 100\npath 100 back 110 500\nCan 900 900 0\n"));
   EXPECT_TRUE(good.world.objects[0].path);
 }
 
 TEST(Load, WhatIsSaidOfObjectsIsNotSaidOfRobots) {
   const Folder folder;
-  EXPECT_THAT(
-      load_error(folder.write("a.sim", "world empty-room.wld\nS4 500 500 0\nfriction 0.3\n")),
-      HasSubstr("a.sim:3:1: a robot stands before this: expected the line of an object"));
+  EXPECT_THAT(load_error(folder.write("a.sim", "world empty-room.wld\nS4 500 500 0\nmass 0.3\n")),
+              HasSubstr("a.sim:3:1: a robot stands before this: expected the line of an object"));
+}
+
+TEST(Load, AFrictionIsOneRobotsOwn) {
+  const Folder folder;
+  const auto scenario = load_scenario(folder.write(
+      "a.sim", "world empty-room.wld\nS4 500 500 0\nS4 900 500 0\nfriction 0.7\nS4 900 900 0\n"));
+  const auto friction = [&](std::size_t robot) {
+    return scenario.models[scenario.robots[robot].model].contact_friction;
+  };
+  EXPECT_EQ(friction(0), 0.3);
+  EXPECT_EQ(friction(1), 0.7);
+  EXPECT_EQ(friction(2), 0.3);
 }
 
 TEST(Load, ARobotBesideABoxStandsFreeAndOneInItDoesNot) {
@@ -289,6 +300,16 @@ TEST(Load, FilesAreSearchedBesideInTheHomeAndAmongOurWorlds) {
   EXPECT_EQ(load_scenario(folder.write("c.sim", "world empty-room.wld\n")).robots.size(), 1u);
 }
 
+TEST(Load, AnObjectIsDrawnInAnEmptyRoom) {
+  const Folder folder;
+  const Scenario scenario =
+      load_scenario(folder.write("sign.esObj", "collider box 80 300 80 0 0 0\n"));
+  ASSERT_EQ(scenario.world.objects.size(), 1u);
+  EXPECT_EQ(scenario.world.objects[0].name, "sign");
+  EXPECT_EQ(scenario.robots.size(), 1u);
+  EXPECT_EQ(scenario.world.width, 2.0);
+}
+
 TEST(Load, MissingFilesAndNamesAreErrorsAtTheirLine) {
   const Folder folder;
   EXPECT_THAT(load_error(folder.write("a.sim", "world C:\\no\\such.wld\n")),
@@ -297,7 +318,9 @@ TEST(Load, MissingFilesAndNamesAreErrorsAtTheirLine) {
               HasSubstr("b.sim:2:7: no file 'no.robi'"));
   EXPECT_THAT(
       load_error(folder.write("c.sim", "S5 1 2 3\n")),
-      HasSubstr("c.sim:1:1: no robot or object 'S5': expected S4, LabBot, Mouse, Car or Omni"));
+      HasSubstr(
+          "c.sim:1:1: no robot or object 'S5': expected S4, S4-2015, LabBot, Mouse, Car, Omni, "
+          "ServoBot, ServoBot-11, Mako or USAL"));
   EXPECT_THAT(load_error(folder.write("d.sim", "world maze-5.maz\nS4 L\n")),
               HasSubstr("d.sim:2:1: no start 'L' left"));
   EXPECT_EQ(load_error(folder.path() / "none.wld"),
@@ -306,9 +329,11 @@ TEST(Load, MissingFilesAndNamesAreErrorsAtTheirLine) {
                 folder.path().string());
   EXPECT_THAT(load_error(folder.write("e.txt", "x")), HasSubstr("unknown kind of file"));
   EXPECT_EQ(load_error(folder.write("f.wld", kRoom), "R2D2"),
-            "default robot: no robot 'R2D2': expected S4, LabBot, Mouse, Car or Omni");
+            "default robot: no robot 'R2D2': expected S4, S4-2015, LabBot, Mouse, Car, Omni, "
+            "ServoBot, ServoBot-11, Mako or USAL");
   EXPECT_EQ(error_of([&] { load_scenario(folder.path() / "f.wld", "R2D2", {}, {"--robot"}); }),
-            "--robot: no robot 'R2D2': expected S4, LabBot, Mouse, Car or Omni");
+            "--robot: no robot 'R2D2': expected S4, S4-2015, LabBot, Mouse, Car, Omni, "
+            "ServoBot, ServoBot-11, Mako or USAL");
   EXPECT_THAT(load_error(folder.write("g.p", "diameter 100\n maze no.maz\n")),
               HasSubstr("g.p:2:7: no file 'no.maz'"));
 }
@@ -343,7 +368,7 @@ TEST(Load, BuiltinRobotsHaveTheirPublishedMeasures) {
   ASSERT_NE(s4, nullptr);
   EXPECT_EQ(s4->diameter, 0.186);
   EXPECT_EQ(s4->drive.wheel_base, 0.09);
-  EXPECT_EQ(s4->range_sensors.size(), 4u);
+  EXPECT_EQ(s4->range_sensors.size(), 8u);
   EXPECT_TRUE(s4->camera);
   ASSERT_NE(builtin_robot("LABBOT"), nullptr);
   EXPECT_EQ(builtin_robot("LABBOT")->drive.wheel_base, 0.14);

@@ -129,6 +129,48 @@ TEST(Robi, KindsOfDriveTurnAsFastAsTheirWheelsCan) {
   EXPECT_EQ(synchro.drive.max_angular, robot::DriveModel{}.max_angular);
 }
 
+TEST(Robi, ASubmarineHasThrustersAndDives) {
+  const auto robot = robi_of(
+      "drive SUBMARINE_DRIVE\nspeed 600\nturn 90\ndive 200 -15 1.5\naccel 300 40\n"
+      "diameter 800\ncollider box 300 250 800 0 125 0\n");
+  const robot::DriveModel& drive = robot.drive;
+  EXPECT_EQ(drive.kind, robot::DriveKind::Submarine);
+  EXPECT_EQ(drive.max_linear, 0.6);
+  EXPECT_EQ(drive.max_angular, kPi / 2);
+  EXPECT_EQ(drive.max_vertical, 0.2);
+  EXPECT_EQ(drive.rise_speed, -0.015);
+  EXPECT_EQ(drive.motor_time_constant, 1.5);
+  EXPECT_EQ(drive.linear_acceleration, 0.3);
+  EXPECT_EQ(robot.height, 0.25);
+  // Both thrusters together reach the speed, against each other the turn.
+  const double rim = drive.max_wheel_speed * drive.wheel_diameter / 2;
+  EXPECT_NEAR(rim, 0.6, 1e-15);
+  EXPECT_NEAR(2 * rim / drive.wheel_base, kPi / 2, 1e-15);
+  EXPECT_TRUE(robi_warnings.empty());
+}
+
+TEST(Robi, MistakesAboutSubmarinesAreNamed) {
+  EXPECT_EQ(robi_error("dive 200 20"),
+            "r.robi:1:12: 'dive' with 2 arguments: expected 'dive mm_per_second "
+            "rise_mm_per_second glide_seconds'");
+  EXPECT_EQ(robi_error("dive 0 20 1"), "r.robi:1:6: the vertical speed is 0: expected 1 to 100000");
+  EXPECT_EQ(robi_error("dive 200 20 0"),
+            "r.robi:1:13: the time constant of its drag in seconds is 0: expected 0.01 to 1000");
+  EXPECT_EQ(robi_error("name A\n dive 200 20 1"),
+            "r.robi:2:2: dive without thrusters: expected SUBMARINE_DRIVE");
+  EXPECT_EQ(robi_error("div 200 20 1"), "r.robi:1:1: unknown keyword 'div': expected 'dive'?");
+  const auto robot =
+      robi_of("name A\ndiameter 9\ndrive SUBMARINE_DRIVE\nwheel 1 2 3 4\nspeed 100\n");
+  EXPECT_EQ(robot.drive.max_linear, 0.1);
+  EXPECT_EQ(robot.drive.max_angular, deg_to_rad(45));
+  EXPECT_EQ(robot.drive.max_vertical, 0.25);
+  ASSERT_EQ(robi_warnings.size(), 2u);
+  EXPECT_EQ(robi_warnings[0].str(),
+            "r.robi:3:1: warning: a submarine has no wheels: its 'wheel' is not used");
+  EXPECT_THAT(robi_warnings[1].str(),
+              testing::StartsWith("r.robi:3:1: warning: a submarine needs 'speed', "));
+}
+
 TEST(Robi, ReadsOurExtensionsAndAppliesThemToEarlierLines) {
   const auto robot = robi_of(
       "error psd 4 2\ndiameter 99\npsd A 1 0 0 0 0\npsd_range 50 800\n"
@@ -161,6 +203,7 @@ TEST(Robi, ReadsAKicker) {
   EXPECT_EQ(robot.kicker, (robot::KickerModel{2, 1.5, 0.03, deg_to_rad(25)}));
   EXPECT_EQ(robi_of("diameter 100\nkicker 16 1 0\n").kicker->half_angle, deg_to_rad(20));
   EXPECT_FALSE(robi_of("diameter 100\n").kicker);
+  EXPECT_EQ(robi_of("diameter 100\nfriction 0.5\n").contact_friction, 0.5);
 }
 
 TEST(Robi, MistakesAboutAKickerAreNamed) {
@@ -172,6 +215,35 @@ TEST(Robi, MistakesAboutAKickerAreNamed) {
   EXPECT_EQ(robi_error("kicker 3 0 30"), "r.robi:1:10: the ball's speed is 0: expected 1 to 20000");
   EXPECT_EQ(robi_error("kicker 3 1 30\nkicker 4 1 30"),
             "r.robi:2:1: a second kicker: expected one");
+}
+
+TEST(Robi, ReadsServosThatTurnWheels) {
+  using Wheel = robot::ServoModel::Wheel;
+  const auto robot =
+      robi_of("diameter 100\nservo 12 SERVO_LEFT left\nservo 13 SERVO_RIGHT Right\nservo 7 ARM\n");
+  EXPECT_EQ(robot.servos, (std::vector<robot::ServoModel>{{11, "SERVO_LEFT", Wheel::Left},
+                                                          {12, "SERVO_RIGHT", Wheel::Right},
+                                                          {6, "ARM", Wheel::None}}));
+  EXPECT_EQ(robot.servo_indices(), (std::vector<unsigned>{0, 1, 6, 11, 12}));
+}
+
+TEST(Robi, MistakesAboutServosAreNamed) {
+  EXPECT_EQ(robi_error("servo 3"),
+            "r.robi:1:8: 'servo' with 1 argument: expected 'servo number NAME [left|right]'");
+  EXPECT_EQ(robi_error("servo 2 PAN"),
+            "r.robi:1:7: the servo (1 and 2 are the camera's) is 2: expected 3 to 16");
+  EXPECT_EQ(robi_error("servo 12 L front"),
+            "r.robi:1:12: 'front' found: expected the wheel that it turns, left or right");
+  EXPECT_EQ(robi_error("servo 12 L left\nservo 12 R right"),
+            "r.robi:2:7: a second servo of this number: expected one");
+  EXPECT_EQ(robi_error("servo 12 L left\nservo 13 R left"),
+            "r.robi:2:12: a second servo for this wheel: expected one");
+  EXPECT_EQ(robi_error("servo 3 ARM\nkicker 3 1 30"),
+            "r.robi:1:7: servo 3 kicks already: expected another one");
+  EXPECT_EQ(robi_error("servo 3 ARM\ndrive ACKERMANN_DRIVE\nsteering 30 3"),
+            "r.robi:1:7: servo 3 steers already: expected another one");
+  EXPECT_EQ(robi_error("servo 3 ARM left\ndrive OMNI_DRIVE"),
+            "r.robi:1:7: servo 3 turns a wheel: expected a DIFFERENTIAL_DRIVE for that");
 }
 
 TEST(Robi, ErrorsAreOffUnlessAskedFor) {
@@ -204,7 +276,7 @@ TEST(Robi, EveryMistakeIsNamedWithItsPlace) {
       {"psd A 1.5 0 0 0 0", "r.robi:1:7: '1.5' found: expected the id, a whole number"},
       {"drive HOVERCRAFT",
        "r.robi:1:7: unknown drive 'HOVERCRAFT': expected DIFFERENTIAL_DRIVE, "
-       "ACKERMANN_DRIVE, OMNI_DRIVE, SWEDISH_DRIVE or SYNCHRO_DRIVE"},
+       "ACKERMANN_DRIVE, OMNI_DRIVE, SWEDISH_DRIVE, SYNCHRO_DRIVE or SUBMARINE_DRIVE"},
       {"drive OMNI_DRIVE\nsteering 30",
        "r.robi:2:1: steering without front wheels: expected ACKERMANN_DRIVE"},
       {"drive ACKERMANN_DRIVE\nsteering 90",
@@ -234,8 +306,8 @@ TEST(Robi, EveryMistakeIsNamedWithItsPlace) {
 TEST(Robi, GivesDistanceSensorsTheirKinds) {
   const auto robot = robi_of(
       "psd_kind infrared 100 800\npsd_kind ray:3\npsd_kind Ultrasound:2 30 25 50 4000\n"
-      "psd_kind ultrasound:7 20 90\npsd_range 20 900\ndiameter 99\n"
-      "psd A 1 0 0 0 0\npsd B 2 0 0 0 0\npsd C 3 0 0 0 0\npsd D 7 0 0 0 0\n");
+      "psd_kind ultrasound:7 20 90\npsd_kind down:8\npsd_range 20 900\ndiameter 99\n"
+      "psd A 1 0 0 0 0\npsd B 2 0 0 0 0\npsd C 3 0 0 0 0\npsd D 7 0 0 0 0\npsd E 8 0 0 5 0\n");
   const auto& psds = robot.range_sensors;
   EXPECT_EQ(psds[0].kind, robot::RangeKind::Infrared);
   EXPECT_EQ(psds[0].min_range, 0.1);
@@ -248,15 +320,17 @@ TEST(Robi, GivesDistanceSensorsTheirKinds) {
   EXPECT_EQ(psds[3].kind, robot::RangeKind::Ultrasound);
   EXPECT_EQ(psds[3].ultrasound.critical_angle, deg_to_rad(90));
   EXPECT_EQ(psds[3].max_range, 0.8) << "as the first line says of all";
+  EXPECT_EQ(psds[4].kind, robot::RangeKind::Down);
+  EXPECT_EQ(psds[4].height, 0.005);
   EXPECT_TRUE(robi_warnings.empty());
 }
 
 TEST(Robi, MistakesAboutKindsHaveTheirPlace) {
   const std::string psds = "diameter 99\npsd A 1 0 0 0 0\npsd B 4 0 0 0 0\n";
   const std::pair<const char*, const char*> cases[] = {
-      {"psd_kind", "r.robi:4:9: line ends: expected ray, ultrasound or infrared"},
+      {"psd_kind", "r.robi:4:9: line ends: expected ray, ultrasound, infrared or down"},
       {"psd_kind sonar",
-       "r.robi:4:10: unknown kind of psd 'sonar': expected ray, ultrasound or infrared"},
+       "r.robi:4:10: unknown kind of psd 'sonar': expected ray, ultrasound, infrared or down"},
       {"psd_kind infrard 1 2", "r.robi:4:10: unknown kind of psd 'infrard': expected 'infrared'?"},
       {"psd_kind ray:0", "r.robi:4:10: '0' found: expected the number of a psd, 1 or more"},
       {"psd_kind ray:", "r.robi:4:10: '' found: expected the number of a psd, 1 or more"},
@@ -265,6 +339,8 @@ TEST(Robi, MistakesAboutKindsHaveTheirPlace) {
        "r.robi:4:21: the width of the beam is 181: expected 0 to 180"},
       {"psd_kind ultrasound 30 91", "r.robi:4:24: the critical angle is 91: expected 0 to 90"},
       {"psd_kind infrared 800 100", "r.robi:4:23: the longest range is not above the shortest"},
+      {"psd_kind down:4 9",
+       "r.robi:4:17: 'psd_kind' with 2 arguments: expected 'psd_kind down[:ID]'"},
   };
   for (const auto& [line, expected] : cases) EXPECT_EQ(robi_error(psds + line), expected) << line;
   EXPECT_EQ(robi_error("diameter 99\npsd_kind ray:1\n"),

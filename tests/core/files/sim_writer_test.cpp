@@ -22,7 +22,7 @@ void expect_round_trip(const std::string& text) {
 
 TEST(SimWriter, WritesEveryKindOfLine) {
   expect_round_trip(
-      "maze \"a b.maz\"\nrobi x.robi\nobject p.esObj\nsettings trace VIS\n"
+      "maze \"a b.maz\"\nwater 2500.5\nrobi x.robi\nobject p.esObj\nsettings trace VIS\n"
       "LabBot 400.25 500 90 go.x a 'b c' \"\"\nS4 S 100 p.py\nS4 u\nenters 12.5\n"
       "Golf 1 2 3\nmass 0.1\nfriction 0.35\nCan 3 4 5\nrestitution 0\nfixed\n"
       "box 1 2 30 300 200\nbox 1 2 30 300 200 150 1 2 3\nmass 2.5\n"

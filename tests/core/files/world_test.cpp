@@ -30,7 +30,7 @@ TEST(World, ReadsWallsOfFourSixAndNineNumbers) {
   const auto world = world_of("floor 9 9\n1 2 3 4\n1 2 3 4 18 100\n1 2 3 4 18 100 255 128 0\n");
   ASSERT_EQ(world.walls.size(), 3u);
   EXPECT_EQ(world.walls[0].b, (Vec2{0.003, 0.004}));
-  EXPECT_EQ(world.walls[0].thickness, 0.0);
+  EXPECT_EQ(world.walls[0].thickness, 0.01);  // EyeSim's, where the line says none
   EXPECT_EQ(world.walls[0].height, world::Wall::kDefaultHeight);
   EXPECT_EQ(world.walls[1].thickness, 0.018);
   EXPECT_EQ(world.walls[1].colour, world::Wall::kDefaultColour);
@@ -135,7 +135,7 @@ TEST(World, LimitsTheNestingOfFrames) {
 
 TEST(World, ReadWriteReadIsTheIdentity) {
   const auto first = world_of(
-      "floor 3333.3 2000\nfloor_texture 'a b.png'\nposition 100.7 1 33.3\n"
+      "floor 3333.3 2000\nwater 1234.5\nfloor_texture 'a b.png'\nposition 100.7 1 33.3\n"
       "push 1234.5 777.7 17\nposition 10 20 30\n0 0 100 3\n1 2 3 4 18 99.9\n"
       "0 0 7 7 1 1 1 2 3\npop\n0.001 0 5 5\n");
   const std::string text = write_world(first);

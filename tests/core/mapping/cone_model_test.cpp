@@ -162,6 +162,15 @@ TEST(RobotMapper, TakesAnEchoForAnArcAndARayForALine) {
   EXPECT_LT(by_cone.probability(Vec2{0.95, 0.05}), by_cone.probability(beside)) << "on the axis";
 }
 
+TEST(RobotMapper, LearnsNothingFromWhatLooksDown) {
+  robot::RobotModel robot;
+  robot.range_sensors.emplace_back().kind = robot::RangeKind::Down;
+  RobotMapper mapper(robot);
+  OccupancyGrid grid({{-2.0, -2.0}, 0.1, 50, 40});
+  ASSERT_TRUE(mapper.insert_range(grid, {0.0, 0.05, 0.0}, 0, 1.5));
+  EXPECT_EQ(grid.probability(Vec2{0.95, 0.05}), 0.5);
+}
+
 TEST(BeamModel, OfAnInfraredSensorKnowsThatNearThingsReadAsFarOnes) {
   robot::RangeSensorModel sensor;
   sensor.kind = robot::RangeKind::Infrared;

@@ -321,7 +321,7 @@ TEST(DriveController, ObstacleRestartsTheRamp) {
   PerfectRobot robot;
   robot.controller().start({1.0, 0.0, 0.3}, {});
   robot.steps(40);
-  robot.controller().hold({});
+  robot.controller().hold({}, false);
   robot.step();
   EXPECT_NEAR(robot.controller().twist().linear, 0.01, 1e-12);
 }

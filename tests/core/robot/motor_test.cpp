@@ -103,7 +103,7 @@ TEST(Motor, AnObstacleDoesNotWindTheControllerUp) {
   Wheel held;
   for (int i = 0; i < 500; ++i) {
     held.drive_controlled(0.5, model);
-    held.turn(0.0, true);
+    held.turn(0.0, true, model);
   }
   Wheel fresh;
   for (int i = 0; i < 20; ++i) {
@@ -114,19 +114,19 @@ TEST(Motor, AnObstacleDoesNotWindTheControllerUp) {
 TEST(Encoder, CountsTravelToTheNearestTick) {
   const MotorModel model = lagging(0.1);
   Wheel wheel;
-  wheel.turn(0.25, false);
+  wheel.turn(0.25, false, model);
   EXPECT_EQ(wheel.ticks(model), 1500);
-  wheel.turn(-0.5, false);
+  wheel.turn(-0.5, false, model);
   EXPECT_EQ(wheel.ticks(model), -1500);
 }
 
 TEST(Encoder, ResetStartsFromZeroAndKeepsTheFraction) {
   const MotorModel model = lagging(0.1);
   Wheel wheel;
-  wheel.turn(10.4 / 6000, false);
+  wheel.turn(10.4 / 6000, false, model);
   wheel.reset_ticks(model);
   EXPECT_EQ(wheel.ticks(model), 0);
-  wheel.turn(0.3 / 6000, false);
+  wheel.turn(0.3 / 6000, false, model);
   EXPECT_EQ(wheel.ticks(model), 1);
   EXPECT_EQ(wheel.raw_ticks(model), 11);
 }

@@ -68,8 +68,8 @@ TEST_P(RemovalOf, StopsItWhateverItIsTold) {
 
 INSTANTIATE_TEST_SUITE_P(Drives, RemovalOf,
                          ::testing::Values(DriveKind::Differential, DriveKind::Ackermann,
-                                           DriveKind::Omni, DriveKind::Swedish,
-                                           DriveKind::Synchro));
+                                           DriveKind::Omni, DriveKind::Swedish, DriveKind::Synchro,
+                                           DriveKind::Submarine));
 
 TEST(RobotRemoval, NobodyHearsItsSonar) {
   RobotModel model;

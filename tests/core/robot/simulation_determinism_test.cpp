@@ -58,7 +58,7 @@ std::uint64_t wander(std::uint64_t seed) {
 }
 
 TEST(Determinism, FiveErringRobotsEndInTheSameStateInEveryBuild) {
-  EXPECT_EQ(wander(1), 0x72DDD2F28C1722D5U);
+  EXPECT_EQ(wander(1), 0xF513A1CE1681CC27U);
 }
 
 TEST(Determinism, AnotherSeedGivesAnotherRun) { EXPECT_NE(wander(1), wander(2)); }

@@ -165,6 +165,8 @@ std::string name_of_kind(const ::testing::TestParamInfo<DriveKind>& kind) {
       return "ThreeWheels";
     case DriveKind::Synchro:
       return "Synchro";
+    case DriveKind::Submarine:
+      return "Submarine";
     case DriveKind::Differential:
       break;
   }
@@ -173,7 +175,8 @@ std::string name_of_kind(const ::testing::TestParamInfo<DriveKind>& kind) {
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ChassisErrors,
                          ::testing::Values(DriveKind::Ackermann, DriveKind::Omni,
-                                           DriveKind::Swedish, DriveKind::Synchro),
+                                           DriveKind::Swedish, DriveKind::Synchro,
+                                           DriveKind::Submarine),
                          name_of_kind);
 
 TEST(Chassis, ADifferentialDriveTakesTheSameTwistsAndWheels) {

@@ -73,9 +73,10 @@ TEST(ClassicPrograms, SensorsAreFoundByTheNumbersOfTheRobotsFile) {
                                          "psd ODD -260 180 70 0\n"
                                          "ir IR_F -400 0 75 0\nbump BUMP_FRONT -502 -45 45\n");
   const std::string out = output_of("senses_c", {{"EYEBRIDGE_WORLD", robot}});
-  // The room has 2 m, the robot stands in its middle, the sensors sit 70 mm before it.
-  EXPECT_THAT(out, HasSubstr("handles 1 2 4\nnone 0\ntwice 0\nunstarted 930\n"));
-  EXPECT_THAT(out, HasSubstr("start 0\njoin 0\nwrong -1\ncheck 0\ncheck 1\nleft 930\nodd 930\n"));
+  // The room has 2 m and walls of 10 mm, the robot stands in its middle, the sensors sit 70 mm
+  // before it.
+  EXPECT_THAT(out, HasSubstr("handles 1 2 4\nnone 0\ntwice 0\nunstarted 925\n"));
+  EXPECT_THAT(out, HasSubstr("start 0\njoin 0\nwrong -1\ncheck 0\ncheck 1\nleft 925\nodd 925\n"));
   EXPECT_THAT(out, HasSubstr("tick 1\ntwo -1\nstop 0\nonce 0\nbusy 1\nrelease 0\nafter -1\n"));
   EXPECT_THAT(out, HasSubstr("far 0\nquiet -1\nstamp 0\nnear 1\nhit 0\nstamped 1\nonce only -1\n"));
   EXPECT_THAT(out, HasSubstr("release 0\nagain 11110000\nir release 0\nafter -1\n"));
@@ -91,6 +92,17 @@ TEST(ClassicPrograms, WheelsAndServosAreMovedByMasks) {
   EXPECT_THAT(out, HasSubstr("odo 0\nmetres 0.0\nmotor 1\nmotor 1\nno encoder 0\n"));
   EXPECT_THAT(out, HasSubstr("release 0\nagain -1\npartly 1\nnot at all 11110000\nrelease 0\n"));
   EXPECT_THAT(out, HasSubstr("servos 1 2\nno servo 0\nset 0\ntoo far -1\nwrong -1\nrelease 0\n"));
+}
+
+TEST(ClassicPrograms, ServosTurnTheWheelsOfARobotThatHasThemThere) {
+  const ProgramRun r = run_named("servo_wheels_c", {{"EYEBRIDGE_ROBOT", "ServoBot"}});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  // One turn a second of 1016 ticks: forward for 2 s, backward for half a second.
+  EXPECT_EQ(r.out, "wheels 1\nturned 2032\nstands at 2032\nback at 1524\n");
+  const ProgramRun on_motors = run_named("servo_wheels_c");
+  EXPECT_EQ(on_motors.out, "wheels 0\n");
+  EXPECT_THAT(on_motors.err, HasSubstr("SERVOInit: this robot has no servo -612 (SERVO12); robots "
+                                       "that have it: ServoBot, ServoBot-11\n"));
 }
 
 TEST(ClassicPrograms, TheScreenShowsSevenRowsAndTheLabels) {

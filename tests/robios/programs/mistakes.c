@@ -8,8 +8,8 @@ int main() {
 
   for (i = 0; i < 200; i++) {
     PSDGet(PSD_FRONT);
-    PSDGet(5);
-    PSDGet(6);
+    PSDGet(9);
+    PSDGet(10);
     LCDGetPixel(INT_MAX, i);
   }
   VWCurve(INT_MIN, INT_MIN, INT_MIN);

@@ -5,7 +5,7 @@
 int main() {
   int scan[360], part[5], sim[360], i, same = 1;
 
-  SIMSetRobot(0, 500, 1000, 0, 0); /* west wall 500, east 1500, north and south 1000 away */
+  SIMSetRobot(0, 500, 1000, 0, 0); /* west wall 495, east 1495, north and south 995 away */
   printf("psd %d %d %d %d\n", PSDGet(PSD_FRONT), PSDGet(PSD_LEFT), PSDGet(PSD_RIGHT),
          PSDGetRaw(PSD_FRONT));
   i = PSDGet(42);

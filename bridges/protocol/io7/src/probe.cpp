@@ -52,6 +52,11 @@ void Probe::send(std::string_view text) {
   std::copy(text.begin(), text.end(), send_.bytes.begin());
 }
 
+void Probe::send_line_end() {
+  const auto end = bytes_of(report_.profile.terminator);
+  send({reinterpret_cast<const char*>(end.data()), end.size()});
+}
+
 bool Probe::send(const Request& request) {
   const auto bytes = encode(request, report_.profile);
   if (bytes) send_ = *bytes;
@@ -78,7 +83,7 @@ Result<ProbeReport> Probe::report() const {
   return fail(Errc::Timeout, "IO7 probe: not finished");
 }
 
-std::string_view Probe::without_frame(std::string_view body) const {
+std::string_view Probe::without_echo(std::string_view body) const {
   if (report_.profile.echo && !body.empty()) {
     const std::string_view sent(reinterpret_cast<const char*>(send_.bytes.data()), send_.length);
     const std::string_view bare = trim(sent);
@@ -89,6 +94,11 @@ std::string_view Probe::without_frame(std::string_view body) const {
     }
     if (body.starts_with("\n")) body.remove_prefix(1);
   }
+  return body;
+}
+
+std::string_view Probe::without_frame(std::string_view body) const {
+  body = without_echo(body);
   const std::string_view prompt = report_.profile.prompt.view();
   // A raw reading may well end in the byte that is the prompt.
   const bool reading =
@@ -118,12 +128,11 @@ void Probe::answer(std::span<const std::uint8_t> received) {
       return;
     case State::Voltage:
       return answer_voltage(body);
+    case State::OpenLine:
+      return answer_open_line(body);
     case State::AsciiForm:
     case State::BinaryForm:
       return answer_form(body);
-    case State::Flush:
-      state_ = State::Done;
-      return;
     case State::Done:
     case State::Failed:
       return;
@@ -139,6 +148,7 @@ void Probe::answer_enter(std::string_view body) {
   }
   const bool repeats = attempts_ > 0 && seen == report_.profile.prompt;
   report_.profile.prompt = seen;
+  enter_ = body;
   if (++attempts_ < kEnters && !repeats) return;
   if (!repeats) report_.profile.prompt = {};
   attempts_ = 0;
@@ -188,11 +198,7 @@ void Probe::answer_version(std::string_view body) {
   profile.reply_form = raw ? ReplyForm::Raw : ReplyForm::Text;
   profile.prompt_after_raw =
       raw && !profile.prompt.view().empty() && body.ends_with(profile.prompt.view());
-  if (state_ == State::VersionAgain) {
-    // `O 0` was understood as it was written.
-    report_.request_form_proven = report_.request_form_proven || raw;
-    return ask_voltage();
-  }
+  if (state_ == State::VersionAgain) return ask_voltage();
   report_.was_verbose = !raw;
   if (raw || !quieten()) ask_voltage();
 }
@@ -253,11 +259,27 @@ void Probe::ask_form() {
   for (const Request& reading : {analog(0), psd(1), encoder(1), digital_in(0)}) {
     if (!send(reading)) continue;
     form_request_ = reading;
-    state_ = State::AsciiForm;
-    expect_ = "a reading, if requests are text";
+    send_.length =
+        static_cast<std::uint8_t>(send_.length - bytes_of(report_.profile.terminator).size());
+    state_ = State::OpenLine;
+    expect_ = "nothing yet, if requests are text";
     return;
   }
   state_ = State::Done;
+}
+
+void Probe::answer_open_line(std::string_view body) {
+  if (!without_echo(body).empty()) return try_bytes();
+  state_ = State::AsciiForm;
+  expect_ = "a reading, if requests are text";
+  send_line_end();
+}
+
+void Probe::try_bytes() {
+  report_.profile.request_form = RequestForm::Binary;
+  state_ = State::BinaryForm;
+  expect_ = "a reading, if requests are bytes";
+  send(form_request_);
 }
 
 void Probe::answer_form(std::string_view body) {
@@ -274,35 +296,15 @@ void Probe::answer_form(std::string_view body) {
     }
   }
   const bool good = value && *value >= field.first && *value <= field.last;
-  if (state_ == State::BinaryForm) {
-    if (good) {
-      report_.request_form_proven = true;
-      if (profile.reply_form == ReplyForm::Raw || !quieten()) state_ = State::Done;
-    } else if (ascii_zero_) {
-      // The board still waits for the end of a line: give it one.
-      profile.request_form = RequestForm::Ascii;
-      report_.request_form_proven = true;
-      state_ = State::Flush;
-      expect_ = "anything; a line is being ended";
-      const auto end = bytes_of(profile.terminator);
-      send({reinterpret_cast<const char*>(end.data()), end.size()});
-    } else {
-      give_up(Errc::Corrupt, std::string("no reading from '") + form_request_.letter +
-                                 "' in either request form, found " + quoted(body));
-    }
-    return;
+  if (state_ == State::AsciiForm && (!good || body == enter_)) return try_bytes();
+  if (!good) {
+    return give_up(Errc::Corrupt, std::string("no reading from '") + form_request_.letter +
+                                      "' in either request form, found " + quoted(body));
   }
-  if (good && (*value != 0 || report_.request_form_proven)) {
-    report_.request_form_proven = true;
-    state_ = State::Done;
-    return;
-  }
-  if (report_.request_form_proven) return retry_or_fail(body, "a reading");
-  ascii_zero_ = good;
-  profile.request_form = RequestForm::Binary;
-  state_ = State::BinaryForm;
-  expect_ = "a reading, if requests are bytes";
-  send(form_request_);
+  report_.request_form_proven = true;
+  const bool is_quiet =
+      profile.request_form == RequestForm::Ascii || profile.reply_form == ReplyForm::Raw;
+  if (is_quiet || !quieten()) state_ = State::Done;
 }
 
 }  // namespace eyebridge::bridges::io7

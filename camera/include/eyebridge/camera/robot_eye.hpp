@@ -20,7 +20,7 @@ inline Eye eye_of(const robot::Simulation& sim, robot::RobotIndex robot) {
   Eye eye;
   eye.x = camera_in_world.x;
   eye.y = camera_in_world.y;
-  eye.z = model.z;
+  eye.z = sim.altitude(robot) + model.z;
   eye.heading = camera_in_world.theta;
   eye.pitch = model.tilt + angle(1, model.max_tilt);
   eye.horizontal_field_of_view = model.horizontal_field_of_view;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "eyebridge/base/clock.hpp"
+#include "eyebridge/base/result.hpp"
 #include "eyebridge/hal/accelerometer.hpp"
 #include "eyebridge/hal/analog_inputs.hpp"
 #include "eyebridge/hal/compass.hpp"
@@ -114,9 +115,9 @@ class Backend {
   /// but not from a sink.
   virtual void trace_to(TraceSink* sink) = 0;
 
-  /// Stops all motors now; what cannot be reached any more is left as it is. Called once, when the
-  /// program ends in any way, from any thread; never throws.
-  virtual void stop() noexcept = 0;
+  /// Stops all motors now. Fails where it is not known that they stand: a board that cannot be
+  /// reached any more. Called when the program ends in any way, from any thread, maybe twice.
+  virtual Result<void> stop() noexcept = 0;
 };
 
 }  // namespace eyebridge::hal

@@ -26,6 +26,8 @@ struct RobotLook {
   Twist twist;                       ///< As driven in the last step.
   unsigned stalled = 0;              ///< robot::StallMask.
   std::optional<camera::Eye> eye{};  ///< Of its camera; nothing where it has none.
+  double altitude = 0.0;             ///< robot::Simulation::altitude(), metres.
+  std::optional<double> depth{};     ///< robot::Simulation::depth(), metres: of submarines alone.
   /// False once it was removed: the rest is as it was then, and the scene has no body of it.
   bool is_there = true;
 };

@@ -51,7 +51,7 @@ class PassingBackend : public Backend {
     return inner_->facts_of(kind);
   }
   void trace_to(TraceSink* sink) override { inner_->trace_to(sink); }
-  void stop() noexcept override { inner_->stop(); }
+  Result<void> stop() noexcept override { return inner_->stop(); }
 
  protected:
   std::unique_ptr<Backend> inner_;

@@ -27,6 +27,11 @@ class WorldControl {
   // and a pose that is not finite are OutOfRange.
   virtual Result<Pose> robot_pose(int id) const = 0;
   virtual Result<void> set_robot_pose(int id, const Pose& pose) = 0;
+  /// How far the underside of a submarine is above the floor, metres; 0 of other robots.
+  virtual Result<double> robot_altitude(int id) const = 0;
+  /// Moves a submarine up or down, clamped to the water; other robots stay on the floor. Metres;
+  /// what is not finite is OutOfRange.
+  virtual Result<void> set_robot_altitude(int id, double altitude) = 0;
   virtual Result<Pose> object_pose(int id) const = 0;
   virtual Result<void> set_object_pose(int id, const Pose& pose) = 0;
   /// Adds an object to the world as it is now; its id, the next one. OutOfRange, in words, for one

@@ -131,11 +131,14 @@ Wheels motors(const ControlWorld& world, std::size_t index) {
       return {{"front left", 1}, {"front right", 2}, {"rear", 3}};
     case robot::DriveKind::Synchro:
       return {{"drive", 1}, {"steer", 2}};
+    case robot::DriveKind::Submarine:
+      return {{"left", 1}, {"front", 2}, {"right", 3}, {"back", 4}};
   }
   return {{"left", 1}, {"right", 2}};
 }
 
 Wheels encoders(const ControlWorld& world, std::size_t index) {
+  if (world.model(index).drive.encoder_count() == 0) return {};
   if (world.model(index).drive.kind != robot::DriveKind::Ackermann) return motors(world, index);
   return {{"left", 1}, {"right", 2}};
 }

@@ -61,7 +61,7 @@ int main() {
   VWGetSpeed(vw, &speed);
   printf("speed %.2f %.2f\n", speed.v, speed.w);
   VWDriveStraight(vw, 5, 0.5);
-  OSWait(400);
+  OSWait(1500);
   TELL("stalled", VWStalled(vw));
   TELL("given up", VWDriveWait(vw));
   TELL("done", VWDriveDone(vw));

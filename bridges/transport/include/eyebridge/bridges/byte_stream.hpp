@@ -40,6 +40,10 @@ class ByteStream {
   /// Disconnected. Happens by itself at the end of the stream's life; twice does nothing.
   virtual void close() = 0;
 
+  /// The file descriptor under it, lent until close(): for a guard that outlives this process. -1
+  /// where there is none.
+  [[nodiscard]] virtual int descriptor() const { return -1; }
+
   /// What messages call it: "/dev/ttyACM0", "robot:4711". Lives as long as the stream.
   [[nodiscard]] virtual std::string_view name() const = 0;
 };

@@ -62,6 +62,8 @@ class CanBus {
 
   /// Any thread.
   [[nodiscard]] virtual CanStatistics statistics() const = 0;
+  /// The socket under it, lent: for a guard that outlives this process. -1 where there is none.
+  [[nodiscard]] virtual int descriptor() const { return -1; }
 
   /// What messages call it: "can0". Lives as long as the bus.
   [[nodiscard]] virtual std::string_view name() const = 0;

@@ -11,8 +11,9 @@ enum class Errc {
   Timeout,       ///< No answer in time.
   Disconnected,  ///< The device is gone.
   Corrupt,       ///< An answer came, but it cannot be right.
-  Unsupported,   ///< This robot or backend does not have it.
+  Unsupported,   ///< This device or backend cannot do it.
   OutOfRange,    ///< An argument lies outside what the device accepts.
+  NoDevice,      ///< The program asks for a device that this robot lacks.
 };
 
 /// Why a call failed while the robot was running. Start-up errors throw ConfigError instead.

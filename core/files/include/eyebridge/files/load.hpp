@@ -28,22 +28,31 @@ struct SearchPlaces {
 /// it. Empty if there is none.
 std::filesystem::path own_worlds();
 
-/// Loads a `.wld`, `.maz`, `.sim`, `.robi` (in an empty room) or EyeSim parameter file (`.p`) and
-/// everything it names. A world or maze without robots gets one robot of `default_robot` (a
-/// built-in one) at its first start pose, or at the free place nearest to its centre. A floor
+/// Loads a `.wld`, `.maz`, `.sim`, `.robi` or `.esObj` (in an empty room), or EyeSim parameter file
+/// (`.p`) and everything it names. A world or maze without robots gets one robot of `default_robot`
+/// (a built-in one) at its first start pose, or at the free place nearest to its centre. A floor
 /// texture that exists becomes an absolute path; it is looked for beside the world's file first.
 /// A `path` that does not exist is looked for by name in `places` (find_file()).
 ///
 /// Throws ConfigError. Robots that would stand in a wall, an object or another robot are an error
 /// at the line that places them: of a `.sim`, or the start position or letter. `robot_where` is
 /// where `default_robot` was said, for the message when there is no such robot.
+/// With Reading::Tolerant what a line breaks is a warning, robots that would stand in something are
+/// put to the nearest free place, and objects whose files cannot be read are boxes.
 Scenario load_scenario(const std::filesystem::path& path, const std::string& default_robot = "S4",
                        const SearchPlaces& places = SearchPlaces::of_process(),
-                       const SourceLocation& robot_where = {"default robot"});
+                       const SourceLocation& robot_where = {"default robot"},
+                       Reading reading = Reading::Strict);
 
 /// A built-in robot by name, case ignored ("S4", "LabBot", "Mouse"); null when there is none.
 /// Parsed on first use; any thread.
 const robot::RobotModel* builtin_robot(std::string_view name);
+
+/// Names of the built-in robots that have a device: `kind` is "PSD", "servo", "motor", "encoder" or
+/// "lidar", `id` what programs call it (of a lidar, any). Any thread.
+std::vector<std::string> robots_with(std::string_view kind, int id);
+/// The same for a PSD by its name ("PSD_FRONTLEFT"), case ignored.
+std::vector<std::string> robots_with_psd(std::string_view name);
 
 /// As builtin_robot(), but throws ConfigError at `where` when there is none, naming those there
 /// are.

@@ -13,17 +13,20 @@ namespace eyebridge::files {
 
 // Text in, model out. Every reader takes the text and the name to use in messages, touches no file,
 // and throws ConfigError with file, line and column, what was found and what was expected. Oddities
-// that still have one clear meaning go to `warnings`. Formats: reference/robios7.md section 5 and
+// that still have one clear meaning go to `warnings`; with Reading::Tolerant what a line breaks
+// does, too. Formats: reference/robios7.md section 5 and
 // reference/robios-classic.md section 7 (facts), worlds/README.md (our extensions).
 
-/// EyeSim / Saphira world (`.wld`): sizes, walls, push/pop, position, floor_texture.
+/// EyeSim / Saphira world (`.wld`): sizes, walls, push/pop, position, floor_texture, and our
+/// own water.
 ///
 /// Without a size the floor reaches to the farthest walls (a warning); nothing is ever shifted, so
 /// walls that all lie at negative coordinates are an error then. `start_places`, unless null, gets
 /// the place in the file of each of the model's starts.
 world::WorldModel read_world(std::string_view text, const std::string& file,
                              std::vector<Warning>& warnings,
-                             std::vector<SourceLocation>* start_places = nullptr);
+                             std::vector<SourceLocation>* start_places = nullptr,
+                             Reading reading = Reading::Strict);
 
 /// Maze drawn with `|` and `_` (`.maz`). What stands off the grid is ignored with a warning; `O`
 /// and `X` are a ball and a crate with a wall below, as with the letters of starts. A drawing with
@@ -40,13 +43,14 @@ world::WorldModel read_maze(std::string_view text, const std::string& file,
 /// without those twice the wheel base. Without `speed` and `turn` the wheels' top speed counts.
 /// PSDs with a negative or no id get one: 1 to 4 for PSD_FRONT, _LEFT, _RIGHT, _BACK, then 5 on.
 robot::RobotModel read_robi(std::string_view text, const std::string& file,
-                            std::vector<Warning>& warnings);
+                            std::vector<Warning>& warnings, Reading reading = Reading::Strict);
 
 /// EyeSim's description of an object (`.esObj`). A single sphere is a ball, a single box about the
 /// object's centre a box; all else a disc that covers the colliders from above. `name` is what it
 /// is called when the file gives no name.
 world::ObjectSpec read_object(std::string_view text, const std::string& file,
-                              const std::string& name, std::vector<Warning>& warnings);
+                              const std::string& name, std::vector<Warning>& warnings,
+                              Reading reading = Reading::Strict);
 
 /// EyeSim 1–4 parameter file (`eyesim.p`), without the world it names.
 struct ParameterFile {
@@ -74,6 +78,12 @@ struct ObjectTraits {
   SourceLocation path_where;
   std::optional<world::Reaction> reaction{};
   std::optional<double> yields_within{};  ///< Metres.
+
+  /// Whether a robot may have them, too.
+  [[nodiscard]] bool fit_a_robot() const {
+    return !mass && !restitution && !fixed && !loose && !still && !path && !reaction &&
+           !yields_within;
+  }
 };
 
 /// One robot line of a `.sim`, before its model and its start letter are looked up.
@@ -84,7 +94,7 @@ struct SimRobot {
   std::string program;
   std::vector<std::string> arguments;
   SourceLocation where;
-  ObjectTraits traits;             ///< Only an object that a file describes may have some.
+  ObjectTraits traits;  ///< A robot may have a friction; an object that a file describes all.
   std::optional<double> enters{};  ///< Seconds after the start; only robots may.
   SourceLocation enters_where{};
 };
@@ -92,6 +102,7 @@ struct SimRobot {
 struct SimFile {
   std::optional<std::string> world;  ///< .wld or .maz, as written.
   SourceLocation world_where;
+  std::optional<double> water{};  ///< Its depth, metres; none: as the world says.
   std::vector<std::pair<std::string, SourceLocation>> robot_files;
   std::vector<std::pair<std::string, SourceLocation>> object_files;
   std::vector<SimRobot> robots;
@@ -103,7 +114,8 @@ struct SimFile {
   bool show_sensors = false;
   bool show_trail = false;
 };
-SimFile read_sim(std::string_view text, const std::string& file, std::vector<Warning>& warnings);
+SimFile read_sim(std::string_view text, const std::string& file, std::vector<Warning>& warnings,
+                 Reading reading = Reading::Strict);
 
 /// What the file with this text says about itself: the first line of the comment that it begins
 /// with, as UTF-8 without control characters; "" where it begins with none (mazes: a drawing has no

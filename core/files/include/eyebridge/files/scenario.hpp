@@ -10,6 +10,12 @@
 
 namespace eyebridge::files {
 
+/// What becomes of a line that cannot be.
+enum class Reading {
+  Strict,    ///< It is an error, and nothing is read.
+  Tolerant,  ///< A warning says so, and the other lines count.
+};
+
 /// One robot as a scenario places it.
 struct RobotPlacement {
   std::size_t model = 0;  ///< Index into Scenario::models.

@@ -18,6 +18,14 @@ namespace eyebridge::files {
 std::filesystem::path find_file(const std::string& written, const std::filesystem::path& directory,
                                 const SearchPlaces& places, const SourceLocation& where);
 
+/// The same for a name in a file that may come from another computer. Where `written` leads
+/// nowhere and `reading` is Tolerant, it takes a file of the same last name that lies beside it,
+/// among `places.folders()` or anywhere in EyeSim's home, and adds a warning.
+std::filesystem::path find_file_of_others(const std::string& written,
+                                          const std::filesystem::path& directory,
+                                          const SearchPlaces& places, const SourceLocation& where,
+                                          std::vector<Warning>& warnings, Reading reading);
+
 /// As find_file(), but nothing where that would throw.
 std::optional<std::filesystem::path> try_find_file(const std::string& written,
                                                    const std::filesystem::path& directory,

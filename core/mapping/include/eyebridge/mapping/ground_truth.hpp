@@ -38,12 +38,13 @@ struct Agreement {
 
 /// Compares what `belief` holds for free or occupied with `truth`, cell by cell.
 ///
-/// A wall has no thickness, so that it, or its half, may be found in the cell beside the one that
-/// it was drawn in. With `tolerance` t, an occupied cell agrees when the truth has an occupied one
-/// at most t columns and t rows away; a free cell that is occupied in truth agrees when the belief
-/// has an occupied one as near. 0 compares each cell with itself only. Throws std::invalid_argument
-/// when the grids' resolutions differ, or their origins by what is no whole number of cells (both
-/// to 1e-6 of a cell), and for a tolerance that is not 0 … 1000.
+/// A wall is thinner than a cell and may lie on the border of two, so that it, or its half, may be
+/// found in the cell beside the one that it was drawn in. With `tolerance` t, an occupied cell
+/// agrees when the truth has an occupied one at most t columns and t rows away; a free cell that is
+/// occupied in truth agrees when the belief has an occupied one as near. 0 compares each cell with
+/// itself only. Throws std::invalid_argument when the grids' resolutions differ, when their origins
+/// do not differ by a whole number of cells (both to 1e-6 of a cell), and for a tolerance that is
+/// not 0 … 1000.
 Agreement agreement(const OccupancyGrid& belief, const OccupancyGrid& truth, int tolerance = 1);
 
 /// Share, 0 … 1, of the cells of `truth` that a robot at `start` can reach, in steps to the four

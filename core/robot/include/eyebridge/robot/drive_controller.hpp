@@ -33,8 +33,9 @@ class DriveController {
   Twist next(const PathStep& rolling);
   /// Tells what the wheels measured in this step.
   void advance(const PathStep& measured);
-  /// Tells that an obstacle held the wheels after `measured`: the ramp starts again from zero.
-  void hold(const PathStep& measured);
+  /// Tells that an obstacle held the robot after `measured`: the ramp starts again from zero, that
+  /// of the turn unless it `turns` on.
+  void hold(const PathStep& measured, bool turns);
 
   [[nodiscard]] const Twist& twist() const { return twist_; }
   [[nodiscard]] DriveState state() const { return state_; }
@@ -64,7 +65,7 @@ class DriveController {
     double side = 0.0;  ///< Sign of `left` in the step before.
 
     void set(double amount);
-    void advance(double travelled, double speed, double speed_step, double end);
+    void advance(double travelled, double speed, double slow_speed, double end);
   };
 
   /// The angle of a goal of `angle` with what those before it owe.

@@ -15,6 +15,9 @@ struct DriveLimits {
   double half_base = 0.045;     ///< Half the distance between the wheels, metres.
   double distance_end = 1e-10;  ///< A goal nearer than this is reached, metres.
   double angle_end = 1e-10;     ///< A goal nearer than this is reached, radians.
+  // A goal is reached only below these speeds, and below one step of the ramp.
+  double rest_linear = 1e9;   ///< Metres per second.
+  double rest_angular = 1e9;  ///< Radians per second.
 };
 
 /// `twist` clamped to the top speeds; where a wheel would be too fast, both parts are scaled, so

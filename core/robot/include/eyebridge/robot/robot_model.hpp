@@ -18,6 +18,7 @@ enum class RangeKind {
   Ray,         ///< Along one ray, exactly: what EyeSim calls a PSD.
   Ultrasound,  ///< The first echo out of a cone.
   Infrared,    ///< Along one ray, by triangulation: near things read as if they were far.
+  Down,        ///< Straight down to the floor, exactly.
 };
 
 /// What an ultrasound sensor hears.
@@ -46,7 +47,7 @@ struct RangeSensorModel {
   int id = 1;                   ///< As programs ask for it: PSDGet(id).
   std::string name;             ///< "PSD_FRONT"
   Pose pose_in_robot;           ///< Metres, radians; the ray leaves along theta.
-  double height = 0.03;         ///< Metres above the floor.
+  double height = 0.03;         ///< Metres above the floor, or a submarine's underside.
   double min_range = 0.0;       ///< Nearer surfaces read as `out_of_range`, or farther (Infrared).
   double max_range = 9.999;     ///< Farther surfaces read as `out_of_range`, metres.
   double out_of_range = 9.999;  ///< Metres: EyeSim's 9999 mm.
@@ -123,6 +124,20 @@ struct KickerModel {
   friend bool operator==(const KickerModel&, const KickerModel&) = default;
 };
 
+/// A servo of the robot beside those of the camera, the kicker and the steering.
+struct ServoModel {
+  enum class Wheel : char { None, Left, Right };
+
+  unsigned servo = 6;  ///< Index: programs call it servo + 1. Not 0, 1: the camera's.
+  std::string name;    ///< "SERVO_LEFT"
+  /// The wheel of a differential drive that it turns, as a servo without end stops does: it stands
+  /// within one of 254 steps about its middle, and turns forward with full speed at 1. None: an arm
+  /// or the like, which moves nothing in the plane.
+  Wheel wheel = Wheel::None;
+
+  friend bool operator==(const ServoModel&, const ServoModel&) = default;
+};
+
 /// How wheels make a robot move. Motors and encoders count from 0, programs from 1.
 enum class DriveKind {
   Differential,  ///< Motor and encoder 0 left, 1 right.
@@ -132,15 +147,18 @@ enum class DriveKind {
   Swedish,       ///< Three omnidirectional wheels about the centre, 120 degrees apart: 0 left front
                  ///< (at 60 degrees), 1 right front, 2 back. 0 and 1 drive it forward, 2 takes the
                  ///< back to the right: 0 backward, 1 and 2 forward turn it to the left.
-  Synchro,  ///< All wheels roll by motor 0 and are steered by motor 1, together; the body keeps
-            ///< its heading. Odometry's heading is where the wheels point.
+  Synchro,    ///< All wheels roll by motor 0 and are steered by motor 1, together; the body keeps
+              ///< its heading. Odometry's heading is where the wheels point.
+  Submarine,  ///< Four thrusters in water: 0 left and 2 right push forward, 1 front and 3 back push
+              ///< up. No encoders. 1 and 3 run beside v-omega driving, which has 0 and 2.
 };
 
 /// Driven wheels and the controller over them.
 struct DriveModel {
   DriveKind kind = DriveKind::Differential;
   /// Distance between left and right wheels, metres (Ackermann: the rear ones). Swedish: twice the
-  /// distance of a wheel from the centre.
+  /// distance of a wheel from the centre. Submarine: track width of an equivalent differential
+  /// drive, 2 * max_linear / max_angular.
   double wheel_base = 0.09;
   double wheel_diameter = 0.054;         ///< Metres.
   double ticks_per_revolution = 1100;    ///< Encoder ticks a wheel turn.
@@ -157,6 +175,10 @@ struct DriveModel {
   double steering_speed =
       0.0;  ///< Of the front wheels, radians per second; 0 = at once. Ackermann.
   unsigned steering_servo = 0;  ///< Index: programs call it servo + 1. Ackermann.
+  // A submarine's thrusters 0 and 2 are wheels to this model: at full duty they take it forward at
+  // the rim speed of max_wheel_speed. Its drag is linear, with motor_time_constant.
+  double max_vertical = 0.25;  ///< Up or down, thrusters 1 and 3 at full duty, metres per second.
+  double rise_speed = 0.02;  ///< Up by buoyancy, without thrust, metres per second; < 0: it sinks.
 
   /// How many motors there are, and how many encoders.
   [[nodiscard]] unsigned motor_count() const;
@@ -174,8 +196,9 @@ struct DriveModel {
 /// Everything about one type of robot.
 struct RobotModel {
   std::string name = "S4";
-  double diameter = 0.186;  ///< Of the disc that stands for its body, metres.
-  double height = 0.10;     ///< Metres.
+  double diameter = 0.186;        ///< Of the disc that stands for its body, metres.
+  double height = 0.10;           ///< Metres.
+  double contact_friction = 0.3;  ///< Of its rim against what it meets: world::ContactLaw.
   DriveModel drive;
   DriveError drive_error;
   std::vector<RangeSensorModel> range_sensors;
@@ -184,12 +207,16 @@ struct RobotModel {
   std::optional<LidarModel> lidar;
   std::optional<CameraModel> camera;
   std::optional<KickerModel> kicker;
+  std::vector<ServoModel> servos;
   CompassError compass_error;
   GyroscopeError gyroscope_error;
   AccelerometerError accelerometer_error;
   RadioError radio_error;
 
   [[nodiscard]] double radius() const { return diameter / 2; }
+  /// Indices of all servos: 0 pan and 1 tilt always, then those of the kicker, the steering and
+  /// `servos`; each once, in ascending order.
+  [[nodiscard]] std::vector<unsigned> servo_indices() const;
   friend bool operator==(const RobotModel&, const RobotModel&) = default;
 };
 

@@ -26,7 +26,8 @@ enum class DriveState {
   Failed,   ///< The last goal was given up: stalled for longer than the time-out.
 };
 
-/// Which wheels are held by an obstacle: bit 0 left, bit 1 right.
+/// Which wheels are held by an obstacle, along which the robot does not slide: bit 0 left, bit 1
+/// right.
 enum StallMask : unsigned { kStallNone = 0, kStallLeft = 1, kStallRight = 2, kStallBoth = 3 };
 
 /// Something that ran into something: what the environment reports, once a contact.
@@ -57,16 +58,17 @@ struct SimulationSettings {
   double step = 0.01;          ///< Seconds; fixed.
   std::uint64_t seed = 1;      ///< Every robot and device draws from its own stream of it.
   double stall_timeout = 2.0;  ///< A goal that is stalled this long fails, seconds.
+  /// A robot that meets something slides on along it; else it stands there until its way is free.
+  bool slides = true;
 };
 
 /// A world with robots that move: commands in, readings out, one fixed step at a time.
 ///
 /// Pipeline of a robot, each step: v-omega commands -> ramps -> wheel targets (PID) -> motors ->
 /// wheels -> arc -> collision -> pose; encoders and odometry come from the wheels. "Perfect" and
-/// "with errors" are the same code with other parameters. Every kind of drive moves as a
-/// differential one for now: Ackermann and Omni have no kinematics of their own yet. Same calls,
-/// same seed: same bits. Not thread-safe. Indices of robots, motors, servos and sensors that do not
-/// exist throw std::out_of_range; numbers are finite. Metres, radians, seconds.
+/// "with errors" are the same code with other parameters. Same calls, same seed: same bits. Not
+/// thread-safe. Indices of robots, motors, servos and sensors that do not exist throw
+/// std::out_of_range; numbers are finite. Metres, radians, seconds.
 class Simulation {
  public:
   /// Throws std::invalid_argument when the step is not positive and finite, or the time-out
@@ -110,6 +112,14 @@ class Simulation {
   /// Where the front wheels of an Ackermann drive, or all of a synchro one, point: radians from the
   /// robot's front, counter-clockwise. 0 for all others.
   [[nodiscard]] double steering(RobotIndex robot) const;
+  /// How far the underside of a submarine is above the floor, metres: 0 … depth of the water less
+  /// its height, at which it starts. 0 for all others.
+  [[nodiscard]] double altitude(RobotIndex robot) const;
+  /// How far the upper side of a submarine is below the surface, metres, >= 0; nothing for others.
+  [[nodiscard]] std::optional<double> depth(RobotIndex robot) const;
+  /// Moves a submarine up or down by hand, without vertical speed then; clamped to the water. Its
+  /// altitude after that; does nothing to others. `altitude` is finite.
+  double set_altitude(RobotIndex robot, double altitude);
 
   // v-omega driving. Speeds and accelerations are clamped to the model's limits.
   void set_speed(RobotIndex robot, const Twist& twist);  ///< Until the next command.
@@ -127,6 +137,8 @@ class Simulation {
   /// StallMask. A stall ends when the robot moves again or with a new command; after a goal that
   /// failed it stays until then.
   [[nodiscard]] unsigned stalled(RobotIndex robot) const;
+  /// Whether a command tells its motors to turn, or they still slow down.
+  [[nodiscard]] bool is_told_to_move(RobotIndex robot) const;
   void stop(RobotIndex robot);  ///< Motors off at once, without a ramp; lagging ones run down.
 
   // Odometry, from the wheels. Starts at (0, 0, 0) where the robot is placed.
@@ -135,10 +147,11 @@ class Simulation {
   [[nodiscard]] Twist measured_twist(RobotIndex robot) const;
 
   // Wheels: which is which, and how many, is in DriveKind (differential: 0 left, 1 right). Using
-  // one, or the steering, takes the robot out of v-omega control.
+  // one, or the steering, takes the robot out of v-omega control; not so vertical thrusters.
   /// `duty` -1 … 1 of the model's top wheel speed; beyond, it is clamped without an error.
   void set_motor_duty(RobotIndex robot, unsigned motor, double duty);
-  /// PID-controlled wheel speed, encoder ticks per second; clamped to the model's top speed.
+  /// PID-controlled wheel speed, encoder ticks per second; clamped to the model's top speed. Throws
+  /// std::out_of_range for a robot without encoders.
   void set_motor_speed(RobotIndex robot, unsigned motor, double ticks_per_second);
   /// The same in radians per second of the wheel.
   void set_wheel(RobotIndex robot, unsigned motor, double radians_per_second);
@@ -197,8 +210,8 @@ class Simulation {
 
   /// Turns a servo at once. `position` 0 … 1, clamped without an error; 0.5 is the middle and the
   /// start. Servo 0 is pan (1 = left), 1 is tilt (1 = up); that of the model's kicker kicks, the
-  /// steering one of an Ackermann drive steers (0 = left, as EyeSim's). Throws std::out_of_range
-  /// unless `servo` < kServoCount.
+  /// steering one of an Ackermann drive steers (0 = left, as EyeSim's), one that turns a wheel does
+  /// what set_motor_duty() does. Throws std::out_of_range unless `servo` < kServoCount.
   void set_servo(RobotIndex robot, unsigned servo, double position);
   /// Where a servo stands, 0 … 1. Throws as set_servo() does.
   [[nodiscard]] double servo(RobotIndex robot, unsigned servo) const;

@@ -8,7 +8,7 @@
 namespace eyebridge::robot {
 
 /// What the robots of a simulation have done so far: how far each drove, how often it hit
-/// something. Looks only: counting changes no run. Not thread-safe.
+/// something, how long it stood in vain. Looks only: counting changes no run. Not thread-safe.
 class Tally {
  public:
   /// After every step of `simulation`: adds the way that each robot drove in it, forwards or back.
@@ -24,9 +24,14 @@ class Tally {
   /// Sums over all robots.
   [[nodiscard]] double distance() const;
   [[nodiscard]] std::uint64_t collisions() const;
+  /// The longest time, seconds, for which one of them stood although it was told to move.
+  [[nodiscard]] double longest_stuck() const;
 
  private:
   std::vector<double> distances_;
+  std::vector<std::uint32_t> stuck_;  ///< Steps, up to now without a break.
+  std::uint32_t longest_stuck_ = 0;
+  double step_ = 0.0;  ///< Seconds.
   std::vector<std::uint64_t> collisions_;
 };
 

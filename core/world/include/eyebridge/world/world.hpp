@@ -28,13 +28,25 @@ struct Arc {
   Heading turn;       ///< Change of heading.
 };
 
+/// What a driven body does where something is in its way.
+struct ContactLaw {
+  bool slides = false;  ///< Along what it met; else it stands.
+  bool turns = false;   ///< By all of the turn; else by as much of it as the way made progress.
+  /// Coulomb's coefficient, >= 0: of a motion v at the angle a to the surface there remains
+  /// v max(0, cos a - friction sin a) along it.
+  double friction = 0.0;
+};
+
 /// What a move met.
 struct MoveResult {
-  double fraction = 1.0;  ///< How much of the arc was driven, 0 … 1.
+  double fraction = 1.0;  ///< How much of the way was driven until it met something, 0 … 1.
   bool hit_wall = false;
   BodyId hit_body = kNoBody;  ///< A body that did not give way.
   /// Direction of the contact in the world, unit vector from the body's centre; null if none.
   Vec2 contact;
+  /// How far it came in the direction that it was driven in, 0 … 1 of the way.
+  double progress = 1.0;
+  bool slid = false;  ///< On along what it met.
 
   [[nodiscard]] bool blocked() const { return hit_wall || hit_body != kNoBody; }
 };
@@ -64,8 +76,8 @@ struct RayFan {
 /// Walls and bodies: who is where, who touches whom, how far a ray goes.
 ///
 /// Robots, balls and cans are discs, boxes and polygons do not turn; state is struct-of-arrays.
-/// A driven body stops at the contact without sliding, as in EyeSim; objects give way unless they
-/// are fixed. Objects and robots may be added and removed at any time. Same calls, same bits:
+/// A driven body stops at the contact, or slides on: ContactLaw. Objects give way unless they are
+/// fixed. Objects and robots may be added and removed at any time. Same calls, same bits:
 /// nothing here depends on addresses, threads or libm. Not thread-safe.
 class World {
  public:
@@ -134,15 +146,16 @@ class World {
   /// on from there to the point that it was heading for. One that was removed stays away.
   void set_pose(BodyId id, const Pose& pose);
 
-  /// Drives `id` along the chord of `arc`, up to the first contact that does not give way.
+  /// Drives `id` along the chord of `arc`, up to the first contact that does not give way, and from
+  /// there on as `law` says.
   ///
   /// A motion away from what the body touches, or parallel to it, is free; so is a turn on the
-  /// spot. The heading turns by the fraction of `arc.turn` that was driven. Within a wall (a person
+  /// spot. Within a wall (a person
   /// put it there) only motions that lead out are possible. Objects on the way are pushed along the
   /// normal of the contact (of discs: the line of centres), and slip aside when they are squeezed
   /// against a wall or a robot not too steeply; `dt` is the duration of the step in seconds, from
   /// which what rolls or slides gets its speed. `arc` is finite, and `id` is there.
-  MoveResult move(BodyId id, const Arc& arc, double dt);
+  MoveResult move(BodyId id, const Arc& arc, double dt, const ContactLaw& law = {});
   /// Moves what moves by itself, rolls balls, and lets slide what slides, for `dt` seconds; called
   /// once a step, after the robots moved.
   void step_objects(double dt);

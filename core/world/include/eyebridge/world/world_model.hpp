@@ -14,10 +14,12 @@ namespace eyebridge::world {
 struct Wall {
   static constexpr double kDefaultHeight = 0.2;
   static constexpr Rgb kDefaultColour{230, 230, 230};
+  /// Of a wall in a .wld file whose line does not say it, metres: EyeSim's.
+  static constexpr double kFileThickness = 0.01;
 
   Vec2 a;                          ///< One end, metres.
   Vec2 b;                          ///< The other end; never equal to `a`.
-  double thickness = 0.0;          ///< Metres, centred on a–b; 0 is a bare line, as in EyeSim 2D.
+  double thickness = 0.0;          ///< Metres, centred on a–b; 0 is a bare line, as in mazes.
   double height = kDefaultHeight;  ///< Metres above the floor.
   Rgb colour = kDefaultColour;
 
@@ -144,6 +146,9 @@ struct MazeGrid {
 
 /// Everything that stands in a world before the first robot moves.
 struct WorldModel {
+  /// Depth of the water where a submarine is and no file says how deep it is, metres.
+  static constexpr double kDefaultWater = 2.0;
+
   double width = 0.0;   ///< Floor from x = 0 to `width`, metres.
   double height = 0.0;  ///< Floor from y = 0 to `height`, metres.
   std::vector<Wall> walls;
@@ -152,6 +157,10 @@ struct WorldModel {
   std::vector<ObjectSpec> objects;
   std::vector<Marker> markers;
   std::optional<MazeGrid> maze;  ///< Set when the world was drawn as a maze; `walls` has its walls.
+  std::optional<double> water{};  ///< How deep water stands on the floor, metres, as a file says.
+
+  /// How deep the water is for a submarine, metres, > 0.
+  [[nodiscard]] double water_depth() const { return water.value_or(kDefaultWater); }
 
   friend bool operator==(const WorldModel&, const WorldModel&) = default;
 };

@@ -17,6 +17,7 @@
 #include "eyebridge/bridges/can/messages.hpp"
 #include "eyebridge/bridges/can_bus.hpp"
 #include "eyebridge/bridges/client/robot_watch.hpp"
+#include "eyebridge/bridges/guard/line_guard.hpp"
 
 namespace eyebridge::bridges {
 
@@ -55,17 +56,24 @@ class CanClient {
   void start();
   /// Does what the thread would until `until`. Only without start().
   void pump(Time until);
+  /// From now on a LineGuard stops the robot, by an emergency stop, when this process is gone
+  /// without stop(). Fails with Disconnected; Unsupported where the bus has no socket.
+  Result<void> guard();
   /// Waits until the robot is ready, has told what it is, and every cyclic message has come, and a
   /// scan from one that can; at most for `patience`. Fails with what is missing.
   Result<void> wait_ready(Time patience);
 
   /// The last status of a kind. Fails with Disconnected or Corrupt while the robot is not ready;
   /// with Timeout when it is older than four periods of it (at least 300 ms).
+  /// `at`, when not null, becomes the time at which it came.
   template <class Status>
-  Result<Status> latest() const {
+  Result<Status> latest(Time* at = nullptr) const {
     const std::lock_guard lock(mutex_);
     const auto& entry = std::get<Latest<Status>>(latest_);
-    return check_age(can::spec_of<Status>(), entry.at).map([&] { return entry.value; });
+    return check_age(can::spec_of<Status>(), entry.at).map([&] {
+      if (at != nullptr) *at = *entry.at;
+      return entry.value;
+    });
   }
   /// The last complete scan, copied into `out`. Fails as latest() does; Timeout: none in a second.
   Result<void> latest_scan(can::LidarScan& out) const;
@@ -94,8 +102,9 @@ class CanClient {
   Result<void> say(const Command& command) {
     return send_ready(can::encode(node_, command));
   }
-  /// Stops driving and all motors, whatever the state; never fails, best effort.
-  void stop() noexcept;
+  /// Stops driving and all motors, whatever the state. Fails when the robot is not heard, or
+  /// nothing can be sent: its own watchdog has to do.
+  Result<void> stop();
   /// Stops the robot now, repeated every 100 ms until release(); EYECAN_ESTOP_….
   void emergency_stop(std::uint8_t reason);
   /// Ends it: the robot is enabled again 550 ms later, at speed 0.
@@ -157,6 +166,7 @@ class CanClient {
   void add_set_points(Outbox& out);                             // under mutex_
   void add_parameters(Outbox& out) const;                       // under mutex_
   void add_zero(Outbox& out);                                   // under mutex_
+  void tell_guard(bool turning);                                // under sending_
   Result<void> check_age(const can::MessageSpec& spec, std::optional<Time> at) const;
   Result<void> check_ready() const;          // under mutex_
   Result<void> send(const CanFrame& frame);  // under sending_
@@ -169,6 +179,7 @@ class CanClient {
   std::uint8_t next_seq() { return seq_ = static_cast<std::uint8_t>(seq_ + 1U); }
 
   const std::unique_ptr<CanBus> bus_;
+  std::unique_ptr<LineGuard> guard_;  // under sending_
   const int node_;
   const std::string who_;  ///< "can0: robot 1"
   Clock& clock_;

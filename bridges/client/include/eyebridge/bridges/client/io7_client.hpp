@@ -16,6 +16,7 @@
 namespace eyebridge::bridges {
 
 class Io7Session;
+class LineGuard;
 
 /// Opens the line to a board; also again, after it was lost.
 using StreamOpener = std::function<Result<std::unique_ptr<ByteStream>>()>;
@@ -24,7 +25,7 @@ using StreamOpener = std::function<Result<std::unique_ptr<ByteStream>>()>;
 ///
 /// Never sends a letter that the board does not list, and never `E`. Any thread, but connect() and
 /// look_after() are for one of them. Whatever a board does, an exchange ends: after a reply_timeout
-/// when it is silent, plus a resynchronisation. Its end sends nothing: stop motors before.
+/// when it is silent, plus a resynchronisation. Its end sends nothing: confirm_stop() before.
 class Io7Client {
  public:
   /// `clock` is the one of the streams; it and `log` must outlive this.
@@ -42,8 +43,13 @@ class Io7Client {
   /// at most, else Corrupt), commands are sent twice, and what motors, servos and outputs were told
   /// last is told again: motors every 10 ms. Fails with Unsupported (the board does
   /// not list the letter), OutOfRange, Timeout, Corrupt, or Disconnected: from the loss of the line
-  /// until look_after() has found the board again. Allocates only when it fails.
-  Result<io7::Reply> exchange(const io7::Request& request);
+  /// until look_after() has found the board again. Allocates only when it fails. `asked`, when not
+  /// null, becomes the time at which the question that was answered went out.
+  Result<io7::Reply> exchange(const io7::Request& request, Time* asked = nullptr);
+
+  /// Stops all motors and waits until the board has heard it, answering what is asked after it;
+  /// then the guard has nothing to do at the end. Fails with why it is not known that they stand.
+  Result<void> confirm_stop();
 
   /// To be called every now and then: asks a board that has been idle for its version; tries to
   /// open a lost line, waiting longer each time, and makes the board behind it ready as connect()
@@ -60,6 +66,8 @@ class Io7Client {
 
  private:
   Result<void> find_board(Time patience);
+  Result<void> guard();           // under mutex_, with a session
+  void note_guard();              // under mutex_
   void lose(const Error& error);  // under mutex_
   Result<void> keep_alive();      // likewise, with a session
   void note_found(const io7::ProbeReport& report, std::string_view name) const;
@@ -70,6 +78,7 @@ class Io7Client {
   const Io7Settings settings_;
 
   mutable std::mutex mutex_;  // of everything below
+  std::unique_ptr<LineGuard> guard_;
   std::unique_ptr<Io7Session> session_;
   std::optional<io7::ProbeReport> report_;
   Error loss_;

@@ -10,8 +10,9 @@ namespace eyebridge::bridges {
 
 /// How patient a client is with its board.
 struct Io7Settings {
-  /// The longest wait for a reply. Once replies are known to be faster the client waits ten times
-  /// what they take, but at least `reply_least`; the whole of it when it asks again.
+  /// The longest wait for a reply; four times what the probe measured where that is longer. Once
+  /// replies are known to be faster the client waits ten times what they take, but at least
+  /// `reply_least`; the whole of it when it asks again.
   Time reply_timeout = std::chrono::milliseconds(50);
   Time reply_least = std::chrono::milliseconds(20);
   /// The same on a noisy line, where many replies will never come.
@@ -26,6 +27,8 @@ struct Io7Settings {
   Time idle = std::chrono::milliseconds(100);
   Time first_backoff = std::chrono::milliseconds(200);  ///< Between attempts to open a lost line …
   Time longest_backoff = std::chrono::seconds(2);       ///< … doubling up to this.
+  /// A LineGuard stops the motors when this process is gone. Only for lines with a descriptor.
+  bool guarded = false;
   bool vw_letters = false;  ///< Allow the undocumented v-omega letters, where listed.
 };
 

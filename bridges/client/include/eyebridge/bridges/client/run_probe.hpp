@@ -14,8 +14,8 @@ struct ProbeTiming {
   Time longest = std::chrono::seconds(2);            ///< Of one answer, for lines that never rest.
 };
 
-/// Finds out over `stream` how a board wants to be spoken to: runs io7::Probe. `clock` is the one
-/// of the stream. Fails as io7::Probe does, or with Disconnected.
+/// Finds out over `stream` how a board wants to be spoken to, and how long its answers take: runs
+/// io7::Probe. `clock` is the one of the stream. Fails as io7::Probe does, or with Disconnected.
 Result<io7::ProbeReport> run_probe(ByteStream& stream, Clock& clock,
                                    const ProbeTiming& timing = {});
 

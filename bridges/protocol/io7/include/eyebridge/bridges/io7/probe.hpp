@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "eyebridge/base/clock.hpp"
 #include "eyebridge/base/result.hpp"
 #include "eyebridge/bridges/io7/profile.hpp"
 #include "eyebridge/bridges/io7/request.hpp"
@@ -28,15 +29,18 @@ struct ProbeReport {
   /// did.
   char byte_order_witness = 0;
   std::array<std::uint8_t, 2> witness_bytes{};
+  /// From a question to the first byte of its answer, the median; 0 where nobody measured it.
+  Time usual_answer{0};
   int repeats = 0;  ///< Questions that had to be asked again, or in another way.
 };
 
 /// Finds out how a board wants to be spoken to. Pure: says what to send, is told what came.
 ///
 /// The order is: Enter until the prompt repeats; `h`; `v`; `O 0` and `v` again; `V`; one reading
-/// with an argument, in both request forms. `h` goes first, so that no letter is sent that the
-/// board does not list; letters that move anything are never sent, `E` least of all. Allocates; not
-/// a hot path.
+/// with an argument as text, first without its line end: only a board that takes bytes answers
+/// that, and only one that takes lines answers the line end; to the former the reading in bytes.
+/// `h` goes first, so that no letter is sent that the board does not list; letters that move
+/// anything are never sent, `E` least of all. Allocates; not a hot path.
 ///
 ///     while (!probe.done()) { write(probe.step().send); probe.answer(read_until_quiet()); }
 class Probe {
@@ -66,20 +70,23 @@ class Probe {
     Quieten,
     VersionAgain,
     Voltage,
+    OpenLine,
     AsciiForm,
     BinaryForm,
-    Flush,
     Done,
     Failed
   };
 
   void send(std::string_view text);
+  void send_line_end();
+  void try_bytes();
   bool send(const Request& request);
   void give_up(Errc code, std::string what);
   void answer_enter(std::string_view body);
   void answer_list(std::string_view body);
   void answer_version(std::string_view body);
   void answer_voltage(std::string_view body);
+  void answer_open_line(std::string_view body);
   void answer_form(std::string_view body);
   void ask_list();
   bool quieten();  ///< False when the board does not list the letter.
@@ -87,6 +94,7 @@ class Probe {
   void ask_form();
   void note_witness(char letter, std::string_view body);
   void retry_or_fail(std::string_view body, std::string_view expected);
+  [[nodiscard]] std::string_view without_echo(std::string_view body) const;
   /// `body` without echo, and without the prompt at its end.
   [[nodiscard]] std::string_view without_frame(std::string_view body) const;
   [[nodiscard]] std::optional<int> number_in(std::string_view body, std::size_t width);
@@ -94,12 +102,12 @@ class Probe {
   State state_ = State::Enter;
   ProbeReport report_{};
   Error error_{};
+  std::string enter_;  ///< What Enter alone gave.
   RequestBytes send_{};
   Request form_request_{};
   std::string_view expect_;
   int attempts_ = 0;
-  bool heard_ = false;       ///< Anything at all ever came.
-  bool ascii_zero_ = false;  ///< The ASCII reading was 0, which an unknown argument gives, too.
+  bool heard_ = false;  ///< Anything at all ever came.
 };
 
 }  // namespace eyebridge::bridges::io7

@@ -1,0 +1,109 @@
+// How an IO7 board is stopped: by its program, and in its guard's words.
+#include "io7_stop.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "eyebridge/bridges/guard/line_guard.hpp"
+#include "io7_session.hpp"
+#include "opcodes.h"
+
+namespace eyebridge::bridges {
+namespace {
+
+constexpr int kStops =
+    2;  // nothing answers a command: on a line that spoils one the next one counts
+
+bool has_non_zero(const io7::Request& request, std::size_t first) {
+  return std::any_of(request.arguments.begin() + static_cast<std::ptrdiff_t>(first),
+                     request.arguments.begin() + request.count,
+                     [](int argument) { return argument != 0; });
+}
+
+/// Whether wheels may turn once the board has `request`.
+bool may_turn(const io7::Request& request) {
+  switch (request.letter) {
+    case IO7_MOTOR:
+    case IO7_MOTOR_SPEED:
+      return has_non_zero(request, 1);
+    case IO7_VW_SET_SPEED:
+      return has_non_zero(request, 0);
+    default:
+      return is_movement(request.letter);
+  }
+}
+
+}  // namespace
+
+StopOrders stop_orders(const io7::ProbeReport& report) {
+  StopOrders orders;
+  orders.count = 1;
+  StopOrders::Bytes& bytes = orders.writes[0];
+  const io7::Profile& profile = report.profile;
+  // Ends what the program may have sent in part.
+  const bool speaks_lines = profile.request_form == io7::RequestForm::Ascii;
+  if (speaks_lines) {
+    (void)bytes.add(io7::bytes_of(profile.terminator));
+  } else {
+    (void)orders.completion.add(kIo7Completion);
+  }
+  const auto add = [&](const io7::Request& request) {
+    if (const auto encoded = io7::encode(request, profile)) (void)bytes.add(encoded->view());
+  };
+  // First, so that its ramp does not go on.
+  if (profile.vw_letters) add(io7::request(IO7_VW_SET_SPEED, 0, 0));
+  for (int motor = IO7_MOTOR_FIRST; motor <= IO7_MOTOR_LAST; ++motor) {
+    add(profile.letters.has(IO7_MOTOR) ? io7::motor(motor, 0) : io7::motor_speed(motor, 0));
+  }
+  add(io7::request(IO7_VERSION));
+  if (speaks_lines) (void)orders.question.add(io7::bytes_of(profile.terminator));
+  if (const auto version = io7::encode(io7::request(IO7_VERSION), profile)) {
+    (void)orders.question.add(version->view());
+  }
+  for (const char character : report.version) {
+    const auto byte = static_cast<std::uint8_t>(character);
+    (void)orders.answer.add({&byte, 1});
+  }
+  orders.mask = orders.answer;
+  orders.mask.bytes.fill(0xFF);
+  return orders;
+}
+
+void Io7Session::note_turning(const io7::Request& request) {
+  turning_ = turning_ || may_turn(request);
+}
+
+void Io7Session::tell_guard(Time now) {
+  if (guard_ == nullptr || !turning_) return;
+  if (!guard_->turning(now)) guard_ = nullptr;
+}
+
+Result<void> Io7Session::stop_motors() {
+  const io7::LetterSet& letters = report_.profile.letters;
+  // First: a board that drives by itself would go down its ramp.
+  if (report_.profile.vw_letters && letters.has(IO7_VW_SET_SPEED)) {
+    const auto done = exchange(io7::request(IO7_VW_SET_SPEED, 0, 0));
+    if (!done) return tl::unexpected(done.error());
+  }
+  for (int motor = IO7_MOTOR_FIRST; motor <= IO7_MOTOR_LAST; ++motor) {
+    const bool plain = letters.has(IO7_MOTOR);
+    if (!plain && !letters.has(IO7_MOTOR_SPEED)) break;
+    const auto done = exchange(plain ? io7::motor(motor, 0) : io7::motor_speed(motor, 0));
+    if (!done) return tl::unexpected(done.error());
+  }
+  return {};
+}
+
+Result<void> Io7Session::confirm_stop() {
+  for (int i = 0; i < kStops; ++i) {
+    if (auto stopped = stop_motors(); !stopped) return stopped;
+    if (const auto heard = exchange(io7::request(IO7_VERSION)); !heard) {
+      return tl::unexpected(heard.error());
+    }
+  }
+  turning_ = false;
+  if (guard_ != nullptr && !guard_->still()) guard_ = nullptr;
+  return {};
+}
+
+}  // namespace eyebridge::bridges

@@ -1,0 +1,30 @@
+#include "report.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstddef>
+
+#include <unistd.h>
+
+namespace eyebridge::bridges {
+
+void report(std::initializer_list<std::string_view> parts) {
+  std::array<char, 512> line{};
+  std::size_t size = 0;
+  const auto add = [&](std::string_view part) {
+    const std::size_t count = std::min(part.size(), line.size() - 1 - size);
+    part.copy(line.data() + size, count);
+    size += count;
+  };
+  add("eyebridge: ");
+  for (const std::string_view part : parts) add(part);
+  line[size++] = '\n';
+  static_cast<void>(!::write(STDERR_FILENO, line.data(), size));
+}
+
+Digits::Digits(std::int64_t number)
+    : size_(static_cast<std::size_t>(std::to_chars(std::begin(text_), std::end(text_), number).ptr -
+                                     std::begin(text_))) {}
+
+}  // namespace eyebridge::bridges

@@ -1,0 +1,204 @@
+#!/usr/bin/env python3
+"""Ends robot programs in every way there is, on the IO7 board of shared/judges, which has no watchdog: do its wheels stand?
+
+usage: ends.py FOLDER_OF_PROGRAMS [--runs 1] [--jobs 4] [--limit MS]
+Prints a table: per way the time from the end, or from when a deaf board hears again, until the board was told 0. Fails
+when a board was not told at all, an exit code or a message is not the expected one; with --limit also when it took longer.
+"""
+import argparse
+import concurrent.futures
+import pathlib
+import signal
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BOARD = ROOT.parent / "shared/judges/io7_board.py"
+PATIENCE_S = 20.0
+DEAD_AT_S, DEAD_FOR_S = 0.1, 1.5  # from the first command that drives
+GONE = "the program is gone"
+UNSURE = "may still be moving"
+
+# way: (what ends it, whether the board is deaf meanwhile, the exit code, what standard error must say)
+PROGRAM = ["_exit", "quick_exit", "abort", "segv", "overflow", "exec", "fork"]
+SIGNALS = ["KILL", "QUIT", "TERM", "INT", "HUP"]
+CODES = {"abort": -signal.SIGABRT, "segv": -signal.SIGSEGV, "overflow": -signal.SIGSEGV}
+WAYS = {
+    "return": ("return", False, 0, ""),
+    "exit": ("exit", False, 0, ""),
+    **{way: (way, False, CODES.get(way, 0), GONE) for way in PROGRAM},
+    **{f"SIG{name}": (name, False, -signal.Signals[f"SIG{name}"], "") for name in SIGNALS},
+    "SIGSTOP": ("STOP", False, -signal.SIGKILL, "has been silent"),
+    "return, deaf board": ("return", True, 1, UNSURE),
+    "_exit, deaf board": ("_exit", True, 0, "does not answer"),
+    "SIGKILL, deaf board": ("KILL", True, -signal.SIGKILL, "does not answer"),
+}
+
+
+class Log:
+    """What the board heard: its log, whose times count from `start` on the monotonic clock."""
+
+    def __init__(self, path, start):
+        self.start = start
+        self.motors = []  # (time, motor, value)
+        for line in path.read_text().splitlines():
+            words = line.split(maxsplit=3)
+            if len(words) == 4 and words[1] == "CMD" and words[2] in "mM":
+                motor, value = eval(words[3])  # noqa: S307: a list that our own process wrote
+                self.motors.append((float(words[0]) + start, motor, value))
+
+    def driven_at(self):
+        """When the first command came that drives; None: never."""
+        return next((when for when, _, value in self.motors if value != 0), None)
+
+    def stands_from(self, moment):
+        """The first time after `moment` at which no motor was told to turn; None: one still is."""
+        told = {}
+        since = moment
+        for when, motor, value in self.motors:
+            moved = any(told.values())
+            told[motor] = value
+            if any(told.values()):
+                since = None
+            elif moved:
+                since = max(when, moment)
+        return since
+
+
+def one_run(programs, way):
+    """Milliseconds until the board was told 0, and what was wrong."""
+    what, deaf, code, message = WAYS[way]
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        command = [sys.executable, BOARD, folder / "tty", "--tpm", "6484", "--base", "0.09", "--log", folder / "log"]
+        if deaf:
+            command += ["--dead", f"{DEAD_AT_S},{DEAD_FOR_S}"]
+        board = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+        try:
+            board.stdout.readline()
+            start = time.monotonic()
+            ended, returned, said = run_program(programs, what, folder, deaf)
+            wrong = wait_for_board(board)
+        finally:
+            board.kill()
+            board.wait()
+        log = Log(folder / "log", start)
+        if log.driven_at() is None:
+            return None, f"{way}: the board was never told to drive: {said}"
+        reference = max(ended, log.driven_at() + DEAD_AT_S + DEAD_FOR_S) if deaf else ended
+        stands = log.stands_from(reference)
+        if stands is None:
+            return None, f"{way}: {wrong or 'motors were left running'}; it said: {said}"
+        if returned != code or message not in said:
+            return None, f"{way}: expected exit code {code} and '{message}', found {returned} and '{said}'"
+        return (stands - reference) * 1000, None
+
+
+def run_program(programs, what, folder, deaf):
+    """Runs the program and ends it: when it ended, its exit code, its standard error once its guard has ended, too."""
+    with open(folder / "err", "w+") as errors:
+        program = subprocess.Popen(
+            [programs / "judged_ways", what], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=errors, text=True,
+            cwd=folder, start_new_session=True, env={"EYEBRIDGE_HAL": f"serial:{folder}/tty", "PATH": "/usr/bin:/bin"})
+        guard = None
+        try:
+            program.stdout.readline()
+            guard = guard_of(folder / "err")
+            if deaf:
+                await_that(lambda: " DEAD " in (folder / "log").read_text())
+            ended = time.monotonic()
+            if what.isupper():
+                program.send_signal(signal.Signals[f"SIG{what}"])
+                if what == "STOP":
+                    await_that(lambda: "has been silent" in (folder / "err").read_text())
+                    program.kill()
+            else:
+                program.stdin.write("\n")
+                program.stdin.flush()
+            returned = program.wait(PATIENCE_S)
+            if not what.isupper():
+                ended = time.monotonic()
+            await_that(lambda: not any(pathlib.Path(f"/proc/{process}/stat").exists() for process in guard))
+        finally:
+            for process in holders_of(folder / "err"):  # the child of "fork"
+                subprocess.run(["kill", "-9", str(process)], check=False, stderr=subprocess.DEVNULL)
+            program.kill()
+            program.wait()
+            program.stdin.close()
+            program.stdout.close()
+        errors.seek(0)
+        return ended, returned, errors.read().strip()
+
+
+def holders_of(path):
+    """The processes that have `path` as standard error."""
+    found = []
+    for link in pathlib.Path("/proc").glob("[0-9]*/fd/2"):
+        try:
+            if link.readlink() == path:
+                found.append(int(link.parts[2]))
+        except OSError:
+            pass  # it has ended
+    return found
+
+
+def guard_of(errors):
+    """The process ids of the guards that write into `errors`."""
+    return [process for process in holders_of(errors) if name_of(process) == "eb:guard"]
+
+
+def name_of(process):
+    try:
+        return pathlib.Path(f"/proc/{process}/comm").read_text().strip()
+    except OSError:
+        return ""  # it has ended
+
+
+def await_that(holds):
+    end = time.monotonic() + PATIENCE_S
+    while not holds():
+        if time.monotonic() > end:
+            raise TimeoutError
+        time.sleep(0.005)
+
+
+def wait_for_board(board):
+    """Ends the board; what it said of its motors."""
+    board.terminate()
+    return board.communicate(timeout=PATIENCE_S)[0].strip().splitlines()[-1]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("programs", type=lambda path: pathlib.Path(path).resolve())
+    parser.add_argument("--runs", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=4)
+    parser.add_argument("--limit", type=float, metavar="MS")
+    parser.add_argument("--way", action="append", choices=WAYS, help="only this one; may be given again")
+    options = parser.parse_args()
+    if not BOARD.exists():
+        sys.exit(f"{BOARD}: not found; expected the judges beside the project")
+    failed = False
+    print("| end | runs | median ms | longest ms |\n|---|---:|---:|---:|")
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        for way in options.way or WAYS:
+            results = list(pool.map(lambda _, way=way: one_run(options.programs, way), range(options.runs)))
+            times = [taken for taken, wrong in results if wrong is None]
+            for wrong in {wrong for _, wrong in results if wrong is not None}:
+                failed = True
+                print(wrong, file=sys.stderr)
+            if times:
+                print(f"| {way} | {len(times)} | {statistics.median(times):.0f} | {max(times):.0f} |", flush=True)
+            # A silent program is given half a second.
+            limit = None if options.limit is None else options.limit + (500 if way == "SIGSTOP" else 0)
+            if limit is not None and times and max(times) > limit:
+                failed = True
+                print(f"{way}: {max(times):.0f} ms, expected at most {limit:g}", file=sys.stderr)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
