@@ -24,10 +24,14 @@ set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 
 find_program(EYEBRIDGE_CCACHE ccache)
 if(EYEBRIDGE_CCACHE)
-  set(CMAKE_C_COMPILER_LAUNCHER "${EYEBRIDGE_CCACHE}")
   # Without these it keeps nothing that is compiled with a precompiled header.
-  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros
-      "${EYEBRIDGE_CCACHE}")
+  set(ccache_settings CCACHE_SLOPPINESS=pch_defines,time_macros)
+  # A clone in another folder, a wheel too, finds what this one compiled. Not with debug information: it names the folder.
+  if(CMAKE_BUILD_TYPE STREQUAL "Release")
+    list(APPEND ccache_settings "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}" CCACHE_NOHASHDIR=1)
+  endif()
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env ${ccache_settings} "${EYEBRIDGE_CCACHE}")
+  set(CMAKE_C_COMPILER_LAUNCHER "${CMAKE_CXX_COMPILER_LAUNCHER}")
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-fpch-preprocess>)
   endif()
