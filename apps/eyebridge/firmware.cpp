@@ -72,7 +72,8 @@ class FirmwareRun {
   std::unique_ptr<ports::Port> open_port(eb_board& board, const WantedBoard& wanted) {
     if (wanted.kind == WantedBoard::Kind::Can) {
       const ports::FrameLine line = trace_.traced(ports::frame_line(board), wanted.name);
-      return ports::open_can(line, wanted.name, options_.fd, wanted.node, {"--can"});
+      return ports::open_can(line, wanted.name, options_.fd, wanted.node, {"--can"},
+                             {options_.offset, options_.ids == 29});
     }
     return open_byte_port(trace_.traced(ports::byte_line(board)), wanted);
   }
@@ -169,6 +170,10 @@ void add_firmware(CLI::App& root, int& code) {
   command->add_flag("--prompt", o->prompt, "Shows > after text");
   command->add_flag("!--no-vw", o->vw, "Without the v-omega letters");
   command->add_flag("--fd", o->fd, "CAN FD frames for the LIDAR");
+  command->add_option("--ids", o->ids, "Bits of a CAN identifier, 11 or 29 [11]")
+      ->check(CLI::IsMember({11, 29}));
+  command->add_option("--offset", o->offset, "Is added to each CAN identifier [0]")
+      ->check(CLI::Range(0U, 0x1FFFF800U));
   command
       ->add_option("--silence", o->silence_ms, "Milliseconds of silence that stop the motors [300]")
       ->check(CLI::Range(10, 60'000));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -33,6 +34,8 @@ struct FirmwareOptions {
   std::string elf;  ///< "" is our own.
   bool cortex_m3 = false;
   bool hdt = false, fd = false;
+  int ids = 11;              ///< Bits of a CAN identifier.
+  std::uint32_t offset = 0;  ///< Of all CAN identifiers.
   bool verbose = false, lsb = false, binary = false;
   bool vw = true, prompt = false;
   int silence_ms = 300;

@@ -29,13 +29,16 @@ std::optional<Pose> CanDrive::pose_before_restart() const {
 }
 
 void CanDrive::restarted() {
-  to_restore_ = pose_before_restart();
   const std::lock_guard lock(mutex_);
   if (mode_ == Mode::Goal) mode_ = Mode::Failed;
 }
 
 void CanDrive::step() {
   if (client_.phase() != bridges::RobotWatch::Phase::Ready) return;
+  if (client_.restarts() != restarts_) {
+    restarts_ = client_.restarts();
+    to_restore_ = pose_before_restart();
+  }
   if (to_restore_) {
     if (set_odometry(*to_restore_)) to_restore_.reset();
     return;

@@ -14,7 +14,7 @@ class CanDrive final : public DriveController {
  public:
   /// `client` must outlive this.
   CanDrive(bridges::CanClient& client, const BoardDriveShape& shape)
-      : client_(client), shape_(shape) {}
+      : client_(client), shape_(shape), restarts_(client.restarts()) {}
 
   /// How long a robot may have told a pose from 0 on before its restart is noticed.
   static constexpr Time kRestartTime = std::chrono::milliseconds(150);
@@ -26,8 +26,8 @@ class CanDrive final : public DriveController {
   Result<Pose> odometry() override;
   Result<void> set_odometry(const Pose& pose) override;
   void release() override { set(Mode::Free); }
-  /// Also tells the robot, which knows no more of it, where it was last.
   void restarted() override;
+  /// Tells a robot that has forgotten it where it was last.
   void step() override;
 
  private:
@@ -41,6 +41,7 @@ class CanDrive final : public DriveController {
   Mode mode_ = Mode::Free;
   std::uint32_t goal_generation_ = 0;  ///< Of the client, when the goal was set.
   // Only the board's thread:
+  std::uint32_t restarts_;      ///< Of the client, which this knows of.
   std::optional<Pose> recent_;  ///< As told last.
   std::optional<Pose> middle_;  ///< Up to kRestartTime before that …
   std::optional<Pose> older_;   ///< … and up to as long before again.

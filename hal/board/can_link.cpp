@@ -58,7 +58,7 @@ Result<BoardCount> CanLink::encoder(int id) {
   }();
   return ticks.map([&](std::int32_t count) {
     const std::lock_guard lock(mutex_);
-    return BoardCount{counters_[index].feed32(count, client_->generation()), at, Time{0}};
+    return BoardCount{counters_[index].feed32(count, client_->restarts()), at, Time{0}};
   });
 }
 

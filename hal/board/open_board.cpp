@@ -1,6 +1,7 @@
 #include "board/open_board.hpp"
 
 #include <charconv>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -41,15 +42,46 @@ int take_node(BackendUrl& url, const SourceLocation& where) {
   return node;
 }
 
-bool take_vw_letters(BackendUrl& url, const SourceLocation& where) {
-  const std::string text = take(url, "profile", "io7");
-  if (text != "io7" && text != "io7vw") {
-    throw ConfigError(where,
-                      fmt::format("found {} for 'profile', expected io7, or io7vw for boards "
-                                  "that drive by v-omega letters",
-                                  in_quotes(text)));
+/// One of two words.
+std::optional<bool> take_choice(BackendUrl& url, const SourceLocation& where, std::string_view key,
+                                std::string_view yes, std::string_view no) {
+  const std::string text = take(url, key, "");
+  if (text.empty()) return std::nullopt;
+  if (text != yes && text != no) {
+    throw ConfigError(
+        where, fmt::format("found {} for '{}', expected {} or {}", in_quotes(text), key, yes, no));
   }
-  return text == "io7vw";
+  return text == yes;
+}
+
+std::optional<Time> take_timeout(BackendUrl& url, const SourceLocation& where) {
+  constexpr int kShortest = 5;
+  constexpr int kLongest = 5000;
+  const std::string text = take(url, "timeout", "");
+  if (text.empty()) return std::nullopt;
+  int ms = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), ms);
+  if (error != std::errc{} || end != text.data() + text.size() || ms < kShortest || ms > kLongest) {
+    throw ConfigError(where, fmt::format("found {} for 'timeout', expected milliseconds, {} … {}",
+                                         in_quotes(text), kShortest, kLongest));
+  }
+  return std::chrono::milliseconds(ms);
+}
+
+/// What the URL says of a board on a line.
+bridges::Io7Settings take_io7_settings(BackendUrl& url, const SourceLocation& where) {
+  using bridges::io7::ByteOrder;
+  using bridges::io7::RequestForm;
+  bridges::Io7Settings settings;
+  settings.vw_letters = take_choice(url, where, "profile", "io7vw", "io7").value_or(false);
+  settings.said_timeout = take_timeout(url, where);
+  if (const auto text = take_choice(url, where, "requests", "text", "bytes")) {
+    settings.said_requests = *text ? RequestForm::Ascii : RequestForm::Binary;
+  }
+  if (const auto msb = take_choice(url, where, "order", "msb", "lsb")) {
+    settings.said_byte_order = *msb ? ByteOrder::MsbFirst : ByteOrder::LsbFirst;
+  }
+  return settings;
 }
 
 BoardTables take_tables(BackendUrl& url, const BackendContext& context) {
@@ -80,11 +112,8 @@ const SourceLocation& place(const BackendContext& context) {
 }
 
 std::unique_ptr<Backend> io7_board(const BackendContext& context, const BoardTables& tables,
-                                   bool vw_letters, bridges::StreamOpener open,
-                                   std::unique_ptr<Clock> clock, bool guarded) {
-  bridges::Io7Settings settings;
-  settings.vw_letters = vw_letters;
-  settings.guarded = guarded;
+                                   const bridges::Io7Settings& settings, bridges::StreamOpener open,
+                                   std::unique_ptr<Clock> clock) {
   auto client =
       std::make_unique<bridges::Io7Client>(std::move(open), *clock, context.log, settings);
   if (const auto found = client->connect(); !found) {
@@ -133,21 +162,22 @@ std::unique_ptr<Backend> open_io7_board(
     std::function<Result<std::unique_ptr<bridges::ByteStream>>()> open,
     std::unique_ptr<Clock> clock) {
   BackendUrl rest = url;
-  const bool vw_letters = take_vw_letters(rest, place(context));
+  const bridges::Io7Settings settings = take_io7_settings(rest, place(context));
   const BoardTables tables = take_tables(rest, context);
-  return io7_board(context, tables, vw_letters, std::move(open), std::move(clock), false);
+  return io7_board(context, tables, settings, std::move(open), std::move(clock));
 }
 
 std::unique_ptr<Backend> open_io7_board(const BackendUrl& url, const BackendContext& context) {
   BackendUrl line = url;
   const SourceLocation& where = place(context);
-  const bool vw_letters = take_vw_letters(line, where);
+  bridges::Io7Settings settings = take_io7_settings(line, where);
+  settings.guarded = true;
   const BoardTables tables = take_tables(line, context);
   auto clock = std::make_unique<bridges::MonotonicClock>();
   Clock& time = *clock;
   // What is wrong with the URL is thrown by the first call.
   auto open = [line, where, &time] { return bridges::open_stream(line, where, time); };
-  return io7_board(context, tables, vw_letters, std::move(open), std::move(clock), true);
+  return io7_board(context, tables, settings, std::move(open), std::move(clock));
 }
 
 std::unique_ptr<Backend> open_can_board(const BackendUrl& url, const BackendContext& context,

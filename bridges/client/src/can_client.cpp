@@ -207,6 +207,10 @@ Result<void> CanClient::set_pose(const can::PoseCommand& pose) {
   // One repetition, for a frame that got lost.
   for (const Time until : {start + kPoseTimeout / 2, start + kPoseTimeout}) {
     const Time sent = clock_.now();
+    {
+      const std::lock_guard lock(mutex_);
+      senders_.expect_another(EYECAN_S_POSE, sent);
+    }
     if (auto said = send_ready(frame); !said) return said;
     const bool taken = wait_for(
         [&] {
@@ -289,6 +293,11 @@ RobotWatch::Phase CanClient::phase() const {
 std::uint32_t CanClient::generation() const {
   const std::lock_guard lock(mutex_);
   return watch_.generation();
+}
+
+std::uint32_t CanClient::restarts() const {
+  const std::lock_guard lock(mutex_);
+  return watch_.restarts();
 }
 
 CanClientStatistics CanClient::statistics() const {

@@ -8,16 +8,16 @@ namespace eyebridge::bridges {
 namespace {
 
 /// Motors at 0 and an emergency stop; the answer is a heartbeat that says so.
-Result<StopOrders> stop_orders(int node) {
+Result<StopOrders> stop_orders(const CanBus& bus, int node) {
   StopOrders orders;
   for (const auto& frame : {can::encode(node, can::MotorCommand{.mask = 0xF}),
                             can::encode(node, can::EmergencyStop{EYECAN_ESTOP_HOST_FAULT, 0})}) {
     if (!frame) return tl::unexpected(frame.error());
-    (void)orders.writes[orders.count++].add(socket_bytes(*frame).view());
+    (void)orders.writes[orders.count++].add(socket_bytes(bus.on_socket(*frame)).view());
   }
   const auto stopped = can::encode(node, can::Heartbeat{EYECAN_STATE_STOPPED});
   if (!stopped) return tl::unexpected(stopped.error());
-  (void)orders.answer.add(socket_bytes(*stopped).view());
+  (void)orders.answer.add(socket_bytes(bus.on_socket(*stopped)).view());
   // Identifier, length and data; what lies between and behind them is the kernel's.
   const auto mask = orders.mask.bytes.begin();
   std::fill_n(mask, 5, 0xFF);
@@ -33,7 +33,7 @@ Result<void> CanClient::guard() {
   if (bus_->descriptor() < 0) {
     return fail(Errc::Unsupported, std::string(bus_->name()) + ": a bus that cannot be guarded");
   }
-  return stop_orders(node_).and_then([this](const StopOrders& orders) -> Result<void> {
+  return stop_orders(*bus_, node_).and_then([this](const StopOrders& orders) -> Result<void> {
     auto started = LineGuard::start();
     if (!started) return tl::unexpected(std::move(started.error()));
     const std::lock_guard sending(sending_);

@@ -159,7 +159,9 @@ void CanClient::add_set_points(Outbox& out) {
       const Time waited = clock_.now() - command_.move_sent;
       command_.move_failed = waited > kEchoLimit;
       statistics_.move_repeats += waited > Time{0} ? 1 : 0;
-      if (!command_.move_failed) out.add(can::encode(node_, command_.move));
+      if (command_.move_failed) return;
+      senders_.expect_another(EYECAN_S_SPEED, clock_.now());  // the echo
+      out.add(can::encode(node_, command_.move));
       return;
     }
     case Mode::Motors:
@@ -207,6 +209,7 @@ void CanClient::take(const CanFrame& frame) {
     if (!message) {
       if (message.error().code != Errc::Corrupt) return;  // none of the protocol
       ++statistics_.corrupt;
+      if (can::node_of(frame.id) == node_) keep_nothing(can::function_of(frame.id), now);
       if (now < next_report_) return;
       next_report_ = now + kReportPeriod;
       log_.write(Severity::Warning,
@@ -226,19 +229,11 @@ void CanClient::take(const CanFrame& frame) {
 }
 
 void CanClient::take_message(const can::AnyMessage& message, Time now) {
-  std::visit(
-      [&](const auto& status) {
-        using Status = std::remove_cvref_t<decltype(status)>;
-        if constexpr (IsKept<Status, Statuses>::value) {
-          std::get<Latest<Status>>(latest_) = {status, now};
-        }
-      },
-      message);
+  keep_status(message, now);
   if (const auto* beat = std::get_if<can::Heartbeat>(&message)) watch_.heartbeat(beat->state, now);
   if (const auto* board = std::get_if<can::BoardStatus>(&message)) {
     watch_.uptime(board->uptime_ds, now);
   }
-  if (const auto* speed = std::get_if<can::SpeedStatus>(&message)) note_speed(*speed);
   if (const auto* fault = std::get_if<can::FaultStatus>(&message)) note_fault(*fault);
 
   const can::LidarScan* scan = nullptr;
@@ -254,12 +249,6 @@ void CanClient::take_message(const can::AnyMessage& message, Time now) {
   if (scan != nullptr && scan->missing == 0) {
     scan_ = *scan;
     scan_at_ = now;
-  }
-}
-
-void CanClient::note_speed(const can::SpeedStatus& status) {
-  if (command_.mode == Mode::Move && status.last_move_seq == command_.move.seq) {
-    command_.move_echoed = true;
   }
 }
 

@@ -26,6 +26,18 @@ std::string describe(const io7::ProbeReport& report) {
          (profile.reply_form == io7::ReplyForm::Text ? "text" : "raw") + " replies";
 }
 
+/// What the user said goes first. Fails where a wrong guess would leave the wheels and the sensors
+/// dead without a word.
+Result<void> settle(io7::ProbeReport& report, const Io7Settings& settings) {
+  if (settings.said_requests) report.profile.request_form = *settings.said_requests;
+  if (settings.said_byte_order) report.profile.byte_order = *settings.said_byte_order;
+  report.byte_order_proven = report.byte_order_proven || settings.said_byte_order.has_value();
+  if (report.request_form_proven || settings.said_requests) return {};
+  return fail(Errc::Unsupported,
+              "the board lists no reading that would tell whether its requests are text or bytes; "
+              "expected requests=text or requests=bytes in the URL");
+}
+
 }  // namespace
 
 Io7Client::Io7Client(StreamOpener open, Clock& clock, LogSink& log, const Io7Settings& settings)
@@ -48,6 +60,9 @@ Result<void> Io7Client::find_board(Time patience) {
     const bool odd = report.error().code != Errc::Disconnected;
     return fail(report.error().code, std::string((*stream)->name()) + ": " + report.error().what +
                                          (odd ? kNoSuchBoard : ""));
+  }
+  if (auto settled = settle(*report, settings_); !settled) {
+    return fail(settled.error().code, std::string((*stream)->name()) + ": " + settled.error().what);
   }
   // Made ready before anybody else can reach it.
   Io7Statistics counts;
@@ -96,10 +111,9 @@ void Io7Client::note_found(const io7::ProbeReport& report, std::string_view name
   log_.write(Severity::Debug, where + ": its command list: " + report.list);
   if (!report.byte_order_proven && report.profile.reply_form == io7::ReplyForm::Raw) {
     log_.write(Severity::Warning,
-               where + ": the byte order is not proven; most significant first is assumed");
-  }
-  if (!report.request_form_proven) {
-    log_.write(Severity::Warning, where + ": the form of requests is not proven; text is assumed");
+               where +
+                   ": its readings could be read both ways round: most significant byte first "
+                   "is assumed; order=msb or order=lsb in the URL says which");
   }
 }
 

@@ -28,6 +28,7 @@ constexpr Time kLongestReply = std::chrono::seconds(1);
 Io7Settings fit(Io7Settings settings, const io7::ProbeReport& report) {
   settings.reply_timeout =
       std::max(settings.reply_timeout, std::min(kSlower * report.usual_answer, kLongestReply));
+  if (settings.said_timeout) settings.reply_timeout = *settings.said_timeout;
   settings.resync_timeout = std::max(settings.resync_timeout, settings.reply_timeout);
   return settings;
 }

@@ -1,6 +1,8 @@
 #include "eyebridge/bridges/client/robot_watch.hpp"
 
+#include <algorithm>
 #include <bit>
+#include <chrono>
 #include <utility>
 
 #include "opcodes.h"
@@ -12,6 +14,11 @@ constexpr std::uint32_t kUptimeMask = 0xFFFFFF;
 constexpr std::uint32_t kWindow = 20;  // 2 s of uptime: 20 heartbeats of one robot, 40 of two
 constexpr int kTooMany = 34;
 constexpr unsigned kRecentSteps = 0x3FF;
+constexpr std::uint32_t kBirthSlack = 10;  // 0.1 s; what two clocks and a queue may differ by
+constexpr std::uint32_t kClockError = 50;  // one part of so many
+constexpr Time kOneRestart =
+    std::chrono::seconds(1);  // boot, uptime and standby tell of the same one
+constexpr Time kTick = std::chrono::milliseconds(100);
 constexpr int kTooOftenBack = 3;  // of the recent steps; one is a restart
 
 constexpr const char* kTwice =
@@ -34,7 +41,10 @@ const char* name_of(std::uint8_t state) {
 
 void RobotWatch::enter(Phase phase, Errc code, const std::string& what) {
   if (phase_ == Phase::Ready && phase != Phase::Ready) ++generation_;
-  if (phase == Phase::Waking) enabled_ = false;
+  if (phase == Phase::Waking) {
+    enabled_ = false;
+    knows_restart_ = !born_;
+  }
   phase_ = phase;
   error_ = {code, name_ + ": " + what};
   news_ = error_.what;
@@ -43,6 +53,9 @@ void RobotWatch::enter(Phase phase, Errc code, const std::string& what) {
 void RobotWatch::heartbeat(std::uint8_t state, Time now) {
   last_heartbeat_ = now;
   ++window_heartbeats_;
+  const bool boots = state == EYECAN_STATE_BOOT && last_state_ && last_state_ != state;
+  last_state_ = state;
+  if (boots) restarted(now);
   switch (phase_) {
     case Phase::Unheard:
       enable_from_ = now + kListening;
@@ -52,7 +65,7 @@ void RobotWatch::heartbeat(std::uint8_t state, Time now) {
       return enter(Phase::Waking, Errc::Disconnected,
                    "is back; is being enabled again, at speed 0");
     case Phase::Waking:
-      if (state == EYECAN_STATE_OPERATIONAL && enabled_) {
+      if (state == EYECAN_STATE_OPERATIONAL && enabled_ && knows_restart_) {
         enter(Phase::Ready, Errc::Disconnected, "is ready");
       }
       return;
@@ -67,7 +80,34 @@ void RobotWatch::heartbeat(std::uint8_t state, Time now) {
   }
 }
 
-// Both checks go by the robot's own time, so that frames which were read late do not matter.
+void RobotWatch::restarted(Time now) {
+  knows_restart_ = true;
+  born_.reset();
+  if (restarted_at_ && now - *restarted_at_ < kOneRestart) return;
+  restarted_at_ = now;
+  ++restarts_;
+}
+
+// A frame that was read late says nothing of when the robot started: two that came as far apart as
+// the robot sent them do.
+void RobotWatch::look_at_birth(std::uint32_t step, Time now) {
+  const Time apart = uptime_at_ ? now - *uptime_at_ : Time{0};
+  uptime_at_ = now;
+  if (apart < kTick / 2 || std::chrono::abs(apart - step * kTick) > kTick) return;
+  if (born_) {
+    const auto alive = static_cast<std::uint32_t>((now - *born_) / kTick);
+    const std::uint32_t late = (alive - *uptime_) & kUptimeMask;
+    const std::uint32_t off = std::min(late, kUptimeMask + 1 - late);
+    if (off > kBirthSlack + static_cast<std::uint32_t>((now - born_seen_) / kTick) / kClockError) {
+      restarted(now);
+    }
+  }
+  knows_restart_ = true;
+  born_ = now - *uptime_ * kTick;
+  born_seen_ = now;
+}
+
+// The checks go by the robot's own time, so that frames which were read late do not matter.
 void RobotWatch::uptime(std::uint32_t ds, Time now) {
   if (!uptime_) {
     window_start_ = ds;
@@ -83,7 +123,9 @@ void RobotWatch::uptime(std::uint32_t ds, Time now) {
     window_start_ = ds;
     window_heartbeats_ = 0;
   }
+  look_at_birth(step, now);
   if (phase_ == Phase::Twice || phase_ == Phase::Unheard) return;
+  if (back) restarted(now);
   if (crowded || std::popcount(steps_back_) >= kTooOftenBack) {
     return enter(Phase::Twice, Errc::Corrupt, kTwice);
   }
@@ -112,8 +154,13 @@ void RobotWatch::emergency_stop() {
 void RobotWatch::restart(Time enable_from) {
   steps_back_ = 0;
   uptime_.reset();
+  born_.reset();
   enable_from_ = enable_from;
   enter(Phase::Waking, Errc::Disconnected, "is being enabled");
+}
+
+void RobotWatch::not_alone(const std::string& what) {
+  if (phase_ != Phase::Twice) enter(Phase::Twice, Errc::Corrupt, what);
 }
 
 void RobotWatch::bus_lost(const std::string& why) {

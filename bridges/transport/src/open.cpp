@@ -1,6 +1,7 @@
 #include "eyebridge/bridges/open.hpp"
 
 #include <string>
+#include <utility>
 
 #include "eyebridge/base/text.hpp"
 
@@ -19,9 +20,12 @@ constexpr Scheme<ByteStream> kStreamSchemes[] = {
 };
 
 constexpr Scheme<CanBus> kBusSchemes[] = {
-    {"can", "can:INTERFACE?fd=0&receive_buffer=1048576",
+    {"can", "can:INTERFACE?fd=0&receive_buffer=1048576&ids=11&offset=0",
      [](const Url& url, const SourceLocation& where, Clock& clock) {
-       return open_socket_can(socket_can_settings(url, where), clock);
+       const CanPlace place = can_place(url, where);
+       auto bus = open_socket_can(socket_can_settings(url, where), clock);
+       if (bus && place != CanPlace{}) bus = std::make_unique<MovedBus>(std::move(*bus), place);
+       return bus;
      }},
 };
 

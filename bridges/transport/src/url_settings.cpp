@@ -9,6 +9,8 @@
 namespace eyebridge::bridges {
 namespace {
 
+constexpr std::uint32_t kLastOurs = 0x70F;  // heartbeat of the host: the highest of the protocol
+
 [[noreturn]] void refuse(const SourceLocation& where, std::string_view found,
                          const std::string& expected) {
   throw ConfigError(where, "found " + in_quotes(found) + ", expected " + expected);
@@ -29,7 +31,9 @@ long number(std::string_view text, std::string_view what, long least, long most,
             const SourceLocation& where) {
   long value = 0;
   const char* const end = text.data() + text.size();
-  const auto [stopped, error] = std::from_chars(text.data(), end, value);
+  const bool is_hex = text.starts_with("0x");
+  const auto [stopped, error] =
+      std::from_chars(text.data() + (is_hex ? 2 : 0), end, value, is_hex ? 16 : 10);
   if (text.empty() || error != std::errc{} || stopped != end || value < least || value > most) {
     throw ConfigError(where, "found " + in_quotes(text) + " for " + std::string(what) +
                                  ", expected " + std::to_string(least) + " … " +
@@ -88,7 +92,7 @@ TcpSettings tcp_settings(const Url& url, const SourceLocation& where) {
 }
 
 SocketCanSettings socket_can_settings(const Url& url, const SourceLocation& where) {
-  allow_options(url, where, {"fd", "receive_buffer"});
+  allow_options(url, where, {"fd", "receive_buffer", "ids", "offset"});
   constexpr std::size_t kLongestName = 15;  // of any network interface of Linux
   const bool is_path = is_can_path(url.rest) && url.rest.size() <= kLongestCanPath &&
                        url.rest.find('\0') == std::string::npos;
@@ -104,6 +108,18 @@ SocketCanSettings socket_can_settings(const Url& url, const SourceLocation& wher
   settings.receive_buffer = static_cast<int>(
       option(url, where, "receive_buffer", settings.receive_buffer, 4096, 1 << 28));
   return settings;
+}
+
+CanPlace can_place(const Url& url, const SourceLocation& where) {
+  CanPlace place;
+  const long bits = option(url, where, "ids", 11, 11, 29);
+  if (bits != 11 && bits != 29) {
+    refuse(where, std::to_string(bits), "11 or 29 for 'ids': how many bits identifiers have");
+  }
+  place.extended = bits == 29;
+  const long room = place.last_id() - (place.extended ? CanFrame::kMaxStandardId : kLastOurs);
+  place.offset = static_cast<std::uint32_t>(option(url, where, "offset", 0, 0, room));
+  return place;
 }
 
 }  // namespace eyebridge::bridges

@@ -65,12 +65,13 @@ std::string explain(const std::string& interface, int code) {
 
 class CanPort : public Port {
  public:
-  CanPort(FrameLine line, UniqueFd socket, bool fd, std::string interface, int node)
+  CanPort(FrameLine line, UniqueFd socket, bool fd, std::string interface, int node, CanPlace place)
       : line_(std::move(line)),
         socket_(std::move(socket)),
         fd_(fd),
         interface_(std::move(interface)),
-        node_(node) {}
+        node_(node),
+        place_(place) {}
 
   void pump() override {
     if (!socket_.valid() && !reopen()) return;
@@ -81,7 +82,10 @@ class CanPort : public Port {
   [[nodiscard]] bool wants_room() const override { return pending_.has_value(); }
   [[nodiscard]] bool connected() const override { return socket_.valid(); }
   [[nodiscard]] std::string address() const override {
-    return "can:" + interface_ + "?node=" + std::to_string(node_);
+    std::string url = "can:" + interface_ + "?node=" + std::to_string(node_);
+    if (place_.extended) url += "&ids=29";
+    if (place_.offset > 0) url += "&offset=" + std::to_string(place_.offset);
+    return url;
   }
 
  private:
@@ -109,9 +113,11 @@ class CanPort : public Port {
         if ((wire.can_id & CAN_ERR_BUSOFF) != 0) line_.lost();
         continue;
       }
-      if ((wire.can_id & CAN_EFF_FLAG) != 0) continue;
+      if (((wire.can_id & CAN_EFF_FLAG) != 0) != place_.extended) continue;
+      const canid_t id = (wire.can_id & CAN_EFF_MASK) - place_.offset;
+      if (id > CAN_SFF_MASK) continue;
       eb_can_frame frame{};
-      frame.id = static_cast<std::uint16_t>(wire.can_id & CAN_SFF_MASK);
+      frame.id = static_cast<std::uint16_t>(id);
       frame.remote = (wire.can_id & CAN_RTR_FLAG) != 0;
       frame.fd = size == CANFD_MTU;
       frame.length = frame.remote ? 0 : std::min<std::uint8_t>(wire.len, frame.fd ? 64 : 8);
@@ -130,7 +136,7 @@ class CanPort : public Port {
       }
       pending_.reset();
       canfd_frame wire{};
-      wire.can_id = frame.id;
+      wire.can_id = (frame.id + place_.offset) | (place_.extended ? CAN_EFF_FLAG : 0U);
       wire.len = frame.length;
       std::memcpy(wire.data, frame.data, frame.length);
       const std::size_t size = frame.fd ? CANFD_MTU : CAN_MTU;
@@ -147,6 +153,7 @@ class CanPort : public Port {
   bool fd_;
   std::string interface_;
   int node_;
+  CanPlace place_;
   int wait_ = 0;
   std::optional<eb_can_frame> pending_;
 };
@@ -154,7 +161,7 @@ class CanPort : public Port {
 }  // namespace
 
 std::unique_ptr<Port> open_can(FrameLine line, const std::string& interface, bool fd, int node,
-                               const SourceLocation& where) {
+                               const SourceLocation& where, CanPlace place) {
   if (!is_can_path(interface) && (interface.empty() || interface.size() >= IFNAMSIZ)) {
     throw ConfigError(where, "found '" + interface +
                                  "', expected an interface of 1 to 15 characters, or the path of a "
@@ -162,11 +169,12 @@ std::unique_ptr<Port> open_can(FrameLine line, const std::string& interface, boo
   }
   Opened opened = open_interface(interface, fd);
   if (!opened.socket.valid()) throw ConfigError(where, explain(interface, opened.code));
-  return std::make_unique<CanPort>(std::move(line), std::move(opened.socket), fd, interface, node);
+  return std::make_unique<CanPort>(std::move(line), std::move(opened.socket), fd, interface, node,
+                                   place);
 }
 
 std::unique_ptr<Port> make_can_port(FrameLine line, UniqueFd socket) {
-  return std::make_unique<CanPort>(std::move(line), std::move(socket), false, "", 0);
+  return std::make_unique<CanPort>(std::move(line), std::move(socket), false, "", 0, CanPlace{});
 }
 
 }  // namespace eyebridge::ports

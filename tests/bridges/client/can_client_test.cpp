@@ -155,7 +155,7 @@ TEST_F(CanClientTest, APoseIsTakenBeforeTheCallReturns) {
 TEST_F(CanClientTest, AJumpOfThePoseIsBelievedAtOnce) {
   const Time start = clock.now();
   ASSERT_TRUE(client->set_pose({1000, -2000, 18000}));
-  EXPECT_LT(clock.now() - start, 25ms) << "a robot tells its pose every 20 ms";
+  EXPECT_LE(clock.now() - start, 25ms) << "a robot tells its pose every 20 ms";
   EXPECT_EQ(client->latest<can::PoseStatus>().value(), (can::PoseStatus{1000, -2000, 18000}));
 }
 

@@ -97,7 +97,7 @@ TEST(LineUrl, RefusesBadCanInterfaces) {
               HasSubstr("the path of a bus's socket, at most 107"));
   EXPECT_THAT(complaint(socket_can_settings, "can:can0?fd=2"), HasSubstr("expected 0 … 1"));
   EXPECT_THAT(complaint(socket_can_settings, "can:can0?node=1"),
-              HasSubstr("the option 'node', expected one of fd, receive_buffer"));
+              HasSubstr("the option 'node', expected one of fd, receive_buffer, ids, offset"));
 }
 
 TEST(OpenLine, NamesTheSchemesWhenItKnowsNoSuchOne) {

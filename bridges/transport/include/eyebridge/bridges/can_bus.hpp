@@ -64,6 +64,8 @@ class CanBus {
   [[nodiscard]] virtual CanStatistics statistics() const = 0;
   /// The socket under it, lent: for a guard that outlives this process. -1 where there is none.
   [[nodiscard]] virtual int descriptor() const { return -1; }
+  /// What goes through that socket for `frame`.
+  [[nodiscard]] virtual CanFrame on_socket(const CanFrame& frame) const { return frame; }
 
   /// What messages call it: "can0". Lives as long as the bus.
   [[nodiscard]] virtual std::string_view name() const = 0;

@@ -7,6 +7,7 @@
 #include "eyebridge/base/url.hpp"
 #include "eyebridge/bridges/byte_stream.hpp"
 #include "eyebridge/bridges/can_bus.hpp"
+#include "eyebridge/bridges/moved_bus.hpp"
 #include "eyebridge/bridges/serial.hpp"
 #include "eyebridge/bridges/socket_can.hpp"
 #include "eyebridge/bridges/tcp.hpp"
@@ -28,10 +29,11 @@ struct Scheme {
 SerialSettings serial_settings(const Url& url, const SourceLocation& where);
 TcpSettings tcp_settings(const Url& url, const SourceLocation& where);
 SocketCanSettings socket_can_settings(const Url& url, const SourceLocation& where);
+CanPlace can_place(const Url& url, const SourceLocation& where);
 
 /// serial:DEVICE?baud=115200 and tcp:HOST:PORT?connect_ms=3000.
 std::span<const Scheme<ByteStream>> stream_schemes();
-/// can:INTERFACE?fd=0&receive_buffer=1048576.
+/// can:INTERFACE?fd=0&receive_buffer=1048576&ids=11&offset=0.
 std::span<const Scheme<CanBus>> bus_schemes();
 
 /// Opens what `url` names, one row of `schemes`. Options that no row of the table knows are

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -22,12 +23,19 @@ std::unique_ptr<Port> open_pty(ByteLine line, const std::string& link, const Sou
 std::unique_ptr<Port> open_tcp(ByteLine line, const std::string& address,
                                const SourceLocation& where);
 
+/// Where on a bus a node's 11-bit identifiers lie: each plus `offset`, with 29 bits when
+/// `extended`.
+struct CanPlace {
+  std::uint32_t offset = 0;
+  bool extended = false;
+};
+
 /// A node on a SocketCAN interface, or on the bus of a can_hub.hpp when `interface` is its path.
 /// Throws ConfigError at `where`, telling a kernel without CAN (97), one without raw sockets (93)
 /// and a missing interface (19) apart. An interface that goes away later is opened again when it
 /// comes back. `node` is for address().
 std::unique_ptr<Port> open_can(FrameLine line, const std::string& interface, bool fd, int node,
-                               const SourceLocation& where);
+                               const SourceLocation& where, CanPlace place = {});
 
 /// A node on a socket that carries frames as SocketCAN does; a loss is final.
 std::unique_ptr<Port> make_can_port(FrameLine line, UniqueFd socket);

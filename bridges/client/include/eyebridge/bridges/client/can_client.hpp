@@ -17,6 +17,7 @@
 #include "eyebridge/bridges/can/messages.hpp"
 #include "eyebridge/bridges/can_bus.hpp"
 #include "eyebridge/bridges/client/robot_watch.hpp"
+#include "eyebridge/bridges/client/sender_watch.hpp"
 #include "eyebridge/bridges/guard/line_guard.hpp"
 
 namespace eyebridge::bridges {
@@ -42,7 +43,9 @@ enum class MoveProgress {
 /// Heartbeat and repeated set-points are sent, and frames taken, by a thread of its own (start())
 /// or by the caller (pump()), never by both. All else: any thread. When the robot is lost every
 /// command is dropped and every call fails with Disconnected until it is ready again, at speed 0;
-/// generation() tells.
+/// generation() tells, and restarts() whether it forgot its pose and its counts meanwhile. Of a
+/// pose, a speed and a count that somebody else sends under the robot's identifiers none is given
+/// to the caller; who sends is said.
 class CanClient {
  public:
   /// `node` is 1 … 14. `clock`, the one of `bus`, and `log` must outlive this.
@@ -113,6 +116,8 @@ class CanClient {
   [[nodiscard]] RobotWatch::Phase phase() const;
   /// Grows whenever the robot's commands were dropped.
   [[nodiscard]] std::uint32_t generation() const;
+  /// Grows whenever the robot forgot what it knew: it was switched off and on, or is another one.
+  [[nodiscard]] std::uint32_t restarts() const;
   [[nodiscard]] CanClientStatistics statistics() const;
 
  private:
@@ -127,6 +132,9 @@ class CanClient {
                  Latest<can::PsdRawStatus>, Latest<can::DigitalStatus>, Latest<can::AnalogAStatus>,
                  Latest<can::AnalogBStatus>, Latest<can::BoardStatus>, Latest<can::VersionStatus>,
                  Latest<can::FaultStatus>>;
+  /// Not known to be the robot's own until others of its period have come behind it.
+  using Pending =
+      std::tuple<Latest<can::PoseStatus>, Latest<can::SpeedStatus>, Latest<can::Encoder12Status>>;
   template <class Status, class Tuple>
   struct IsKept;
   template <class Status, class... Entries>
@@ -160,13 +168,20 @@ class CanClient {
   Time tick();
   void take(const CanFrame& frame);
   void take_message(const can::AnyMessage& message, Time now);  // under mutex_
-  void note_speed(const can::SpeedStatus& status);              // under mutex_
-  void note_fault(const can::FaultStatus& fault);               // under mutex_
-  void follow_watch(std::uint32_t before);                      // under mutex_
-  void add_set_points(Outbox& out);                             // under mutex_
-  void add_parameters(Outbox& out) const;                       // under mutex_
-  void add_zero(Outbox& out);                                   // under mutex_
-  void tell_guard(bool turning);                                // under sending_
+  void keep_nothing(int function, Time now);                    // of a bad frame; under mutex_
+  void keep_status(const can::AnyMessage& message, Time now);   // under mutex_
+  template <class Status>
+  void keep(const Status& status, Time now);                 // under mutex_
+  void keep_followed(Time now);                              // under mutex_
+  void name_other_senders(Time now);                         // under mutex_
+  void note_other_host(std::string_view message, Time now);  // under mutex_
+  void note_speed(const can::SpeedStatus& status);           // under mutex_
+  void note_fault(const can::FaultStatus& fault);            // under mutex_
+  void follow_watch(std::uint32_t before);                   // under mutex_
+  void add_set_points(Outbox& out);                          // under mutex_
+  void add_parameters(Outbox& out) const;                    // under mutex_
+  void add_zero(Outbox& out);                                // under mutex_
+  void tell_guard(bool turning);                             // under sending_
   Result<void> check_age(const can::MessageSpec& spec, std::optional<Time> at) const;
   Result<void> check_ready() const;          // under mutex_
   Result<void> send(const CanFrame& frame);  // under sending_
@@ -190,7 +205,9 @@ class CanClient {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   RobotWatch watch_;
+  SenderWatch senders_;
   Statuses latest_;
+  Pending pending_;
   Command command_;
   std::array<std::optional<can::PidCommand>, 4> gains_;
   std::array<std::optional<can::ServoCommand>, 2> servos_;

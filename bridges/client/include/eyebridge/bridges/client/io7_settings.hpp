@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 
 #include "eyebridge/base/clock.hpp"
 #include "eyebridge/bridges/client/run_probe.hpp"
@@ -29,6 +30,10 @@ struct Io7Settings {
   Time longest_backoff = std::chrono::seconds(2);       ///< … doubling up to this.
   /// A LineGuard stops the motors when this process is gone. Only for lines with a descriptor.
   bool guarded = false;
+  std::optional<Time> said_timeout;  ///< The longest wait for a reply, whatever the probe measured.
+  // What the user says of the board goes before what the probe finds.
+  std::optional<io7::RequestForm> said_requests;
+  std::optional<io7::ByteOrder> said_byte_order;
   bool vw_letters = false;  ///< Allow the undocumented v-omega letters, where listed.
 };
 

@@ -23,7 +23,7 @@ class RobotWatch {
     Ready,             ///< Operational.
     Lost,              ///< Silent since longer than kHeartbeatLimit.
     EmergencyStopped,  ///< By whomever; only restart() leads out.
-    Twice,             ///< Two robots have this number; only restart() leads out.
+    Twice,             ///< Two robots have this number, or two hosts; only restart() leads out.
   };
 
   static constexpr Time kHeartbeatLimit = std::chrono::milliseconds(300);
@@ -39,6 +39,8 @@ class RobotWatch {
   void uptime(std::uint32_t ds, Time now);
   /// A fault that the robot reports, EYECAN_FAULT_….
   void fault(std::uint16_t code);
+  /// Somebody else speaks for the robot, or to it, as `what` says.
+  void not_alone(const std::string& what);
   /// The bus does not work, for the reason that `why` gives.
   void bus_lost(const std::string& why);
   /// Time passes; to be called at least every 50 ms.
@@ -58,6 +60,9 @@ class RobotWatch {
   [[nodiscard]] Phase phase() const { return phase_; }
   /// Grows each time that a robot stops being Ready.
   [[nodiscard]] std::uint32_t generation() const { return generation_; }
+  /// Grows each time that a robot has restarted, or another one has taken its place. Known before
+  /// it is Ready again.
+  [[nodiscard]] std::uint32_t restarts() const { return restarts_; }
   /// Why the robot cannot be commanded now.
   [[nodiscard]] Error error() const { return error_; }
   /// What a person should know, each once; empty when there is nothing new.
@@ -65,16 +70,25 @@ class RobotWatch {
 
  private:
   void enter(Phase phase, Errc code, const std::string& what);
+  void restarted(Time now);
+  void look_at_birth(std::uint32_t step, Time now);
 
   const std::string name_;
   Phase phase_ = Phase::Unheard;
   Error error_{Errc::Disconnected, name_ + ": not heard yet; expected its heartbeat"};
   std::string news_;
   Time last_heartbeat_{0};
+  std::optional<std::uint8_t> last_state_;
   Time enable_from_{0};
   bool enabled_ = false;  ///< Since Waking began.
   std::uint32_t generation_ = 0;
+  std::uint32_t restarts_ = 0;
   std::optional<std::uint32_t> uptime_;
+  std::optional<Time> uptime_at_;  ///< When `uptime_` came.
+  std::optional<Time> born_;  ///< When the robot started, by the last uptime that came in time …
+  Time born_seen_{0};         ///< … and when that was.
+  std::optional<Time> restarted_at_;  ///< The last time that it was noticed.
+  bool knows_restart_ = true;         ///< Whether the robot restarted before Waking began.
   unsigned steps_back_ = 0;  ///< Bit n: the uptime n steps ago was less than the one before.
   std::uint32_t window_start_ = 0;
   int window_heartbeats_ = 0;

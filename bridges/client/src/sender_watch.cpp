@@ -1,0 +1,115 @@
+#include "eyebridge/bridges/client/sender_watch.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <utility>
+
+#include "opcodes.h"
+
+namespace eyebridge::bridges {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Time kWindow = 1s;
+constexpr Time kNameAgain = 10s;
+constexpr Time kAnswerTime = 200ms;
+constexpr int kFoundAfter = 2;    // a lost frame or a late one may double another once
+constexpr int kEnoughOthers = 2;  // one may lie on either side of a foreign frame
+constexpr int kSilentPeriods = 5;
+
+}  // namespace
+
+std::array<SenderWatch::Kind, SenderWatch::kKinds> SenderWatch::first_kinds() {
+  constexpr std::pair<int, int> kSent[kKinds] = {
+      {EYECAN_S_POSE, 20},     {EYECAN_S_SPEED, 20},  {EYECAN_S_ENC12, 20},
+      {EYECAN_S_PSD_A, 50},    {EYECAN_S_PSD_B, 50},  {EYECAN_S_PSD_RAW, 50},
+      {EYECAN_S_DIGITAL, 50},  {EYECAN_S_ENC34, 100}, {EYECAN_S_ANALOG_A, 100},
+      {EYECAN_S_ANALOG_B, 100}};
+  std::array<Kind, kKinds> kinds{};
+  for (std::size_t i = 0; i < kKinds; ++i) {
+    kinds[i].function = kSent[i].first;
+    kinds[i].period_ms = kSent[i].second;
+    kinds[i].counts = kinds[i].function != EYECAN_S_DIGITAL;  // on change, too
+  }
+  return kinds;
+}
+
+const SenderWatch::Kind* SenderWatch::find(int function) const {
+  const auto found = std::ranges::find(kinds_, function, &Kind::function);
+  return found == kinds_.end() ? nullptr : &*found;
+}
+
+unsigned SenderWatch::others(const Kind& kind, Time now) const {
+  unsigned mask = 0;
+  for (std::size_t i = 0; i < kKinds; ++i) {
+    const Kind& other = kinds_[i];
+    const bool is_sent =
+        other.at && now - *other.at <= kSilentPeriods * std::chrono::milliseconds(other.period_ms);
+    if (&other != &kind && other.period_ms == kind.period_ms && is_sent) mask |= 1U << i;
+  }
+  return mask;
+}
+
+bool SenderWatch::enough(const Kind& kind, Time now) const {
+  return std::popcount(kind.since) >= std::min(kEnoughOthers, std::popcount(others(kind, now)));
+}
+
+bool SenderWatch::heard(int function, Time now) {
+  Kind* const kind = find(function);
+  if (kind == nullptr) return true;
+  bool is_usable = true;
+  if (kind->at && kind->counts && !enough(*kind, now)) {
+    const bool is_expected = kind->another_until && now <= *kind->another_until;
+    // What lies on the two sides of a foreign frame; a frame that was lost is missing from both.
+    const bool is_split = kind->since != 0 && (kind->since & kind->before) == 0 &&
+                          (kind->since | kind->before) == others(*kind, now);
+    is_usable = is_expected || kind->since != 0;
+    if (is_expected) {
+      kind->another_until.reset();
+    } else if (kind->since == 0 || is_split) {
+      note_doubled(*kind, now);
+    }
+  }
+  kind->before = kind->since;
+  kind->since = 0;
+  kind->at = now;
+  const unsigned bit = 1U << (kind - kinds_.data());
+  for (Kind& other : kinds_) {
+    if (&other != kind && other.period_ms == kind->period_ms) other.since |= bit;
+  }
+  return is_usable;
+}
+
+bool SenderWatch::is_followed(int function, Time now) const {
+  const Kind* const kind = find(function);
+  return kind == nullptr || enough(*kind, now);
+}
+
+void SenderWatch::expect_another(int function, Time now) {
+  if (Kind* const kind = find(function)) kind->another_until = now + kAnswerTime;
+}
+
+bool SenderWatch::is_doubled(int function, Time now) const {
+  const Kind* const kind = find(function);
+  return kind != nullptr && kind->doubled_at && now - *kind->doubled_at <= kWindow;
+}
+
+void SenderWatch::note_doubled(Kind& kind, Time now) {
+  const bool again = kind.doubled_at && now - *kind.doubled_at <= kWindow;
+  kind.doubled = again ? kind.doubled + 1 : 1;
+  kind.doubled_at = now;
+  if (kind.doubled < kFoundAfter || (kind.named_at && now - *kind.named_at < kNameAgain)) return;
+  kind.named_at = now;
+  found_ = kind.function;
+}
+
+bool SenderWatch::other_host(Time now) {
+  const bool again = other_host_at_ && now - *other_host_at_ <= kWindow;
+  other_host_at_ = now;
+  return again;
+}
+
+std::optional<int> SenderWatch::take_found() { return std::exchange(found_, std::nullopt); }
+
+}  // namespace eyebridge::bridges
