@@ -72,7 +72,7 @@ class Run:
 
     def too_early(self):
         """Drives that were called done before they were."""
-        done = [x for x, _, _, done in self.rows if done]
+        done = [x for x, _, _, done in self.rows if done == 1]
         return sum(x < DISTANCE * (i + 1) - SLACK for i, x in enumerate(done))
 
     def set_poses(self):
