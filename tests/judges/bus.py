@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Drives the CAN robot of shared/judges while others send under its identifiers, while it is silent, and when it restarts.
 
-usage: bus.py FOLDER_OF_PROGRAMS [--drives 1] [--case NAME]
+usage: bus.py FOLDER_OF_PROGRAMS [--drives 1] [--jobs 2] [--case NAME]
 Prints a table: per case the poses that a program was given, how many were wrong, how many drives were called done before
 they were, and what the program was told. Fails when one was wrong, or what must be told was not.
 """
 import argparse
+import concurrent.futures
 import pathlib
 import re
 import subprocess
@@ -82,8 +83,8 @@ class Run:
 def judge(programs, case, drives):
     run = Run(programs, case, drives)
     told = CASES[case][1]
-    print(f"| {case} | {len(run.rows)} | {run.wrong()} | {run.too_early()} | {'yes' if run.ended else 'no'} | "
-          f"{run.said.splitlines()[-1] if run.said else ''} |", flush=True)
+    row = (f"| {case} | {len(run.rows)} | {run.wrong()} | {run.too_early()} | {'yes' if run.ended else 'no'} | "
+           f"{run.said.splitlines()[-1] if run.said else ''} |")
     problems = []
     if run.wrong() or run.too_early():
         problems.append(f"{run.wrong()} wrong poses, {run.too_early()} drives called done too early")
@@ -95,20 +96,25 @@ def judge(programs, case, drives):
         problems.append(f"the pose was set {run.set_poses()} times, expected once")
     if not told and told is not None and not run.ended:
         problems.append("the program did not end well")
-    return [f"{case}: {problem}\n{run.said}" for problem in problems]
+    return row, [f"{case}: {problem}\n{run.said}" for problem in problems]
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("programs", type=lambda path: pathlib.Path(path).resolve())
     parser.add_argument("--drives", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--case", choices=CASES, action="append")
     options = parser.parse_args()
     print("| on the bus | poses | wrong | done too early | ended well | what it was told |\n|---|---:|---:|---:|---|---|")
-    problems = [problem for case in options.case or CASES for problem in judge(options.programs, case, options.drives)]
-    for problem in problems:
-        print(problem, file=sys.stderr)
-    return 1 if problems else 0
+    wrong = 0
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        for row, problems in pool.map(lambda case: judge(options.programs, case, options.drives), options.case or CASES):
+            print(row, flush=True)
+            for problem in problems:
+                print(problem, file=sys.stderr)
+            wrong += len(problems)
+    return 1 if wrong else 0
 
 
 if __name__ == "__main__":

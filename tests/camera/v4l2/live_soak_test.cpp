@@ -1,4 +1,4 @@
-// Half an hour of simulated time with a camera that is unplugged again and again. Needs vivid, its
+// Ten minutes of simulated time, or EYEBRIDGE_TEST_SOAK, with a camera that is unplugged again and again. Needs vivid, its
 // modules and simulated time: the lab runs it.
 #include <cstdlib>
 #include <filesystem>
@@ -20,7 +20,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr Time kSoak = std::chrono::minutes(30);
+std::chrono::minutes soak() {
+  const char* const minutes = std::getenv("EYEBRIDGE_TEST_SOAK");
+  return std::chrono::minutes(minutes == nullptr ? 10 : std::atoi(minutes));
+}
 
 /// Runs a shell command of the guest's.
 void shell(const std::string& command) { ASSERT_EQ(std::system(command.c_str()), 0) << command; }
@@ -96,7 +99,7 @@ class Soak : public ::testing::Test {
   std::uint64_t frames_ = 0;
 };
 
-TEST_F(Soak, HalfAnHourOfUnpluggingLeaksNothingAndGivesNoOldFrame) {
+TEST_F(Soak, UnpluggingAgainAndAgainLeaksNothingAndGivesNoOldFrame) {
   ASSERT_NO_FATAL_FAILURE(take_frame(Time(0)));
   ASSERT_NO_FATAL_FAILURE(unplug(Time(0)));
   ASSERT_NO_FATAL_FAILURE(unplug(std::chrono::seconds(1)));  // all that is kept has been made
@@ -105,7 +108,7 @@ TEST_F(Soak, HalfAnHourOfUnpluggingLeaksNothingAndGivesNoOldFrame) {
   std::uint64_t losses = 2;
   Random random(20);
   Time next_loss = clock_.now() + from_seconds(20.0 * random.uniform());
-  while (clock_.now() < kSoak) {
+  while (clock_.now() < soak()) {
     if (clock_.now() < next_loss) {
       ASSERT_NO_FATAL_FAILURE(take_frame(Time(0)));
       continue;
@@ -115,7 +118,7 @@ TEST_F(Soak, HalfAnHourOfUnpluggingLeaksNothingAndGivesNoOldFrame) {
     ++losses;
     next_loss = clock_.now() + from_seconds(40.0 * random.uniform());
   }
-  EXPECT_GE(losses, 60U);
+  EXPECT_GE(losses, 2U * static_cast<unsigned>(soak().count()));
   EXPECT_EQ(source_.counts().losses, losses);
   EXPECT_EQ(log_.warnings.size(), 2 * losses) << "one line when it goes, one when it is back";
   EXPECT_EQ(source_.counts().given, frames_);
