@@ -1,8 +1,11 @@
 // What an IO7 board told, in plain words.
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/bridges/io7/command_table.hpp"
+#include "eyebridge/hal/slow_line.hpp"
 #include "io7_board.hpp"
 #include "opcodes.h"
 
@@ -27,7 +30,9 @@ std::string requests(const ProbeReport& report) {
   const std::string form = report.profile.request_form == RequestForm::Ascii
                                ? fmt::format("lines of text that end in {}", end)
                                : "letters and bytes";
-  return form + (report.request_form_proven ? "" : " (assumed: nothing harmless to try it with)");
+  return form + (report.request_form_proven
+                     ? ""
+                     : " (assumed: requests=text or requests=bytes in the URL says which)");
 }
 
 std::string byte_order(const ProbeReport& report) {
@@ -46,7 +51,7 @@ std::string byte_order(const ProbeReport& report) {
     return fmt::format("{}: the reading {} of '{}' is {}, the other way round {} of at most {}",
                        order, bytes, report.byte_order_witness, this_way, other_way, IO7_ADC_LAST);
   }
-  return order + " (assumed: both ways round are possible)";
+  return order + " (assumed: order=msb or order=lsb in the URL says which)";
 }
 
 /// The letters that `take` says yes to, in the order of the command page.
@@ -87,6 +92,24 @@ std::string answers(const RoundTrips& trips) {
                      milliseconds(trips.slowest), milliseconds(trips.median));
 }
 
+/// How well v-omega on the host drives by it.
+std::string expected(const RoundTrips& trips, const LetterSet& letters) {
+  constexpr double kTopSpeed = 0.6;  // m/s, of a robot whose HDT file says nothing of it
+  if (!letters.has(IO7_MOTOR_SPEED) || !letters.has(IO7_ENCODER) || trips.answered == 0) return "";
+  const hal::LineOutlook line = hal::outlook(trips.median, kTopSpeed);
+  if (!line.drives) {
+    return io7_row(
+        "to expect",
+        fmt::format(
+            "no drive: both encoders would be known every {:.0f} ms; expected at most {:.0f} ms",
+            to_seconds(line.cycle) * 1e3, to_seconds(hal::kLongestCycle) * 1e3));
+  }
+  return io7_row("to expect",
+                 fmt::format("about {:.0f} mm off after 500 mm, {:.1f} degrees after a turn of 90; "
+                             "at most {:.0f} mm/s",
+                             std::ceil(line.off * 1e3), line.turned, line.top_speed * 1e3));
+}
+
 /// `url` as a shell takes it.
 std::string word(const std::string& url) {
   const bool plain = url.find_first_of("?&*[] '\"") == std::string::npos;
@@ -95,6 +118,13 @@ std::string word(const std::string& url) {
 
 std::string run_lines(const Io7Board& board, const std::string& url) {
   const LetterSet& letters = board.report.profile.letters;
+  if (!board.report.request_form_proven) {
+    return fmt::format(
+        "Nothing that it lists tells whether it takes lines or bytes. Run a program with it, and "
+        "add\n"
+        "requests=text or requests=bytes to its URL:\n  eyebridge run --hal {} PROGRAM\n",
+        word(url));
+  }
   std::string out =
       fmt::format("Run a program with it:\n  eyebridge run --hal {} PROGRAM\n", word(url));
   if (letters.has(IO7_VW_SET_SPEED) && url.find("profile=") == std::string::npos) {
@@ -128,6 +158,7 @@ std::string described(const Io7Board& board, const std::string& url) {
   out += io7_row("v-omega", drive(letters));
   out += io7_row("exchange", exchange(board));
   out += io7_row("v answered", answers(board.trips));
+  out += expected(board.trips, letters);
   return out + run_lines(board, url);
 }
 

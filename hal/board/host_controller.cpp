@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "eyebridge/hal/slow_line.hpp"
+
 namespace eyebridge::hal {
 namespace {
 
@@ -119,15 +121,14 @@ Result<void> HostController::check() const {
   return fail(Errc::Timeout, "drive: the board has not told its encoders for half a second");
 }
 
-// Beyond, the drive would steer by what the robot did long ago.
 Result<void> HostController::check_line() const {
-  constexpr double kSlowest = 0.3;  // seconds
-  if (drive_.cycle() <= kSlowest) return {};
+  const double longest = to_seconds(kLongestCycle);
+  if (drive_.cycle() <= longest) return {};
   return fail(Errc::Timeout,
               fmt::format("drive: the board tells both its encoders only every {:.0f} ms; expected "
                           "at most {:.0f} ms to drive by them: a faster line, or profile=io7vw "
                           "where the board can drive by itself",
-                          drive_.cycle() * 1e3, kSlowest * 1e3));
+                          drive_.cycle() * 1e3, longest * 1e3));
 }
 
 void HostController::send(const WheelSpeeds& speeds, Time now) {

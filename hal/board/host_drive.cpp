@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "eyebridge/hal/slow_line.hpp"
 #include "eyebridge/robot/drive_controller.hpp"
 #include "eyebridge/robot/odometry.hpp"
 
@@ -16,17 +17,14 @@ namespace eyebridge::hal {
 namespace {
 
 constexpr double kPeriodSeconds = 0.01;
-constexpr int kTopTicks = 127;        // of letter M
-constexpr double kLongestStep = 0.1;  // seconds that the ramps make up for after a late call
-// Between two counts nobody knows where the robot is: over a slow line it drives slower.
-constexpr double kFarthestBlind = 0.025;  // metres
-constexpr double kWidestBlind = 0.6;      // radians
-constexpr int kCycles = 8;                // of which `cycle` is an average
-constexpr std::size_t kMeasured = 5;      // periods: one alone is too coarse for a speed
-constexpr int kStallDebt = 4;             // ticks that a wheel owes before it counts as held …
-constexpr int kStallPeriods = 20;         // … and for how long
-constexpr double kCreepDistance = 1e-4;   // metres: nearer to its goal no motor drives
-constexpr double kCreepAngle = 1e-3;      // radians
+constexpr int kTopTicks = 127;           // of letter M
+constexpr double kLongestStep = 0.1;     // seconds that the ramps make up for after a late call
+constexpr int kCycles = 8;               // of which `cycle` is an average
+constexpr std::size_t kMeasured = 5;     // periods: one alone is too coarse for a speed
+constexpr int kStallDebt = 4;            // ticks that a wheel owes before it counts as held …
+constexpr int kStallPeriods = 20;        // … and for how long
+constexpr double kCreepDistance = 1e-4;  // metres: nearer to its goal no motor drives
+constexpr double kCreepAngle = 1e-3;     // radians
 
 double speed_step(double acceleration, double seconds) {
   return acceleration > 0.0 ? acceleration * seconds : std::numeric_limits<double>::infinity();

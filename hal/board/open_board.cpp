@@ -45,8 +45,8 @@ int take_node(BackendUrl& url, const SourceLocation& where) {
 /// One of two words.
 std::optional<bool> take_choice(BackendUrl& url, const SourceLocation& where, std::string_view key,
                                 std::string_view yes, std::string_view no) {
+  if (!url.options.contains(key)) return std::nullopt;
   const std::string text = take(url, key, "");
-  if (text.empty()) return std::nullopt;
   if (text != yes && text != no) {
     throw ConfigError(
         where, fmt::format("found {} for '{}', expected {} or {}", in_quotes(text), key, yes, no));
@@ -57,8 +57,8 @@ std::optional<bool> take_choice(BackendUrl& url, const SourceLocation& where, st
 std::optional<Time> take_timeout(BackendUrl& url, const SourceLocation& where) {
   constexpr int kShortest = 5;
   constexpr int kLongest = 5000;
+  if (!url.options.contains("timeout")) return std::nullopt;
   const std::string text = take(url, "timeout", "");
-  if (text.empty()) return std::nullopt;
   int ms = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), ms);
   if (error != std::errc{} || end != text.data() + text.size() || ms < kShortest || ms > kLongest) {

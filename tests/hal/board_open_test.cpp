@@ -182,6 +182,18 @@ TEST(BoardOpen, RefusesWrongOptions) {
   EXPECT_THAT(complaint("can:can0?node="), HasSubstr("found '' for 'node'"));
   EXPECT_THAT(complaint("serial:/dev/null?profile=io8"),
               HasSubstr("--hal: found 'io8' for 'profile', expected io7vw or io7"));
+  EXPECT_THAT(complaint("serial:/dev/null?profile="), HasSubstr("found '' for 'profile'"));
+  EXPECT_THAT(complaint("serial:/dev/null?requests=binary"),
+              HasSubstr("found 'binary' for 'requests', expected text or bytes"));
+  EXPECT_THAT(complaint("serial:/dev/null?order=big"),
+              HasSubstr("for 'order', expected msb or lsb"));
+  for (const char* const time : {"", "4", "5001", "50ms", "-7"}) {
+    EXPECT_THAT(complaint(std::string("serial:/dev/null?timeout=") + time),
+                HasSubstr("for 'timeout', expected milliseconds, 5 … 5000"));
+  }
+  EXPECT_THAT(complaint("can:can0?ids=12"), HasSubstr("found '12', expected 11 or 29 for 'ids'"));
+  EXPECT_THAT(complaint("can:can0?offset=241"), HasSubstr("for 'offset', expected 0 … 240"));
+  EXPECT_THAT(complaint("can:can0?ids=29&offset=0x20000000"), HasSubstr("expected 0 … 536868864"));
   EXPECT_THAT(complaint("serial:/dev/null?node=1"), HasSubstr("found the option 'node', expected"));
   EXPECT_THAT(complaint("serial:/dev/null?baud=fast"), HasSubstr("found 'fast' for 'baud'"));
   EXPECT_THAT(complaint("can:can0?baud=9600"), HasSubstr("found the option 'baud', expected"));

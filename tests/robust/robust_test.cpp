@@ -71,10 +71,11 @@ TEST_P(Robust, ABoardThatHangsIsAnErrorAndGoesOnStanding) {
 }
 
 std::vector<Line> lines() {
-  std::vector<Line> all{{"PtyHostVw", {"--no-vw", "--pty", "./eyebot.tty"}},
-                        {"PtyBinary", {"--no-vw", "--binary", "--pty", "./eyebot.tty"}},
-                        {"Tcp", {"--no-vw", "--tcp", "47115"}},
-                        {"CanSocket", {"--can", "./eyebot.bus", "--node", "3"}}};
+  std::vector<Line> all{
+      {"PtyHostVw", {"--no-vw", "--pty", "./eyebot.tty"}},
+      {"PtyBinary", {"--no-vw", "--binary", "--pty", "./eyebot.tty"}},
+      {"Tcp", {"--no-vw", "--tcp", "47115"}},
+      {"CanSocket29", {"--can", "./eyebot.bus", "--node", "3", "--ids", "29", "--offset", "4096"}}};
   if (const char* const can = std::getenv("EYEBRIDGE_TEST_CAN")) {
     const std::string name(can);
     all.push_back({"Vcan", {"--can", name.substr(0, name.find(',')), "--node", "3"}});

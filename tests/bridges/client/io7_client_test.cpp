@@ -44,6 +44,45 @@ TEST_F(Io7ClientTest, ExchangesExactlyTheDocumentedBytes) {
   EXPECT_EQ(counts.latency_mean(), Time(1ms));
 }
 
+// Nothing but settings and what is common to both forms.
+constexpr const char* kNoReadings = "h help\r\nO output\r\nm motor\r\nv version\r\nV volt\r\n";
+
+TEST_F(Io7ClientTest, AsksTheUserWhetherRequestsAreTextWhereTheBoardCannotTell) {
+  board.list = kNoReadings;
+  const auto found = client.connect();
+  ASSERT_FALSE(found);
+  EXPECT_THAT(found.error().what, HasSubstr("expected requests=text or requests=bytes"));
+  EXPECT_THAT(line->sent, Not(HasSubstr("m 1"))) << "nothing is sent that could be another order";
+}
+
+TEST_F(Io7ClientTest, BelievesTheUserInWhatTheBoardCannotTell) {
+  board.list = kNoReadings;
+  settings.said_requests = io7::RequestForm::Ascii;
+  settings.said_byte_order = io7::ByteOrder::LsbFirst;
+  Io7Client other(opener(), clock, log, settings);
+  ASSERT_TRUE(other.connect());
+  EXPECT_EQ(other.report()->profile.request_form, io7::RequestForm::Ascii);
+  EXPECT_EQ(other.report()->profile.byte_order, io7::ByteOrder::LsbFirst);
+}
+
+TEST_F(Io7ClientTest, NamesTheOptionForReadingsThatCanBeReadBothWaysRound) {
+  board.battery_cv = 0x0505;
+  board.analog_0 = 0x0303;
+  connect();
+  EXPECT_THAT(log.text(), HasSubstr("order=msb or order=lsb"));
+}
+
+TEST_F(Io7ClientTest, WaitsAsLongAsTheUserSays) {
+  settings.said_timeout = 400ms;
+  Io7Client other(opener(), clock, log, settings);
+  ASSERT_TRUE(other.connect());
+  damage = [](ScriptedLine& its_line, const std::string& answer) {
+    its_line.arrive(answer, 390ms);
+  };
+  EXPECT_TRUE(other.exchange(io7::psd(1)));
+  EXPECT_EQ(other.statistics().timeouts, 0U);
+}
+
 TEST_F(Io7ClientTest, SendsNothingThatTheBoardDoesNotList) {
   connect();
   const std::string sent = sent_by([&] {
