@@ -1,4 +1,5 @@
-// What part 2 of SPECIFICATION.md says beside its tables, sentence by sentence, of the firmware.
+// What SPECIFICATION.md says of CAN beside its tables and no other node can see: what motors,
+// servos and ports do. The rest is in can_dialogues_test.cpp.
 #include <algorithm>
 
 #include <gmock/gmock.h>
@@ -9,9 +10,7 @@
 namespace eyebridge::firmware {
 namespace {
 
-using testing::Contains;
 using testing::ElementsAre;
-using testing::IsEmpty;
 using testing::StartsWith;
 
 class CanRules : public testing::Test {
@@ -39,8 +38,7 @@ class CanRules : public testing::Test {
     }
     return "none";
   }
-  std::string speed_frame() { return next("191"); }
-  int move_state() { return speed_frame()[9] - '0'; }
+  int move_state() { return next("191")[9] - '0'; }
   int state() const { return host.board.node.state; }
   bool has_power() const {
     return std::any_of(host.board.pins.duty, host.board.pins.duty + 4,
@@ -72,36 +70,6 @@ TEST_F(CanRules, EveryWayOutOfOperationSwitchesMotorsOffAtOnceAndNothingGoesOn) 
   }
 }
 
-TEST_F(CanRules, AStopEndsAMoveAsAbortedAndASpeedAsIdle) {
-  EXPECT_EQ(move_state(), EYECAN_MOVE_IDLE);
-  host.send(kMove);
-  wait(100);
-  EXPECT_EQ(move_state(), EYECAN_MOVE_RUNNING);
-  host.send("000#0201");
-  EXPECT_EQ(move_state(), EYECAN_MOVE_ABORTED);
-  host.send("000#0101");
-  host.send(kSpeed);
-  EXPECT_EQ(move_state(), EYECAN_MOVE_SPEED);
-  host.send("000#0201");
-  EXPECT_EQ(move_state(), EYECAN_MOVE_IDLE);
-}
-
-TEST_F(CanRules, TheLastCommandCountsAndEndsTheOneBefore) {
-  host.send(kMove);
-  wait(100);
-  host.send(kSpeed);
-  EXPECT_EQ(move_state(), EYECAN_MOVE_SPEED);
-  host.send("211#0108E80300006400");
-  EXPECT_EQ(move_state(), EYECAN_MOVE_RUNNING);
-  host.send(kMotors);
-  EXPECT_EQ(move_state(), EYECAN_MOVE_ABORTED);
-  host.send("211#0109640000006400");  // 100 mm
-  wait(3000);
-  EXPECT_EQ(move_state(), EYECAN_MOVE_DONE);
-  host.send(kMotors);
-  EXPECT_EQ(move_state(), EYECAN_MOVE_IDLE);
-}
-
 TEST_F(CanRules, MotorsThatAreNotInTheMaskKeepWhatTheyHaveButNotAfterASpeed) {
   host.send(kMotors);
   host.send("231#0000000001000000");
@@ -112,50 +80,6 @@ TEST_F(CanRules, MotorsThatAreNotInTheMaskKeepWhatTheyHaveButNotAfterASpeed) {
   host.send("231#3200000001000000");
   EXPECT_EQ(host.board.pins.duty[0], 5000);
   EXPECT_EQ(host.board.pins.duty[1], 0);
-}
-
-TEST_F(CanRules, ARepeatedSeqHasNoEffectWhateverElseItSaysUntilTheNextEnable) {
-  host.send(kMove);
-  EXPECT_EQ(speed_frame().substr(10, 2), "07");
-  host.send("201#000000000100");
-  wait(500);
-  host.send("211#0207000084030A00");
-  EXPECT_EQ(move_state(), EYECAN_MOVE_SPEED);
-  host.send("000#0201");
-  EXPECT_EQ(speed_frame().substr(10, 2), "07") << "stays";
-  host.send("000#0101");
-  host.send(kMove);
-  EXPECT_EQ(move_state(), EYECAN_MOVE_RUNNING) << "the first one after ENABLE";
-}
-
-TEST_F(CanRules, TheFirstMoveMayHaveSeqZero) {
-  host.send("211#0100E80300006400");
-  EXPECT_EQ(move_state(), EYECAN_MOVE_RUNNING);
-}
-
-TEST_F(CanRules, AMoveWithNothingToDriveIsDoneAtOnce) {
-  for (const char* move :
-       {"211#0101E80300000000", "211#0102000084036400", "211#0203E80300006400"}) {
-    host.send(move);
-    EXPECT_EQ(move_state(), EYECAN_MOVE_DONE) << move;
-  }
-}
-
-TEST_F(CanRules, ACurveWithoutDistanceIsATurnAndATurnHasNothingRemaining) {
-  host.send("211#0301000084035A00");  // 90 degrees at 90 deg/s
-  wait(100);
-  EXPECT_EQ(speed_frame().substr(12, 4), "0000");
-  wait(3000);
-  EXPECT_EQ(move_state(), EYECAN_MOVE_DONE);
-  EXPECT_NEAR(eb_drive_heading_cdeg(&host.board.drive), 9000, 100);
-}
-
-TEST_F(CanRules, EnablingARobotThatIsOperationalChangesNothing) {
-  host.send(kMove);
-  wait(200);
-  host.send("000#0100");
-  EXPECT_TRUE(has_power());
-  EXPECT_EQ(move_state(), EYECAN_MOVE_RUNNING);
 }
 
 TEST_F(CanRules, OutsideOfOperationOnlyPoseGainsPortsAndEmergencyStopHaveAnEffect) {
@@ -180,37 +104,6 @@ TEST_F(CanRules, OutsideOfOperationOnlyPoseGainsPortsAndEmergencyStopHaveAnEffec
   EXPECT_EQ(state(), EYECAN_STATE_STOPPED);
 }
 
-TEST_F(CanRules, ASpeedOfZeroMustBeRepeatedAndAMoveEndsTheTimeOut) {
-  host.send("201#000000000100");
-  wait(300);
-  EXPECT_EQ(speed_frame()[8], 'C') << "MotorsEnabled is 4, CommandTimeout 8";
-  EXPECT_EQ(host.board.node.faults, EYECAN_FLAG_COMMAND_TIMEOUT);
-  EXPECT_EQ(state(), EYECAN_STATE_OPERATIONAL);
-  host.send(kMove);
-  EXPECT_EQ(speed_frame()[8], '4');
-  EXPECT_EQ(host.board.node.faults, 0);
-}
-
-TEST_F(CanRules, AResetEndsAnEmergencyStop) {
-  host.send("011#0100");
-  host.send("000#0101");
-  EXPECT_EQ(state(), EYECAN_STATE_STOPPED);
-  host.send("000#8101");
-  EXPECT_THAT(host.frames(), ElementsAre("701#00", StartsWith("481#"), "701#7F"));
-  host.send("000#0101");
-  EXPECT_EQ(state(), EYECAN_STATE_OPERATIONAL);
-  wait(100);
-  EXPECT_EQ(host.board.node.faults, 0);
-}
-
-TEST_F(CanRules, AStopKeepsTheFaultOfAnEmergencyStop) {
-  host.send("011#0100");
-  host.send("000#8000");
-  EXPECT_EQ(state(), EYECAN_STATE_STANDBY);
-  wait(600);
-  EXPECT_EQ(host.board.node.faults, EYECAN_FLAG_ESTOP);
-}
-
 TEST_F(CanRules, TheFirstFlagGivesTheCodeAndAnEventComesBeforeIt) {
   host.board.pins.supply_cv = 500;
   EXPECT_EQ(next("081"), "2031052000000000");
@@ -221,38 +114,10 @@ TEST_F(CanRules, TheFirstFlagGivesTheCodeAndAnEventComesBeforeIt) {
   EXPECT_EQ(next("081"), "01FF112100000000") << "the steady state again";
 }
 
-TEST_F(CanRules, WhatIsForOthersIsIgnoredWithoutAReport) {
-  for (const char* frame :
-       {"202#C8", "200#C80000000100", "7F1#05", "021#00", "702#01", "181#R", "012#00"}) {
-    host.send(frame);
-  }
-  wait(100);
-  EXPECT_EQ(host.board.node.event_code, 0);
-  EXPECT_EQ(host.board.node.faults, 0);
-  EXPECT_EQ(state(), EYECAN_STATE_OPERATIONAL);
-}
-
-TEST_F(CanRules, ARemoteFrameAsksForTheVersionAlone) {
-  host.frames();
-  for (const char* frame : {"181#R", "701#R", "482#R"}) host.send(frame);
-  EXPECT_THAT(host.frames(), IsEmpty());
-  host.send("481#R");
-  EXPECT_THAT(host.frames(), ElementsAre(StartsWith("481#01")));
-}
-
 TEST_F(CanRules, OutputsShowInTheLevelsAndInputsDoNotShowInOut) {
   host.send("271#0001");
   host.send("261#FFFFFFFF");
   EXPECT_THAT(next("1F1"), StartsWith("FFFF01FF01FF"));
-}
-
-TEST_F(CanRules, WithoutAFaultThereIsNoFaultFrame) {
-  host.frames();
-  for (int i = 0; i < 20; ++i) {
-    host.send("70F#05");
-    host.wait_ms(100);
-    EXPECT_THAT(host.frames(), testing::Not(Contains(StartsWith("081#"))));
-  }
 }
 
 }  // namespace

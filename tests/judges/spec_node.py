@@ -93,10 +93,10 @@ def unpack(signals, data):
 
 
 class Robot:
-    def __init__(self, node, body, send):
+    def __init__(self, node, body, send, now):
         self.node, self.body, self.send_bytes = node, body, send
         self.refused = 0
-        self.restart(time.monotonic())
+        self.restart(now)
 
     def restart(self, now):
         self.started = self.last = now
@@ -319,7 +319,7 @@ def main():
                 pass  # gone, or too slow: as on a bus
 
     body = Body()
-    robot = Robot(options.node, body, lambda packet: pass_on(packet, others))
+    robot = Robot(options.node, body, lambda packet: pass_on(packet, others), time.monotonic())
     print(f"bus at {options.bus}", flush=True)
     while not ended:
         for ready in select.select([listener, *others], [], [], 0.005)[0]:
