@@ -38,7 +38,7 @@ class Dialogue {
         return frame.substr(0, 3) == pattern.substr(0, 3);
       });
       if (found != heard_.end()) {
-        const std::string frame = *found;
+        std::string frame = *found;
         heard_.erase(found);
         return frame;
       }
