@@ -68,16 +68,6 @@ enum eb_can_due {
   EB_DUE_COUNT
 };
 
-/* Bits of S_Fault.flags, the most important first. */
-enum eb_fault {
-  EB_FAULT_ESTOP = 1,
-  EB_FAULT_DUPLICATE_NODE = 2,
-  EB_FAULT_HOST_LOST = 4,
-  EB_FAULT_COMMAND_TIMEOUT = 8,
-  EB_FAULT_MOTOR_BLOCKED = 16,
-  EB_FAULT_LOW_BATTERY = 32
-};
-
 /* A scan on its way. */
 struct eb_scan {
   uint16_t points;
@@ -103,7 +93,7 @@ struct eb_node {
   bool timed_out;
   bool move_known; /* `move_seq` was executed since the last enable */
   uint8_t move_seq;
-  uint16_t faults;      /* steady: enum eb_fault */
+  uint16_t faults;      /* steady: EYECAN_FLAG_... */
   uint16_t sent_faults; /* as the host knows them */
   uint16_t event_code;  /* momentary, not sent yet; 0 = none */
   uint32_t event_aux;

@@ -2,27 +2,24 @@
 #include "eb_math.h"
 #include "opcodes.h"
 
-#define HARDWARE_EYEBOT_IO 1
-
 static int32_t to_word(int32_t value) { return eb_clamp(value, -32768, 32767); }
 
 /* The most important steady fault. */
 static uint16_t code_of(uint16_t faults) {
-  if (faults & EB_FAULT_ESTOP) return EYECAN_FAULT_ESTOP;
-  if (faults & EB_FAULT_DUPLICATE_NODE) return EYECAN_FAULT_DUPLICATE_NODE;
-  if (faults & EB_FAULT_HOST_LOST) return EYECAN_FAULT_HOST_LOST;
-  if (faults & EB_FAULT_COMMAND_TIMEOUT) return EYECAN_FAULT_COMMAND_TIMEOUT;
-  if (faults & EB_FAULT_MOTOR_BLOCKED) return EYECAN_FAULT_MOTOR_BLOCKED;
-  if (faults & EB_FAULT_LOW_BATTERY) return EYECAN_FAULT_LOW_BATTERY;
+  if (faults & EYECAN_FLAG_ESTOP) return EYECAN_FAULT_ESTOP;
+  if (faults & EYECAN_FLAG_DUPLICATE_NODE) return EYECAN_FAULT_DUPLICATE_NODE;
+  if (faults & EYECAN_FLAG_HOST_LOST) return EYECAN_FAULT_HOST_LOST;
+  if (faults & EYECAN_FLAG_COMMAND_TIMEOUT) return EYECAN_FAULT_COMMAND_TIMEOUT;
+  if (faults & EYECAN_FLAG_MOTOR_BLOCKED) return EYECAN_FAULT_MOTOR_BLOCKED;
+  if (faults & EYECAN_FLAG_LOW_BATTERY) return EYECAN_FAULT_LOW_BATTERY;
   return EYECAN_FAULT_NONE;
 }
 
-/* As in CANopen: bit 0 any, 1 current, 2 voltage, 4 communication. */
 static int32_t register_of(uint16_t code) {
   if (code == EYECAN_FAULT_NONE) return 0;
-  if ((code & 0xF000U) == 0x3000U) return 1 | 4;
-  if ((code & 0xF000U) == 0x7000U) return 1 | 2;
-  return 1 | 16;
+  if ((code & 0xF000U) == 0x3000U) return EYECAN_REGISTER_ANY | EYECAN_REGISTER_VOLTAGE;
+  if ((code & 0xF000U) == 0x7000U) return EYECAN_REGISTER_ANY | EYECAN_REGISTER_CURRENT;
+  return EYECAN_REGISTER_ANY | EYECAN_REGISTER_COMMUNICATION;
 }
 
 static void fill_fault(struct eb_node* node, int32_t* v) {
@@ -86,7 +83,7 @@ static void fill_version(const struct eb_board* board, int32_t* v) {
   int i;
   v[0] = EYECAN_PROTOCOL_VERSION;
   for (i = 0; i < IO7_VERSION_LENGTH; ++i) v[1 + i] = board->config.io7.version[i];
-  v[5] = HARDWARE_EYEBOT_IO;
+  v[5] = EYECAN_HARDWARE_EYEBOT_IO;
   v[6] = EYECAN_CAPABLE_OF_MOVES | (board->config.lidar ? EYECAN_CAPABLE_OF_SCANS : 0);
 }
 

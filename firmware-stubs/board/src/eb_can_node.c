@@ -81,8 +81,8 @@ static void command_state(struct eb_board* board, const int32_t* v) {
         node->host_us = 0;
         node->move_known = false;
       }
-      node->faults &= (uint16_t) ~(EB_FAULT_ESTOP | EB_FAULT_HOST_LOST | EB_FAULT_DUPLICATE_NODE |
-                                   EB_FAULT_COMMAND_TIMEOUT);
+      node->faults &= (uint16_t) ~(EYECAN_FLAG_ESTOP | EYECAN_FLAG_HOST_LOST |
+                                   EYECAN_FLAG_DUPLICATE_NODE | EYECAN_FLAG_COMMAND_TIMEOUT);
       break;
     case EYECAN_NMT_STOP:
       leave_operation(board, EYECAN_STATE_STOPPED);
@@ -105,7 +105,7 @@ static void take_motors(struct eb_board* board, bool raw, bool repeated) {
   node->commanded = repeated;
   node->command_us = 0;
   node->timed_out = false;
-  node->faults &= (uint16_t)~EB_FAULT_COMMAND_TIMEOUT;
+  node->faults &= (uint16_t)~EYECAN_FLAG_COMMAND_TIMEOUT;
 }
 
 static void command_speed(struct eb_board* board, const int32_t* v) {
@@ -184,7 +184,7 @@ static void command(struct eb_board* board, int function, const int32_t* v) {
       return;
     case EYECAN_C_ESTOP:
       node->estop_us = 0;
-      node->faults |= EB_FAULT_ESTOP;
+      node->faults |= EYECAN_FLAG_ESTOP;
       leave_operation(board, EYECAN_STATE_STOPPED);
       return;
     case EYECAN_C_SET_POSE:
@@ -208,7 +208,7 @@ static void command(struct eb_board* board, int function, const int32_t* v) {
 static void meet_twin(struct eb_board* board) {
   struct eb_node* node = &board->node;
   node->twin_us = 0;
-  node->faults |= EB_FAULT_DUPLICATE_NODE;
+  node->faults |= EYECAN_FLAG_DUPLICATE_NODE;
   if (node->state == EYECAN_STATE_OPERATIONAL) leave_operation(board, EYECAN_STATE_STANDBY);
 }
 
@@ -269,13 +269,13 @@ static void supervise(struct eb_board* board, uint32_t elapsed_us) {
   later(&node->twin_us, elapsed_us);
   if (node->state != EYECAN_STATE_OPERATIONAL) return;
   if (node->host_us >= HOST_LIMIT_US) {
-    node->faults |= EB_FAULT_HOST_LOST;
+    node->faults |= EYECAN_FLAG_HOST_LOST;
     leave_operation(board, EYECAN_STATE_STANDBY);
     return;
   }
   if (!node->commanded || node->timed_out || node->command_us < COMMAND_LIMIT_US) return;
   node->timed_out = true;
-  node->faults |= EB_FAULT_COMMAND_TIMEOUT;
+  node->faults |= EYECAN_FLAG_COMMAND_TIMEOUT;
   ++board->watchdogs;
   if (node->raw) {
     eb_board_stop_motors(board);
@@ -290,8 +290,8 @@ static void watch_faults(struct eb_board* board) {
   const uint16_t low = board->config.low_battery_cv;
   const bool held = board->drive.stalled[0] || board->drive.stalled[1];
   const uint32_t since = node->since_us[EB_DUE_FAULT];
-  set_fault(node, EB_FAULT_MOTOR_BLOCKED, held);
-  set_fault(node, EB_FAULT_LOW_BATTERY, low > 0 && board->pins.supply_cv < low);
+  set_fault(node, EYECAN_FLAG_MOTOR_BLOCKED, held);
+  set_fault(node, EYECAN_FLAG_LOW_BATTERY, low > 0 && board->pins.supply_cv < low);
   if (since < FAULT_GAP_US) return;
   if (node->event_code != 0 || node->event_sent || node->faults != node->sent_faults ||
       (node->faults != 0 && since >= FAULT_REPEAT_US)) {
@@ -346,7 +346,7 @@ void eb_board_can_lost(struct eb_board* board) {
   struct eb_node* node = &board->node;
   if (node->id == 0) return;
   if (node->state == EYECAN_STATE_OPERATIONAL) {
-    node->faults |= EB_FAULT_HOST_LOST;
+    node->faults |= EYECAN_FLAG_HOST_LOST;
     leave_operation(board, EYECAN_STATE_STANDBY);
   }
   event(node, EYECAN_FAULT_BUS_OFF_RECOVERED, 0);

@@ -16,10 +16,9 @@ struct FaultStatus {
   static constexpr bool kFd = false;
 
   std::uint16_t code = EYECAN_FAULT_NONE;  ///< EYECAN_FAULT_…
-  std::uint8_t error_register =
-      0;                    ///< As in CANopen: bit 0 any, 1 current, 2 voltage, 4 communication.
-  std::uint16_t flags = 0;  ///< Bits of the device.
-  std::uint32_t aux = 0;    ///< 24 bits; depends on `code`.
+  std::uint8_t error_register = 0;         ///< Bits: EYECAN_REGISTER_…
+  std::uint16_t flags = 0;                 ///< Bits: EYECAN_FLAG_…, all steady faults.
+  std::uint32_t aux = 0;                   ///< 24 bits; depends on `code`.
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
@@ -257,8 +256,8 @@ struct VersionStatus {
 
   std::uint8_t protocol = EYECAN_PROTOCOL_VERSION;
   std::array<char, 4> firmware{'0', '0', '0', '0'};  ///< Printable.
-  std::uint8_t hardware = 0;
-  std::uint16_t capabilities = 0;  ///< Bits: EYECAN_CAPABLE_OF_….
+  std::uint8_t hardware = EYECAN_HARDWARE_UNKNOWN;   ///< EYECAN_HARDWARE_…
+  std::uint16_t capabilities = 0;                    ///< Bits: EYECAN_CAPABLE_OF_….
 
   template <class Self, class Visitor>
   static void visit(Self& self, Visitor&& visitor) {
