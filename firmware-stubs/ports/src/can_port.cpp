@@ -109,9 +109,9 @@ class CanPort : public Port {
         if ((wire.can_id & CAN_ERR_BUSOFF) != 0) line_.lost();
         continue;
       }
-      if ((wire.can_id & CAN_EFF_FLAG) != 0) continue;
       eb_can_frame frame{};
-      frame.id = static_cast<std::uint16_t>(wire.can_id & CAN_SFF_MASK);
+      frame.extended = (wire.can_id & CAN_EFF_FLAG) != 0;
+      frame.id = wire.can_id & (frame.extended ? CAN_EFF_MASK : CAN_SFF_MASK);
       frame.remote = (wire.can_id & CAN_RTR_FLAG) != 0;
       frame.fd = size == CANFD_MTU;
       frame.length = frame.remote ? 0 : std::min<std::uint8_t>(wire.len, frame.fd ? 64 : 8);
@@ -130,7 +130,7 @@ class CanPort : public Port {
       }
       pending_.reset();
       canfd_frame wire{};
-      wire.can_id = frame.id;
+      wire.can_id = frame.id | (frame.extended ? CAN_EFF_FLAG : 0U);
       wire.len = frame.length;
       std::memcpy(wire.data, frame.data, frame.length);
       const std::size_t size = frame.fd ? CANFD_MTU : CAN_MTU;
