@@ -42,6 +42,7 @@ void RigBoard::unplug(bool noticed) {
   const std::lock_guard lock(mutex_);
   port_.reset();
   if (noticed && board_ != nullptr) eb_board_link_lost(board_);
+  if (noticed && rover_ != nullptr) rv_rover_lost(rover_);
 }
 
 void RigBoard::start() {

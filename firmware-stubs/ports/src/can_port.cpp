@@ -81,6 +81,7 @@ class CanPort : public Port {
   [[nodiscard]] bool wants_room() const override { return pending_.has_value(); }
   [[nodiscard]] bool connected() const override { return socket_.valid(); }
   [[nodiscard]] std::string address() const override {
+    if (node_ == 0) return "can:" + interface_ + "?dbc=FILE.dbc&map=FILE.toml";
     return "can:" + interface_ + "?node=" + std::to_string(node_);
   }
 
