@@ -39,6 +39,7 @@ void rv_rover_init(struct rv_rover* rover, const struct rv_config* config,
   rover->pins = *pins;
   eb_motors_init(&rover->motors, config->full_ticks, pins);
   rover->sensor = EB_PSDS - 1;
+  rover->counter = 0xFF; /* none */
 }
 
 static void period(struct rv_rover* rover) {
@@ -70,7 +71,9 @@ void rv_rover_process(struct rv_rover* rover, uint32_t elapsed_us) {
 /* Whether a command with this counter follows the one before. */
 static bool follows(const struct rv_rover* rover, uint8_t counter) {
   const int steps = (counter + RV_LAST_COUNTER + 1 - rover->counter) % (RV_LAST_COUNTER + 1);
-  return !rover->heard || (steps >= 1 && steps <= RV_FARTHEST_COUNTER);
+  /* After silence any other one: who sends the same frame again and again is no living host. */
+  if (!rover->heard) return counter != rover->counter;
+  return steps >= 1 && steps <= RV_FARTHEST_COUNTER;
 }
 
 static int32_t big_endian_16(const uint8_t* bytes) {
