@@ -1,5 +1,7 @@
 // The robot with messages of its own: what it obeys, and that it stops by itself.
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include <gmock/gmock.h>
 
