@@ -156,7 +156,7 @@ StopOrders DbcClient::stop_orders() const {
   std::vector<std::size_t> commands;
   for (const DbcSetPoint& wheel : plan_.wheels) commands.push_back(wheel.command);
   std::ranges::sort(commands);
-  commands.erase(std::ranges::unique(commands).begin(), commands.end());
+  commands.erase(std::unique(commands.begin(), commands.end()), commands.end());
   for (const std::size_t index : commands) {
     const DbcCommand& command = plan_.commands[index];
     const std::uint64_t last = command.counter ? command.counter->last : 0;
