@@ -40,9 +40,11 @@ class FirmwareRun {
     }
     serve_buses(wanted);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-      eb_board& board =
-          world_.add_board(static_cast<robot::RobotIndex>(i), board_config(options_, wanted[i]));
-      ports_.push_back(open_port(board, wanted[i]));
+      const auto robot = static_cast<robot::RobotIndex>(i);
+      ports_.push_back(
+          wanted[i].kind == WantedBoard::Kind::Rover
+              ? open_rover(world_.add_rover(robot), wanted[i])
+              : open_port(world_.add_board(robot, board_config(options_, wanted[i])), wanted[i]));
     }
     print_start(ports_, options_.world);
   }
@@ -64,7 +66,9 @@ class FirmwareRun {
   /// A bus on a socket is served by the first process that names it.
   void serve_buses(const std::vector<WantedBoard>& wanted) {
     for (const WantedBoard& board : wanted) {
-      if (board.kind != WantedBoard::Kind::Can || !ports::is_can_path(board.name)) continue;
+      const bool is_can =
+          board.kind == WantedBoard::Kind::Can || board.kind == WantedBoard::Kind::Rover;
+      if (!is_can || !ports::is_can_path(board.name)) continue;
       if (auto hub = ports::open_can_hub(board.name, {"--can"})) hubs_.push_back(std::move(hub));
     }
   }
@@ -76,6 +80,11 @@ class FirmwareRun {
                              {options_.offset, options_.ids == 29});
     }
     return open_byte_port(trace_.traced(ports::byte_line(board)), wanted);
+  }
+
+  std::unique_ptr<ports::Port> open_rover(rv_rover& rover, const WantedBoard& wanted) {
+    const ports::FrameLine line = trace_.traced(ports::frame_line(rover), wanted.name);
+    return ports::open_can(line, wanted.name, options_.fd, wanted.node, {"--can"});
   }
 
   void pump() {
@@ -162,6 +171,9 @@ void add_firmware(CLI::App& root, int& code) {
   command->add_option("--node", o->nodes, "A board with this number on the CAN bus, 1 to 14")
       ->check(CLI::Range(1, 14))
       ->allow_extra_args(false);
+  command->add_flag(
+      "--rover", o->rover,
+      "A robot with messages of its own on the CAN interface, as examples/rover says");
   auto* raw = command->add_flag("--raw")->description("Replies as bytes from the start [default]");
   command->add_flag("--verbose", o->verbose, "Replies as text until O 0")->excludes(raw);
   auto* msb = command->add_flag("--msb")->description("Most significant byte first [default]");

@@ -73,7 +73,7 @@ int run_emulated(const FirmwareOptions& options, const files::Scenario& scenario
   if (wanted.size() != 1) {
     throw ConfigError({"--cortex-m3"}, fmt::format("found {} boards, expected one", wanted.size()));
   }
-  if (wanted[0].kind == WantedBoard::Kind::Can) {
+  if (wanted[0].kind == WantedBoard::Kind::Can || wanted[0].kind == WantedBoard::Kind::Rover) {
     throw ConfigError({"--cortex-m3"},
                       "found --can, expected --pty or --tcp: the emulated board has no CAN");
   }

@@ -38,10 +38,15 @@ std::vector<WantedBoard> wanted_boards(const CLI::App& command, const FirmwareOp
       wanted.push_back(
           {Kind::Can, names.size() == 1 ? names[0] : names.at(node), options.nodes.at(node)});
       ++node;
+    } else if (option->check_lname("rover")) {
+      if (options.interfaces.empty()) {
+        throw ConfigError({"--rover"}, "found no --can, expected its interface");
+      }
+      wanted.push_back({Kind::Rover, options.interfaces[0], 0});
     }
   }
-  if (!options.interfaces.empty() && options.nodes.empty()) {
-    throw ConfigError({"--can"}, "found no --node, expected a number 1 to 14");
+  if (!options.interfaces.empty() && options.nodes.empty() && !options.rover) {
+    throw ConfigError({"--can"}, "found no --node, expected a number 1 to 14, or --rover");
   }
   if (wanted.empty())
     throw ConfigError({"firmware"}, "found no board, expected --pty, --tcp or --can");
@@ -92,7 +97,10 @@ std::unique_ptr<ports::Port> open_byte_port(const ports::ByteLine& line,
 
 void print_start(const std::vector<std::unique_ptr<ports::Port>>& ports, const std::string& world) {
   for (std::size_t i = 0; i < ports.size(); ++i) {
-    std::printf("robot %zu: eyebridge run --hal %s PROGRAM\n", i + 1, ports[i]->address().c_str());
+    const std::string address = ports[i]->address();
+    const char* const quote = address.find('&') == std::string::npos ? "" : "'";
+    std::printf("robot %zu: eyebridge run --hal %s%s%s PROGRAM\n", i + 1, quote, address.c_str(),
+                quote);
   }
   std::printf("%zu board(s) in %s; Ctrl-C ends\n", ports.size(), world.c_str());
   std::fflush(stdout);

@@ -33,7 +33,7 @@ struct FirmwareOptions {
   std::string trace, path;
   std::string elf;  ///< "" is our own.
   bool cortex_m3 = false;
-  bool hdt = false, fd = false;
+  bool hdt = false, fd = false, rover = false;
   int ids = 11;              ///< Bits of a CAN identifier.
   std::uint32_t offset = 0;  ///< Of all CAN identifiers.
   bool verbose = false, lsb = false, binary = false;
@@ -43,9 +43,9 @@ struct FirmwareOptions {
 
 /// A board that was asked for.
 struct WantedBoard {
-  enum class Kind { Pty, Tcp, Can } kind{};
+  enum class Kind { Pty, Tcp, Can, Rover } kind{};
   std::string name;
-  int node = 0;
+  int node = 0;  ///< Of Can.
 };
 
 /// In the order of the command line; at least one. Throws ConfigError.

@@ -8,6 +8,7 @@
 
 #include "board/board_backend.hpp"
 #include "board/can_link.hpp"
+#include "board/dbc_link.hpp"
 #include "board/io7_link.hpp"
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/bridges/monotonic_clock.hpp"
@@ -146,6 +147,54 @@ std::unique_ptr<Backend> can_board(const BackendContext& context, const BoardTab
   return backend;
 }
 
+/// A robot with messages of its own: dbc=FILE and map=FILE.
+std::optional<DbcRobot> take_dbc_robot(BackendUrl& url, const BackendContext& context) {
+  const SourceLocation& where = place(context);
+  const bool has_dbc = url.options.contains("dbc");
+  const bool has_map = url.options.contains("map");
+  if (!has_dbc && !has_map) return std::nullopt;
+  if (has_dbc != has_map) {
+    throw ConfigError(where, fmt::format("found '{}' without '{}', expected both: the messages of "
+                                         "a robot, and what they mean",
+                                         has_dbc ? "dbc" : "map", has_dbc ? "map" : "dbc"));
+  }
+  for (const char* const other : {"node", "hdt", "ids", "offset"}) {
+    if (!url.options.contains(other)) continue;
+    throw ConfigError(where, fmt::format("found '{}' beside 'dbc', expected it not: the mapping "
+                                         "file says what the robot is",
+                                         other));
+  }
+  if (context.config.is_set("hdt")) {
+    context.log.write(Severity::Warning,
+                      "--hdt is ignored: the mapping file says what the robot is");
+  }
+  const std::string dbc = take(url, "dbc", "");
+  return load_dbc_robot(dbc, take(url, "map", ""));
+}
+
+std::unique_ptr<Backend> dbc_board(const BackendContext& context, DbcRobot robot,
+                                   std::unique_ptr<bridges::CanBus> bus,
+                                   std::unique_ptr<Clock> clock, bool guarded) {
+  auto client =
+      std::make_unique<bridges::DbcClient>(std::move(bus), robot.plan, *clock, context.log);
+  if (!clock->is_virtual()) client->start();  // else who moves the clock pumps
+  if (const auto ready = client->wait_ready(kCanPatience); !ready) {
+    throw ConfigError(place(context), ready.error().what +
+                                          "; expected that it is switched on, the same bit rate "
+                                          "at all nodes, and that these files are its own");
+  }
+  if (guarded) {
+    if (const auto guard = client->guard(); !guard) {
+      throw ConfigError(place(context), guard.error().what);
+    }
+  }
+  const BoardTables tables = robot.tables;
+  auto link = std::make_unique<DbcLink>(std::move(client), std::move(robot), *clock);
+  auto backend = std::make_unique<BoardBackend>(std::move(clock), std::move(link), tables);
+  backend->start();
+  return backend;
+}
+
 /// On CAN the robot itself turns readings into ranges, unless an HDT file says how.
 BoardTables can_tables(BackendUrl& url, const BackendContext& context) {
   const bool said = url.options.contains("hdt") || context.config.is_set("hdt");
@@ -184,6 +233,9 @@ std::unique_ptr<Backend> open_can_board(const BackendUrl& url, const BackendCont
                                         std::unique_ptr<bridges::CanBus> bus,
                                         std::unique_ptr<Clock> clock) {
   BackendUrl rest = url;
+  if (auto robot = take_dbc_robot(rest, context)) {
+    return dbc_board(context, *std::move(robot), std::move(bus), std::move(clock), false);
+  }
   const int node = take_node(rest, place(context));
   return can_board(context, can_tables(rest, context), node, std::move(bus), std::move(clock),
                    false);
@@ -192,6 +244,11 @@ std::unique_ptr<Backend> open_can_board(const BackendUrl& url, const BackendCont
 std::unique_ptr<Backend> open_can_board(const BackendUrl& url, const BackendContext& context) {
   BackendUrl line = url;
   const SourceLocation& where = place(context);
+  if (auto robot = take_dbc_robot(line, context)) {
+    auto clock = std::make_unique<bridges::MonotonicClock>();
+    auto bus = opened(bridges::open_bus(line, where, *clock), where);
+    return dbc_board(context, *std::move(robot), std::move(bus), std::move(clock), true);
+  }
   const int node = take_node(line, where);
   const BoardTables tables = can_tables(line, context);
   auto clock = std::make_unique<bridges::MonotonicClock>();

@@ -10,9 +10,10 @@ namespace eyebridge::hal {
 
 // Rows of the table of backends. The URL's options besides those of the line: `hdt=FILE` (else
 // --hdt), for bytes `profile=io7` or `profile=io7vw` (which allows the undocumented v-omega
-// letters), `timeout=MS`, `requests=text|bytes`, `order=msb|lsb`, for CAN `node=1`. Opening finds
-// the board and makes it ready, at speed 0. They throw ConfigError: for a wrong URL, and when there
-// is no such board behind the line.
+// letters), `timeout=MS`, `requests=text|bytes`, `order=msb|lsb`, for CAN `node=1`, or
+// `dbc=FILE&map=FILE` for a robot with messages of its own. Opening finds the board and makes it
+// ready, at speed 0. They throw ConfigError: for a wrong URL, and when there is no such board
+// behind the line.
 
 /// serial:DEVICE and tcp:HOST:PORT: a board that speaks IO7.
 std::unique_ptr<Backend> open_io7_board(const BackendUrl& url, const BackendContext& context);

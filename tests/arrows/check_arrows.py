@@ -19,7 +19,8 @@ SKIPPED = {"build", "out", ".git", "__pycache__", ".cache"}
 GRIDS = ["core/mapping", "core/planning", "core/localisation"]
 CORE = ["core/base", "core/world", "core/robot", "core/files", "core/episode", *GRIDS]
 BACKENDS = ["hal/sim", "hal/shared", "hal/seat", "hal/board", "hal/replay", "hal/hand", "hal/host"]
-FIRMWARE = ["firmware-stubs/board", "firmware-stubs/ports", "firmware-stubs/pins", "firmware-stubs/mps2"]
+FIRMWARE = ["firmware-stubs/board", "firmware-stubs/rover", "firmware-stubs/ports", "firmware-stubs/pins",
+            "firmware-stubs/mps2"]
 EVERYTHING = [*CORE, "hal", *BACKENDS, "camera", "robios", "bridges", *FIRMWARE, "apps", "gui", "tests"]
 
 # Room -> what it may include besides itself. The longest room that holds a file is the file's.
@@ -45,8 +46,9 @@ ALLOWED = {
     "hal/board": [*CORE, "hal", "bridges"],
     "robios": [*CORE, "hal", "camera"],
     "firmware-stubs/board": ["bridges:opcodes.h"],
-    "firmware-stubs/ports": ["core/base", "firmware-stubs/board"],
-    "firmware-stubs/pins": [*CORE, "firmware-stubs/board"],
+    "firmware-stubs/rover": ["firmware-stubs/board"],
+    "firmware-stubs/ports": ["core/base", "firmware-stubs/board", "firmware-stubs/rover"],
+    "firmware-stubs/pins": [*CORE, "firmware-stubs/board", "firmware-stubs/rover"],
     "firmware-stubs/mps2": [*CORE, "firmware-stubs/board", "firmware-stubs/ports", "firmware-stubs/pins"],
     "gui": [*CORE, "hal", "camera", "robios"],
     "python": [*CORE, "hal", "camera", "robios"],

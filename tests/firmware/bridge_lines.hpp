@@ -29,7 +29,8 @@ inline std::unique_ptr<ports::Port> port_on(ports::FrameLine line, bridges::CanB
                                     const auto got = bus.receive(Time{});
                                     if (!got) return got.error().code == Errc::Timeout ? 0 : -1;
                                     frame = {};
-                                    frame.id = static_cast<std::uint16_t>(got->id);
+                                    frame.id = got->id;
+                                    frame.extended = got->extended;
                                     frame.fd = got->fd;
                                     frame.remote = got->remote;
                                     frame.length = got->remote ? std::uint8_t{0} : got->length;
@@ -39,6 +40,7 @@ inline std::unique_ptr<ports::Port> port_on(ports::FrameLine line, bridges::CanB
                                   [&bus](const eb_can_frame& frame) {
                                     bridges::CanFrame sent{.id = frame.id, .length = frame.length};
                                     sent.fd = frame.fd;
+                                    sent.extended = frame.extended;
                                     std::copy_n(frame.data, frame.length, sent.data.begin());
                                     (void)bus.send(sent, Time{});
                                   }});

@@ -8,6 +8,7 @@
 #include "bridges_entry.hpp"
 #include "camera_entry.hpp"
 #include "classic_entry.hpp"
+#include "dbc_entry.hpp"
 #include "entry.hpp"
 #include "firmware_entry.hpp"
 #include "gui_entry.hpp"
@@ -63,6 +64,8 @@ constexpr Target kTargets[] = {{"world", world},
                                {"can_frame", can_frame},
                                {"trace", trace},
                                {"url", url},
+                               {"dbc", dbc},
+                               {"dbc_map", dbc_map},
                                {"firmware", firmware},
                                {"plant_link", plant_link}};
 

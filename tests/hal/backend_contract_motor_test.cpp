@@ -97,7 +97,11 @@ TEST_P(BackendContract, ADutyIsAShareOfTheTopSpeed) {
 TEST_P(BackendContract, MotorsKeepTheSpeedTheyAreTold) {
   const Rig rig = make(1.5);
   constexpr double kTicksPerSecond = 1600;
-  ASSERT_TRUE(rig.backend->motor(1)->set_pid(4, 1, 1));
+  const auto gains = rig.backend->motor(1)->set_pid(4, 1, 1);
+  ASSERT_EQ(gains.has_value(), traits().gains);
+  if (!gains) {
+    EXPECT_EQ(gains.error().code, Errc::Unsupported);
+  }
   ASSERT_TRUE(rig.backend->motor(1)->set_speed(kTicksPerSecond));
   ASSERT_TRUE(rig.backend->motor(2)->set_speed(kTicksPerSecond));
   rig.wait(1.0);

@@ -73,6 +73,27 @@ Rig socketpair_rig(const Pose& start) {
   return rig;
 }
 
+/// Another robot, by the files that describe it.
+Rig rover_rig(const Pose& start) {
+  int ends[2] = {-1, -1};
+  if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_NONBLOCK | SOCK_CLOEXEC, 0, ends) != 0) {
+    throw std::system_error(errno, std::generic_category(), "socketpair");
+  }
+  UniqueFd host(ends[0]);
+  UniqueFd robot(ends[1]);
+  auto board = std::make_shared<RigBoard>(start, RigFirmware{.rover = true});
+  board->connect(ports::make_can_port(ports::frame_line(board->rover()), std::move(robot)));
+  Rig rig = around(board);
+  const std::string folder = EYEBRIDGE_SOURCE_DIR "/examples/rover/rover.";
+  const std::string url = "can:pair?dbc=" + folder + "dbc&map=" + folder + "toml";
+  const Config config = rig_config({{"hal", url}});
+  auto clock = std::make_unique<bridges::MonotonicClock>();
+  auto bus = bridges::make_socket_can({std::move(host), false}, "pair", *clock);
+  rig.backend = open_can_board(parse_backend_url(url, kHere), {config, *rig.log}, std::move(bus),
+                               std::move(clock));
+  return rig;
+}
+
 /// An interface of the kernel, by its name. A test may have several robots: each has a number of
 /// its own.
 Rig interface_rig(const std::string& interface, const Pose& start) {
@@ -88,7 +109,8 @@ Rig interface_rig(const std::string& interface, const Pose& start) {
 std::vector<RigCase> contract_rows() {
   std::vector<RigCase> rows{{"Io7BoardVwOverPty", pty_rig, in_real_time(kIo7BoardVw)},
                             {"Io7HostVwOverTcp", tcp_rig, in_real_time(kIo7HostVw)},
-                            {"CanOverSocketPair", socketpair_rig, in_real_time(kCan)}};
+                            {"CanOverSocketPair", socketpair_rig, in_real_time(kCan)},
+                            {"RoverOverSocketPair", rover_rig, in_real_time(kRover)}};
   // Set in the lab, "vcan0,vcan1".
   if (const char* const named = std::getenv("EYEBRIDGE_TEST_CAN")) {
     const std::string names(named);

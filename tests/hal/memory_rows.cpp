@@ -3,6 +3,7 @@
 #include "../firmware/bridge_lines.hpp"
 #include "board/board_backend.hpp"
 #include "board/can_link.hpp"
+#include "board/dbc_link.hpp"
 #include "board/open_board.hpp"
 #include "borrowed_clock.hpp"
 #include "eyebridge/bridges/memory.hpp"
@@ -88,6 +89,24 @@ Rig can_rig(const Pose& start, bool fd, bool with_hdt) {
   });
 }
 
+/// Another robot, by the files that describe it.
+Rig rover_rig(const Pose& start) {
+  auto bench = std::make_shared<Bench>(start, testing::RigFirmware{.rover = true});
+  bench->bus = std::make_unique<bridges::MemoryCan>(bench->clock, 512, false);
+  bench->node = bench->bus->connect("robot");
+  bench->board.connect(firmware::port_on(ports::frame_line(bench->board.rover()), *bench->node));
+  const std::string folder = EYEBRIDGE_SOURCE_DIR "/examples/rover/rover.";
+  const std::string url = "can:memory?dbc=" + folder + "dbc&map=" + folder + "toml";
+  return bench_rig(bench, url, [&](const BackendUrl& parsed, const BackendContext& context) {
+    auto backend =
+        open_can_board(parsed, context, by_turns(bench->bus->connect("can0"), bench->clock),
+                       std::make_unique<BorrowedClock>(bench->clock));
+    auto& link = dynamic_cast<DbcLink&>(dynamic_cast<BoardBackend&>(*backend).link());
+    bench->clock.listen = [&link](Time until) { link.client().pump(until); };
+    return backend;
+  });
+}
+
 }  // namespace
 
 std::vector<RigCase> contract_rows() {
@@ -96,7 +115,8 @@ std::vector<RigCase> contract_rows() {
           {"Can", [](const Pose& start) { return can_rig(start, false, true); }, kCan},
           {"CanWithoutHdt", [](const Pose& start) { return can_rig(start, false, false); },
            kCanWithoutHdt},
-          {"CanFd", [](const Pose& start) { return can_rig(start, true, true); }, kCan}};
+          {"CanFd", [](const Pose& start) { return can_rig(start, true, true); }, kCan},
+          {"Rover", rover_rig, kRover}};
 }
 
 }  // namespace eyebridge::hal

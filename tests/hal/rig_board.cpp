@@ -20,9 +20,13 @@ eb_config config_of(const RigFirmware& firmware) {
 }  // namespace
 
 RigBoard::RigBoard(const Pose& start, const RigFirmware& firmware)
-    : hdt_(folder_.write("hdt.txt", pins::hdt_text(rig_model()))),
-      world_(rig_scenario(start)),
-      board_(&world_.add_board(0, config_of(firmware))) {}
+    : hdt_(folder_.write("hdt.txt", pins::hdt_text(rig_model()))), world_(rig_scenario(start)) {
+  if (firmware.rover) {
+    rover_ = &world_.add_rover(0);
+  } else {
+    board_ = &world_.add_board(0, config_of(firmware));
+  }
+}
 
 RigBoard::~RigBoard() = default;
 
@@ -37,7 +41,8 @@ Time RigBoard::live(Time now) {
 void RigBoard::unplug(bool noticed) {
   const std::lock_guard lock(mutex_);
   port_.reset();
-  if (noticed) eb_board_link_lost(board_);
+  if (noticed && board_ != nullptr) eb_board_link_lost(board_);
+  if (noticed && rover_ != nullptr) rv_rover_lost(rover_);
 }
 
 void RigBoard::start() {

@@ -21,6 +21,7 @@ struct RigFirmware {
   int node = 0;  ///< On a CAN bus; 0: none.
   bool can_fd = false;
   int silence_ms = 300;  ///< On a serial line, that stop the motors.
+  bool rover = false;    ///< Another robot: no board.
 };
 
 /// The robot of the rigs, driven by our firmware on a simulated board, in the same world.
@@ -33,6 +34,8 @@ class RigBoard {
 
   /// The board, for the port that is to carry its line.
   [[nodiscard]] eb_board& board() { return *board_; }
+  /// The same of a rover.
+  [[nodiscard]] rv_rover& rover() { return *rover_; }
   void connect(std::unique_ptr<ports::Port> port) { port_ = std::move(port); }
   [[nodiscard]] const ports::Port& port() const { return *port_; }
   /// The line is gone, which the board notices or not. Any thread.
@@ -60,6 +63,7 @@ class RigBoard {
   std::mutex mutex_;  // of all below
   pins::BoardWorld world_;
   eb_board* board_ = nullptr;
+  rv_rover* rover_ = nullptr;
   std::unique_ptr<ports::Port> port_;  // none after unplug()
   std::jthread thread_;
 };

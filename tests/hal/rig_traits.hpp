@@ -19,6 +19,8 @@ struct RigTraits {
   bool compass = true;
   bool inertial = true;  ///< Gyroscope and accelerometer.
   bool stalls = true;    ///< Says which wheel is held.
+  bool lines = true;     ///< Digital lines, analog inputs, a version.
+  bool gains = true;     ///< Of its motors' controllers.
   LidarKind lidar = LidarKind::Free;
   int motors = 2;  ///< And encoders: 1 … this.
   int servos = 2;
@@ -108,6 +110,18 @@ inline constexpr RigTraits kCanWithoutHdt = [] {
   RigTraits traits = kCan;
   traits.motors = 4;
   traits.servos = 14;
+  return traits;
+}();
+
+/// A robot with messages of its own: counts every 10 ms, each distance every 40 ms, and no more
+/// than its messages carry.
+inline constexpr RigTraits kRover = [] {
+  RigTraits traits = kIo7HostVw;
+  traits.lines = false;
+  traits.gains = false;
+  traits.servos = 0;
+  traits.raw_at_half_metre = 500;  // its distances are millimetres
+  traits.age = 0.06;
   return traits;
 }();
 

@@ -11,11 +11,12 @@ extern "C" {
 #define EB_MAX_SIGNALS 33
 #define EB_LIDAR_POINTS 360
 
-/* A frame as the controller takes it. Identifiers have 11 bits. */
+/* A frame as the controller takes it. */
 struct eb_can_frame {
-  uint16_t id;
+  uint32_t id; /* 11 bits; 29 when extended */
   uint8_t length;
   bool fd;
+  bool extended;
   bool remote; /* asks for a frame; has no data */
   uint8_t data[64];
 };

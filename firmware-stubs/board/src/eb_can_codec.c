@@ -160,11 +160,11 @@ static int32_t take(const struct eb_can_frame* frame, int at, const struct eb_si
 
 enum eb_can_unpacked eb_can_unpack(const struct eb_can_frame* frame,
                                    int32_t values[EB_MAX_SIGNALS]) {
-  const int node = frame->id & EYECAN_NODE_MASK;
+  const int node = (int)(frame->id & EYECAN_NODE_MASK);
   const struct eb_message* message =
-      frame->remote || frame->id > 0x7FFU
+      frame->remote || frame->extended || frame->id > 0x7FFU
           ? 0
-          : eb_find_message(frame->id >> EYECAN_NODE_BITS, frame->fd);
+          : eb_find_message((int)(frame->id >> EYECAN_NODE_BITS), frame->fd);
   int at = 0;
   int i;
   if (message == 0 || node < message->first_node || node > message->last_node) {

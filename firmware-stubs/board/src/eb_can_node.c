@@ -222,10 +222,10 @@ static bool from_robot(int function) {
 
 void eb_board_can_receive(struct eb_board* board, const struct eb_can_frame* frame) {
   struct eb_node* node = &board->node;
-  const int function = frame->id >> EYECAN_NODE_BITS;
-  const int to = frame->id & EYECAN_NODE_MASK;
+  const int function = (int)(frame->id >> EYECAN_NODE_BITS);
+  const int to = (int)(frame->id & EYECAN_NODE_MASK);
   int32_t values[EB_MAX_SIGNALS];
-  if (node->id == 0 || frame->id > 0x7FFU) return;
+  if (node->id == 0 || frame->extended || frame->id > 0x7FFU) return;
   if (frame->remote) {
     if (to == node->id && function == EYECAN_S_VERSION) node->due |= bit_of(EB_DUE_VERSION);
     return;

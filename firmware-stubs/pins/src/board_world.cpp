@@ -22,6 +22,11 @@ struct BoardWorld::Seat {
   Time next_scan{};
 };
 
+struct BoardWorld::RoverSeat {
+  robot::RobotIndex robot = 0;
+  rv_rover rover{};
+};
+
 BoardWorld::BoardWorld(const files::Scenario& scenario, const robot::SimulationSettings& settings)
     : simulation_(std::make_shared<const world::WorldModel>(scenario.world), settings),
       step_(from_seconds(settings.step)) {
@@ -51,6 +56,21 @@ eb_board& BoardWorld::add_board(robot::RobotIndex index, const eb_config& config
   return seat.board;
 }
 
+rv_rover& BoardWorld::add_rover(robot::RobotIndex index) {
+  if (index >= robots()) throw std::out_of_range("no such robot");
+  RoverSeat& seat = *rovers_.emplace_back(std::make_unique<RoverSeat>());
+  seat.robot = index;
+  const robot::DriveModel& drive = simulation_.model(index).drive;
+  rv_config config{};
+  config.ticks_per_turn = static_cast<std::uint32_t>(std::lround(drive.ticks_per_revolution));
+  config.full_ticks = drive_config(drive, 0).full_ticks;
+  config.psd_mm = psd_table().data();
+  eb_pins pins{};
+  read_pins(simulation_, index, pins);
+  rv_rover_init(&seat.rover, &config, &pins);
+  return seat.rover;
+}
+
 void BoardWorld::offer_scan(Seat& seat) {
   const auto& lidar = simulation_.model(seat.robot).lidar;
   if (!lidar || seat.board.node.id == 0 || from_seconds(simulation_.time()) < seat.next_scan)
@@ -78,6 +98,11 @@ void BoardWorld::step() {
     offer_scan(*seat);
     eb_board_process(&seat->board, static_cast<std::uint32_t>(elapsed.count()));
     obey_pins(seat->board.pins, simulation_, seat->robot);
+  }
+  for (const auto& seat : rovers_) {
+    read_pins(simulation_, seat->robot, seat->rover.pins);
+    rv_rover_process(&seat->rover, static_cast<std::uint32_t>(elapsed.count()));
+    obey_pins(seat->rover.pins, simulation_, seat->robot);
   }
   simulation_.step();
 }

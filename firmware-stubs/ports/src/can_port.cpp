@@ -82,6 +82,7 @@ class CanPort : public Port {
   [[nodiscard]] bool wants_room() const override { return pending_.has_value(); }
   [[nodiscard]] bool connected() const override { return socket_.valid(); }
   [[nodiscard]] std::string address() const override {
+    if (node_ == 0) return "can:" + interface_ + "?dbc=FILE.dbc&map=FILE.toml";
     std::string url = "can:" + interface_ + "?node=" + std::to_string(node_);
     if (place_.extended) url += "&ids=29";
     if (place_.offset > 0) url += "&offset=" + std::to_string(place_.offset);
@@ -113,11 +114,10 @@ class CanPort : public Port {
         if ((wire.can_id & CAN_ERR_BUSOFF) != 0) line_.lost();
         continue;
       }
-      if (((wire.can_id & CAN_EFF_FLAG) != 0) != place_.extended) continue;
-      const canid_t id = (wire.can_id & CAN_EFF_MASK) - place_.offset;
-      if (id > CAN_SFF_MASK) continue;
       eb_can_frame frame{};
-      frame.id = static_cast<std::uint16_t>(id);
+      frame.extended = (wire.can_id & CAN_EFF_FLAG) != 0;
+      frame.id = wire.can_id & (frame.extended ? CAN_EFF_MASK : CAN_SFF_MASK);
+      if (!place_.take(frame)) continue;
       frame.remote = (wire.can_id & CAN_RTR_FLAG) != 0;
       frame.fd = size == CANFD_MTU;
       frame.length = frame.remote ? 0 : std::min<std::uint8_t>(wire.len, frame.fd ? 64 : 8);
@@ -136,7 +136,8 @@ class CanPort : public Port {
       }
       pending_.reset();
       canfd_frame wire{};
-      wire.can_id = (frame.id + place_.offset) | (place_.extended ? CAN_EFF_FLAG : 0U);
+      const eb_can_frame placed = place_.placed(frame);
+      wire.can_id = placed.id | (placed.extended ? CAN_EFF_FLAG : 0U);
       wire.len = frame.length;
       std::memcpy(wire.data, frame.data, frame.length);
       const std::size_t size = frame.fd ? CANFD_MTU : CAN_MTU;
@@ -159,6 +160,20 @@ class CanPort : public Port {
 };
 
 }  // namespace
+
+bool CanPlace::take(eb_can_frame& frame) const {
+  if (offset == 0 && !extended) return true;
+  if (frame.extended != extended || frame.id < offset) return false;
+  frame.id -= offset;
+  frame.extended = false;
+  return frame.id <= CAN_SFF_MASK;
+}
+
+eb_can_frame CanPlace::placed(eb_can_frame frame) const {
+  frame.id += offset;
+  frame.extended = frame.extended || extended;
+  return frame;
+}
 
 std::unique_ptr<Port> open_can(FrameLine line, const std::string& interface, bool fd, int node,
                                const SourceLocation& where, CanPlace place) {

@@ -18,7 +18,7 @@ std::string hex_of(std::span<const std::uint8_t> bytes) {
 }
 
 std::string frame_text(const eb_can_frame& frame) {
-  return fmt::format("{:03X}{}{}", frame.id,
+  return fmt::format("{:0{}X}{}{}", frame.id, frame.extended ? 8 : 3,
                      frame.fd       ? "##0"
                      : frame.remote ? "#R"
                                     : "#",

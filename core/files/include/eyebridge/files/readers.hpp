@@ -126,6 +126,8 @@ std::string description_in(std::string_view text);
 /// unreadable, too big or not text.
 inline constexpr std::size_t kMaxFileSize = 64U << 20U;
 std::string read_text_file(const std::filesystem::path& path);
+/// The same, whatever bytes they are. `what` it should be is for messages: "a DBC file".
+std::string read_bytes(const std::filesystem::path& path, const std::string& what);
 
 /// Writes `model` so that read_world() gives an equal model back.
 std::string write_world(const world::WorldModel& model);

@@ -9,6 +9,7 @@
 #include "eyebridge/base/clock.hpp"
 #include "eyebridge/files/scenario.hpp"
 #include "eyebridge/robot/simulation.hpp"
+#include "rv_rover.h"
 
 namespace eyebridge::pins {
 
@@ -31,6 +32,9 @@ class BoardWorld {
   /// as long as the world. Throws std::out_of_range when there is no such robot.
   eb_board& add_board(robot::RobotIndex index, const eb_config& config);
 
+  /// Gives robot `index` a rover's electronics instead; likewise.
+  rv_rover& add_rover(robot::RobotIndex index);
+
   /// One step of the world: every board sees its pins, works, and moves its robot.
   void step();
   /// Steps until the world has caught up with `now`, which began at 0 with the world; what is more
@@ -40,11 +44,13 @@ class BoardWorld {
   [[nodiscard]] robot::Simulation& simulation() { return simulation_; }
 
  private:
-  struct Seat;  // a robot and its board
+  struct Seat;       // a robot and its board
+  struct RoverSeat;  // a robot and its rover
   void offer_scan(Seat& seat);
 
   robot::Simulation simulation_;
   std::vector<std::unique_ptr<Seat>> seats_;
+  std::vector<std::unique_ptr<RoverSeat>> rovers_;
   Time step_;
   Time due_{};
 };

@@ -28,12 +28,18 @@ std::unique_ptr<Port> open_tcp(ByteLine line, const std::string& address,
 struct CanPlace {
   std::uint32_t offset = 0;
   bool extended = false;
+
+  /// `frame` as the board knows it; false when it is not there.
+  bool take(eb_can_frame& frame) const;
+  /// `frame` as the bus carries it.
+  [[nodiscard]] eb_can_frame placed(eb_can_frame frame) const;
 };
 
 /// A node on a SocketCAN interface, or on the bus of a can_hub.hpp when `interface` is its path.
 /// Throws ConfigError at `where`, telling a kernel without CAN (97), one without raw sockets (93)
 /// and a missing interface (19) apart. An interface that goes away later is opened again when it
-/// comes back. `node` is for address().
+/// comes back. `node` is for address();
+/// 0: a robot with messages of its own.
 std::unique_ptr<Port> open_can(FrameLine line, const std::string& interface, bool fd, int node,
                                const SourceLocation& where, CanPlace place = {});
 

@@ -10,6 +10,7 @@
 #include "eb_can.h"
 
 struct eb_board;
+struct rv_rover;
 
 namespace eyebridge::ports {
 
@@ -28,9 +29,10 @@ struct FrameLine {
   std::function<void()> lost;                   ///< The controller left the bus.
 };
 
-/// The line or bus of `board`, which must outlive it.
+/// The line or bus of a board or rover, which must outlive it.
 ByteLine byte_line(eb_board& board);
 FrameLine frame_line(eb_board& board);
+FrameLine frame_line(rv_rover& rover);
 
 /// What carries one board's line to its host. Never waits; one thread. Closes with its life.
 class Port {

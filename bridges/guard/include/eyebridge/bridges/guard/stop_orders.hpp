@@ -26,7 +26,7 @@ struct StopOrders {
   };
 
   /// What stops the robot, and what it must answer once it has been heard: one write() each.
-  std::array<Bytes, 4> writes{};
+  std::array<Bytes, 32> writes{};
   std::size_t count = 0;
   /// Comes back only from a board that has obeyed: the bits of `mask`, in a row anywhere in what is
   /// read; at the beginning of a read where `frames`.
