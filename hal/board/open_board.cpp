@@ -172,6 +172,19 @@ std::optional<DbcRobot> take_dbc_robot(BackendUrl& url, const BackendContext& co
   return load_dbc_robot(dbc, take(url, "map", ""));
 }
 
+/// A bus without CAN FD would drop the messages that need it, and nobody would know why.
+void check_fd(const BackendUrl& url, const DbcRobot& robot, const SourceLocation& where) {
+  const auto given = url.options.find("fd");
+  if (given != url.options.end() && given->second == "1") return;
+  const auto refuse = [&](const bridges::dbc::Message& message) {
+    if (!message.fd) return;
+    throw ConfigError(where, fmt::format("found {}, a message of CAN FD, expected the option fd=1",
+                                         message.name));
+  };
+  for (const bridges::DbcCommand& command : robot.plan.commands) refuse(command.message);
+  for (const bridges::dbc::Message& status : robot.plan.statuses) refuse(status);
+}
+
 std::unique_ptr<Backend> dbc_board(const BackendContext& context, DbcRobot robot,
                                    std::unique_ptr<bridges::CanBus> bus,
                                    std::unique_ptr<Clock> clock, bool guarded) {
@@ -245,6 +258,7 @@ std::unique_ptr<Backend> open_can_board(const BackendUrl& url, const BackendCont
   BackendUrl line = url;
   const SourceLocation& where = place(context);
   if (auto robot = take_dbc_robot(line, context)) {
+    check_fd(line, *robot, where);
     auto clock = std::make_unique<bridges::MonotonicClock>();
     auto bus = opened(bridges::open_bus(line, where, *clock), where);
     return dbc_board(context, *std::move(robot), std::move(bus), std::move(clock), true);

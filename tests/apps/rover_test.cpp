@@ -66,6 +66,9 @@ TEST(RoverCommand, AProgramThatIsKilledLeavesAStandingRobot) {
 TEST(RoverCommand, MistakesAreToldBeforeAnythingIsSent) {
   const ScratchFolder folder;
   const std::string map = folder.write("bad.toml", "[robot]\nwheel_base = 0\n");
+  std::string fd_text = testing::file_text(kRover + "dbc");
+  fd_text.replace(fd_text.find("RV_State: 6"), 11, "RV_State: 12");
+  const std::string fd = folder.write("fd.dbc", fd_text);
   for (const auto& [url, message] : std::initializer_list<std::pair<std::string, std::string>>{
            {"can:can0?dbc=" + kRover + "dbc", "found 'dbc' without 'map', expected both"},
            {"can:can0?map=x", "found 'map' without 'dbc'"},
@@ -74,6 +77,8 @@ TEST(RoverCommand, MistakesAreToldBeforeAnythingIsSent) {
            {"can:can0?dbc=" + kRover + "dbc&map=" + map,
             "bad.toml:2:14: found 0 for 'wheel_base' in [robot]"},
            {"can:can0?dbc=/none.dbc&map=" + map, "/none.dbc: no such file"},
+           {"can:can0?dbc=" + fd + "&map=" + kRover + "toml",
+            "found RV_State, a message of CAN FD, expected the option fd=1"},
            {kUrl, "./rover.bus: nobody serves a bus there"}}) {
     const ProgramRun r =
         testing::run_command({"run", "--hal", url, EYEBRIDGE_SQUARE}, folder.path());
