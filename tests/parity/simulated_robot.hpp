@@ -15,8 +15,8 @@ struct Task {
   std::string robot = "S4";
 };
 
-/// The tasks of the measure: ten short motions and, unless EYEBRIDGE_TEST_PARITY is "short", a square, a wall follower and a
-/// maze explorer.
+/// The tasks of the measure: ten short motions and, unless EYEBRIDGE_TEST_PARITY is "short", a
+/// square, a wall follower and a maze explorer.
 std::vector<Task> tasks();
 
 /// Where the robot really is at the end, and how far it went.

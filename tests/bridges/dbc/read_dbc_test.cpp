@@ -101,8 +101,8 @@ TEST(ReadDbc, MultiplexersSelectTheirSignals) {
 TEST(ReadDbc, OurOwnFileIsRead) {
   for (const char* name : {"eyebridge.dbc", "eyebridge_fd.dbc"}) {
     const Database database = read_dbc(content(std::string("bridges/protocol/") + name), name);
-    EXPECT_EQ(database.messages.size(), 26u);
-    EXPECT_NE(database.find(name[9] == '.' ? "S_Pose" : "C_VWSpeed"), nullptr);
+    EXPECT_EQ(database.messages.size(), 353u);
+    EXPECT_NE(database.find(name[9] == '.' ? "R3_S_Pose" : "R14_C_VWSpeed"), nullptr);
   }
 }
 

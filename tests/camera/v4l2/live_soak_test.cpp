@@ -1,5 +1,5 @@
-// Ten minutes of simulated time, or EYEBRIDGE_TEST_SOAK, with a camera that is unplugged again and again. Needs vivid, its
-// modules and simulated time: the lab runs it.
+// Ten minutes of simulated time, or EYEBRIDGE_TEST_SOAK, with a camera that is unplugged again and
+// again. Needs vivid, its modules and simulated time: the lab runs it.
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
