@@ -165,7 +165,7 @@ TEST_F(RoverTest, TellsOneDistanceAfterTheOther) {
     if (frame.id == RV_RANGES) told.emplace_back(frame.data, frame.data + 3);
   }
   EXPECT_THAT(told, ::testing::ElementsAre(std::vector{1, 0, 100}, std::vector{4, 0, 200},
-                                         std::vector{1, 0, 100}, std::vector{4, 0, 200}));
+                                           std::vector{1, 0, 100}, std::vector{4, 0, 200}));
 }
 
 }  // namespace
