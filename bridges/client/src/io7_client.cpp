@@ -120,7 +120,11 @@ void Io7Client::note_found(const io7::ProbeReport& report, std::string_view name
 void Io7Client::lose(const Error& error) {
   loss_ = error;
   // Its descriptor would keep the line busy. When the guard is gone nothing keeps it.
-  if (guard_ != nullptr && !guard_->let_go()) guard_.reset();
+  if (guard_ != nullptr && !guard_->let_go()) {
+    guard_.reset();
+    log_.write(Severity::Warning,
+               "the IO7 board's guard was ended; another one begins when the board is back");
+  }
   session_.reset();
   ++statistics_.losses;
   retry_at_ = clock_.now() + backoff_;

@@ -2,7 +2,7 @@
 #include "io7_stop.hpp"
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
 #include "eyebridge/bridges/guard/line_guard.hpp"
 #include "io7_session.hpp"
@@ -33,6 +33,21 @@ bool may_turn(const io7::Request& request) {
   }
 }
 
+/// What makes all motors of a board stand, in this order.
+std::vector<io7::Request> stop_requests(const io7::Profile& profile) {
+  std::vector<io7::Request> requests;
+  // First: a board that drives by itself would go down its ramp.
+  if (profile.vw_letters && profile.letters.has(IO7_VW_SET_SPEED)) {
+    requests.push_back(io7::request(IO7_VW_SET_SPEED, 0, 0));
+  }
+  const bool plain = profile.letters.has(IO7_MOTOR);
+  if (!plain && !profile.letters.has(IO7_MOTOR_SPEED)) return requests;
+  for (int motor = IO7_MOTOR_FIRST; motor <= IO7_MOTOR_LAST; ++motor) {
+    requests.push_back(plain ? io7::motor(motor, 0) : io7::motor_speed(motor, 0));
+  }
+  return requests;
+}
+
 }  // namespace
 
 StopOrders stop_orders(const io7::ProbeReport& report) {
@@ -50,11 +65,7 @@ StopOrders stop_orders(const io7::ProbeReport& report) {
   const auto add = [&](const io7::Request& request) {
     if (const auto encoded = io7::encode(request, profile)) (void)bytes.add(encoded->view());
   };
-  // First, so that its ramp does not go on.
-  if (profile.vw_letters) add(io7::request(IO7_VW_SET_SPEED, 0, 0));
-  for (int motor = IO7_MOTOR_FIRST; motor <= IO7_MOTOR_LAST; ++motor) {
-    add(profile.letters.has(IO7_MOTOR) ? io7::motor(motor, 0) : io7::motor_speed(motor, 0));
-  }
+  for (const io7::Request& request : stop_requests(profile)) add(request);
   add(io7::request(IO7_VERSION));
   if (speaks_lines) (void)orders.question.add(io7::bytes_of(profile.terminator));
   if (const auto version = io7::encode(io7::request(IO7_VERSION), profile)) {
@@ -79,17 +90,8 @@ void Io7Session::tell_guard(Time now) {
 }
 
 Result<void> Io7Session::stop_motors() {
-  const io7::LetterSet& letters = report_.profile.letters;
-  // First: a board that drives by itself would go down its ramp.
-  if (report_.profile.vw_letters && letters.has(IO7_VW_SET_SPEED)) {
-    const auto done = exchange(io7::request(IO7_VW_SET_SPEED, 0, 0));
-    if (!done) return tl::unexpected(done.error());
-  }
-  for (int motor = IO7_MOTOR_FIRST; motor <= IO7_MOTOR_LAST; ++motor) {
-    const bool plain = letters.has(IO7_MOTOR);
-    if (!plain && !letters.has(IO7_MOTOR_SPEED)) break;
-    const auto done = exchange(plain ? io7::motor(motor, 0) : io7::motor_speed(motor, 0));
-    if (!done) return tl::unexpected(done.error());
+  for (const io7::Request& request : stop_requests(report_.profile)) {
+    if (const auto done = exchange(request); !done) return tl::unexpected(done.error());
   }
   return {};
 }
