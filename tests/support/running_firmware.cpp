@@ -37,6 +37,7 @@ std::string RunningFirmware::hal() {
   wait_for("Ctrl-C ends\n");
   // "robot 1: eyebridge run --hal URL PROGRAM", then one line about all.
   const std::string url = text_after(said(), "--hal ");
+  if (url.starts_with('\'')) return url.substr(1, url.find('\'', 1) - 1);  // as a shell takes it
   return url.substr(0, url.find(' '));
 }
 

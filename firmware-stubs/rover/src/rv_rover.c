@@ -7,7 +7,12 @@
 #define STATE_PERIODS 5U
 #define DRIVE_LENGTH 8
 
-enum rv_due { DUE_STATE, DUE_ENCODERS, DUE_SPEED, DUE_RANGES, DUE_COUNT };
+/* What is due, in the order in which it is sent. */
+#define DUE_STATE 0
+#define DUE_ENCODERS 1
+#define DUE_SPEED 2
+#define DUE_RANGES 3
+#define DUE_COUNT 4
 
 static uint8_t crc_step(uint8_t crc, uint8_t byte) {
   int bit;

@@ -28,7 +28,8 @@ TEST(DbcClientThread, ManyThreadsMayAskAndTheLastCommandIsToStand) {
   int last = -1;  // the robot's, until it is joined
   std::jthread robot([&](const std::stop_token& stop) {
     while (!stop.stop_requested()) {
-      ASSERT_TRUE(node->send({.id = 32, .length = 1}, clock.now() + 10s));
+      // Fails once the client has left the bus.
+      if (!node->send({.id = 32, .length = 1}, clock.now() + 10s)) break;
       if (const auto frame = node->receive(clock.now() + 1ms)) last = frame->data[0];
     }
   });
