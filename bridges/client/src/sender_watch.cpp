@@ -16,7 +16,10 @@ constexpr Time kNameAgain = 10s;
 constexpr Time kAnswerTime = 200ms;
 constexpr int kFoundAfter = 2;    // a lost frame or a late one may double another once
 constexpr int kEnoughOthers = 2;  // one may lie on either side of a foreign frame
+// A kind that comes no more is not waited for. By both: a host that was held up for a while reads a
+// heap of old frames, and somebody who sends without a pause sends many in no time.
 constexpr int kSilentPeriods = 5;
+constexpr int kMissed = 50;
 
 }  // namespace
 
@@ -44,8 +47,8 @@ unsigned SenderWatch::others(const Kind& kind, Time now) const {
   unsigned mask = 0;
   for (std::size_t i = 0; i < kKinds; ++i) {
     const Kind& other = kinds_[i];
-    const bool is_sent =
-        other.at && now - *other.at <= kSilentPeriods * std::chrono::milliseconds(other.period_ms);
+    const Time silent = kSilentPeriods * std::chrono::milliseconds(other.period_ms);
+    const bool is_sent = other.at && (other.missed < kMissed || now - *other.at <= silent);
     if (&other != &kind && other.period_ms == kind.period_ms && is_sent) mask |= 1U << i;
   }
   return mask;
@@ -71,13 +74,17 @@ bool SenderWatch::heard(int function, Time now) {
       note_doubled(*kind, now);
     }
   }
+  const unsigned bit = 1U << (kind - kinds_.data());
+  for (std::size_t i = 0; i < kKinds; ++i) {
+    Kind& other = kinds_[i];
+    if (&other == kind || other.period_ms != kind->period_ms) continue;
+    other.since |= bit;
+    if ((kind->since & 1U << i) == 0) ++other.missed;
+  }
   kind->before = kind->since;
   kind->since = 0;
+  kind->missed = 0;
   kind->at = now;
-  const unsigned bit = 1U << (kind - kinds_.data());
-  for (Kind& other : kinds_) {
-    if (&other != kind && other.period_ms == kind->period_ms) other.since |= bit;
-  }
   return is_usable;
 }
 

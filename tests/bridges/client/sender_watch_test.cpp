@@ -103,6 +103,20 @@ TEST_F(SenderWatchTest, FramesThatAreReadLateAreNoSecondSender) {
   EXPECT_GT(own, 550);
 }
 
+TEST_F(SenderWatchTest, AForeignFrameThatIsReadFirstAfterAPauseIsNotTaken) {
+  for (int i = 0; i < 100; ++i) {
+    cycle();
+    now += 500ms;  // the program was held up, and reads all that has come since
+    frame(EYECAN_S_POSE, false);
+    for (int old = 0; old < 25; ++old) {
+      cycle();
+      now -= 20ms;
+    }
+  }
+  EXPECT_EQ(foreign, 0);
+  EXPECT_GT(own, 7000);
+}
+
 TEST_F(SenderWatchTest, AnAnswerIsNoSecondSender) {
   for (int i = 0; i < 100; ++i) {
     watch.expect_another(EYECAN_S_POSE, now);
@@ -116,8 +130,8 @@ TEST_F(SenderWatchTest, AnAnswerIsNoSecondSender) {
 
 TEST_F(SenderWatchTest, ARobotThatLacksAMessageIsHeard) {
   lost = EYECAN_S_ENC12;
-  for (int i = 0; i < 100; ++i) cycle();
-  EXPECT_GT(own, 190);
+  for (int i = 0; i < 300; ++i) cycle();
+  EXPECT_GT(own, 480);
   EXPECT_TRUE(named.empty());
 }
 

@@ -41,6 +41,7 @@ class SenderWatch {
     bool counts = true;   ///< Sent once in a period and never besides.
     unsigned since = 0;   ///< Bit n: kind n came after the last one of this.
     unsigned before = 0;  ///< `since` when the last one came.
+    int missed = 0;       ///< So often did another of its period come twice without it.
     std::optional<Time> at;
     std::optional<Time> another_until;
     std::optional<Time> doubled_at;
