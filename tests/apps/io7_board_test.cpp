@@ -65,6 +65,13 @@ TEST_F(Io7BoardTest, ABoardIsDescribedInPlainWords) {
             ContainsRegex("never sent +E"), ContainsRegex("v answered +20 of 20 times")));
 }
 
+TEST_F(Io7BoardTest, WhatToExpectOfTheLineIsTold) {
+  EXPECT_THAT(text(), Not(HasSubstr("to expect"))) << "no v-omega by the host";
+  board.list += "M speed\r\ne encoder\r\n";
+  EXPECT_THAT(text(), ContainsRegex("to expect +about [1-9] mm off after 500 mm, [0-9.]+ degrees "
+                                    "after a turn of 90; at most 600 mm/s\n"));
+}
+
 TEST_F(Io7BoardTest, NoLetterThatMovesAnythingIsSent) {
   board.list += "x speed\r\ny straight\r\nM motor\r\nQ pose\r\n";
   ASSERT_TRUE(look());

@@ -29,7 +29,7 @@ inline LineOutlook outlook(Time answer, double top_speed) {
   constexpr double kOffAtOnce = 0.0015;   // metres
   constexpr double kOffPerSecond = 0.14;  // metres a second of waiting
   constexpr double kTurnedAtOnce = 0.3;
-  constexpr double kTurnedPerSecond = 27.0;
+  constexpr double kTurnedPerSecond = 57.0;
   LineOutlook out;
   out.cycle = std::max<Time>(std::chrono::milliseconds(10), 2 * answer);
   out.top_speed = std::min(top_speed, kFarthestBlind / to_seconds(out.cycle));
