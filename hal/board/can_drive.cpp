@@ -40,10 +40,11 @@ void CanDrive::step() {
     to_restore_ = pose_before_restart();
   }
   if (to_restore_) {
-    if (set_odometry(*to_restore_)) to_restore_.reset();
-    return;
+    if (!set_odometry(*to_restore_)) return;
+    to_restore_.reset();
   }
-  const auto pose = odometry();
+  restored_ = restarts_;
+  const auto pose = told_pose();
   if (!pose) return;
   if (++steps_ * kStep >= kRestartTime) {
     steps_ = 0;
@@ -107,6 +108,14 @@ Result<Twist> CanDrive::measured_twist() {
 }
 
 Result<Pose> CanDrive::odometry() {
+  // Not the one that it began with.
+  if (client_.restarts() != restored_) {
+    return fail(Errc::Disconnected, "the robot has restarted: it is being told where it was");
+  }
+  return told_pose();
+}
+
+Result<Pose> CanDrive::told_pose() const {
   return client_.latest<can::PoseStatus>().map([](const can::PoseStatus& pose) {
     return Pose{mm_to_m(pose.x_mm), mm_to_m(pose.y_mm),
                 wrap_angle(from_centi_degrees(pose.phi_cdeg))};

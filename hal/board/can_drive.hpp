@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <mutex>
 #include <optional>
 
@@ -14,7 +15,7 @@ class CanDrive final : public DriveController {
  public:
   /// `client` must outlive this.
   CanDrive(bridges::CanClient& client, const BoardDriveShape& shape)
-      : client_(client), shape_(shape), restarts_(client.restarts()) {}
+      : client_(client), shape_(shape), restored_(client.restarts()), restarts_(restored_) {}
 
   /// How long a robot may have told a pose from 0 on before its restart is noticed.
   static constexpr Time kRestartTime = std::chrono::milliseconds(150);
@@ -34,9 +35,12 @@ class CanDrive final : public DriveController {
   enum class Mode { Free, Goal, Failed };
   void set(Mode mode);
   [[nodiscard]] std::optional<Pose> pose_before_restart() const;
+  [[nodiscard]] Result<Pose> told_pose() const;
 
   bridges::CanClient& client_;
   const BoardDriveShape shape_;
+  std::atomic<std::uint32_t>
+      restored_;  ///< The restart of the client after which the robot knows its pose again.
   std::mutex mutex_;
   Mode mode_ = Mode::Free;
   std::uint32_t goal_generation_ = 0;  ///< Of the client, when the goal was set.
