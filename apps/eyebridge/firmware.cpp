@@ -183,9 +183,11 @@ void add_firmware(CLI::App& root, int& code) {
   command->add_flag("!--no-vw", o->vw, "Without the v-omega letters");
   command->add_flag("--fd", o->fd, "CAN FD frames for the LIDAR");
   command->add_option("--ids", o->ids, "Bits of a CAN identifier, 11 or 29 [11]")
-      ->check(CLI::IsMember({11, 29}));
+      ->check(CLI::IsMember({11, 29}))
+      ->needs("--can");
   command->add_option("--offset", o->offset, "Is added to each CAN identifier [0]")
-      ->check(CLI::Range(0U, 0x1FFFF800U));
+      ->check(CLI::Range(0U, 0x1FFFF800U))
+      ->needs("--can");
   command
       ->add_option("--silence", o->silence_ms, "Milliseconds of silence that stop the motors [300]")
       ->check(CLI::Range(10, 60'000));

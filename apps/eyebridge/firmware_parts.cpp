@@ -48,6 +48,11 @@ std::vector<WantedBoard> wanted_boards(const CLI::App& command, const FirmwareOp
   if (!options.interfaces.empty() && options.nodes.empty() && !options.rover) {
     throw ConfigError({"--can"}, "found no --node, expected a number 1 to 14, or --rover");
   }
+  constexpr std::uint32_t kMost11 = 0xF0;  // the highest identifier is 70F, there are 7FF
+  if (options.ids == 11 && options.offset > kMost11) {
+    throw ConfigError({"--offset"}, fmt::format("found {}, expected 0 to {}, or --ids 29",
+                                                options.offset, kMost11));
+  }
   if (wanted.empty())
     throw ConfigError({"firmware"}, "found no board, expected --pty, --tcp or --can");
   return wanted;

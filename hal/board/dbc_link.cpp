@@ -10,7 +10,7 @@
 namespace eyebridge::hal {
 namespace {
 
-/// How far a counter of so many bits moved: at most half of its range, either way.
+/// The steps that a counter of `bits` bits moved, at most half of its range in either direction.
 std::int64_t moved(std::uint64_t from, std::uint64_t to, int bits) {
   const int unused = 64 - bits;
   return static_cast<std::int64_t>((to - from) << unused) >> unused;
@@ -94,7 +94,7 @@ Result<double> DbcLink::quantity(const DbcQuantity& quantity) const {
       .and_then([&](const bridges::DbcValue& value) -> Result<double> {
         const double out = value.value * quantity.scale;
         if (std::isfinite(out)) return out;
-        return fail(Errc::Corrupt, robot_.plan.robot + " sends what is no finite number");
+        return fail(Errc::Corrupt, robot_.plan.robot + " sends no finite number; expected one");
       });
 }
 

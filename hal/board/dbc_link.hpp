@@ -58,7 +58,7 @@ class DbcLink final : public BoardLink {
     std::optional<std::uint32_t> generation;
     std::uint64_t last = 0;
     std::int64_t total = 0;
-    std::optional<BoardCount> count;  ///< As it was told last.
+    std::optional<BoardCount> count;  ///< What encoder() gave last.
   };
 
   tl::unexpected<Error> lacks(const char* what) const;

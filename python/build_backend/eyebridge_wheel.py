@@ -29,7 +29,7 @@ def _run(*words):
 
 def _installed():
     """Builds and installs; returns the folder that becomes the wheel. The installation's prefix is its folder eyebridge."""
-    # As the preset `release` compiles: whoever has done that has nearly all of this in the compiler's cache.
+    # The same flags as in the preset `release`: after ./run the compiler's cache has nearly all objects.
     build = ROOT / "build" / f"wheel-{_tag()}"
     _run(
         "cmake", "-S", ROOT, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=12",

@@ -23,7 +23,7 @@ class RoverTest : public ::testing::Test {
     rv_rover_init(&rover, &config, &pins);
   }
 
-  /// A command of so many 0.1 rpm, forward on both sides.
+  /// A command to drive forwards; `speed` of both wheels in 0.1 rpm.
   static eb_can_frame drive(int speed, int counter) {
     eb_can_frame frame{};
     frame.id = RV_DRIVE;

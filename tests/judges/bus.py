@@ -24,7 +24,7 @@ def foreign(kind, period, told):
     return [f"--noise={kind},{period}"], told
 
 
-# case: (arguments of the robot, what the program must be told; "" for nothing)
+# case: (arguments of the robot, what the program must be told; "" for nothing; None where it depends on chance)
 CASES = {
     "alone": ([], ""),
     **{f"a CANopen TPDO1 each {period} ms": foreign("tpdo1", period, "181") for period in (1, 5, 20, 50, 200)},

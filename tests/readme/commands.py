@@ -72,7 +72,7 @@ ROWS = (
     Row(README, "eyebridge run examples/wall_follow.py", typed="eyebridge run --time-limit 3s examples/wall_follow.py"),
     Row(README, "sudo apt install python3-venv python3-pip", typed="apt-get install -y -q python3-venv python3-pip"),
     Row(README, "python3 -m venv --system-site-packages .venv", leaves=(".venv/bin/python3",)),
-    # As ./run has compiled it: so the compiler's cache has nearly all of it.
+    # The same flags as in ./run: the compiler's cache has nearly all objects.
     Row(README, ".venv/bin/pip install .", first="CMAKE_ARGS=-DEYEBRIDGE_WERROR=ON ", prints="Successfully installed"),
     Row(README, ".venv/bin/python3 examples/wall_follow.py",
         typed="EYEBRIDGE_TIME_LIMIT=3s .venv/bin/python3 examples/wall_follow.py"),

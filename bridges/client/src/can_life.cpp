@@ -6,6 +6,7 @@
 #include <pthread.h>
 
 #include "eyebridge/bridges/client/can_client.hpp"
+#include "pump_bus.hpp"
 
 namespace eyebridge::bridges {
 namespace {
@@ -68,22 +69,15 @@ void CanClient::run() {
 }
 
 void CanClient::pump(Time until) {
-  do {
-    const Time next = std::min(tick(), until);
-    const auto frame = bus_->receive(next);
-    if (frame) {
-      take(*frame);
-      continue;
-    }
-    if (frame.error().code != Errc::Disconnected) continue;
-    {
-      const std::lock_guard lock(mutex_);
-      const std::uint32_t before = watch_.generation();
-      watch_.bus_lost(frame.error().what);
-      follow_watch(before);
-    }
-    clock_.wait_until(next);  // A lost bus may say so at once: do not spin.
-  } while (clock_.now() < until);
+  pump_bus(
+      *bus_, clock_, until, [this] { return tick(); },
+      [this](const CanFrame& frame) { take(frame); },
+      [this](const std::string& why) {
+        const std::lock_guard lock(mutex_);
+        const std::uint32_t before = watch_.generation();
+        watch_.bus_lost(why);
+        follow_watch(before);
+      });
 }
 
 Time CanClient::tick() {

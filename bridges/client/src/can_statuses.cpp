@@ -19,7 +19,7 @@ std::string in_hex(int function, int node) {
   return text;
 }
 
-/// Not those with which everybody may stop a robot.
+/// Whether only one program may send it. Everybody may stop a robot.
 bool is_only_ours(const can::MessageSpec& spec) {
   return spec.direction == can::Direction::HostToRobot && spec.function != EYECAN_C_NMT &&
          spec.function != EYECAN_C_ESTOP;

@@ -7,6 +7,7 @@
 #include "eyebridge/bridges/can_socket_bytes.hpp"
 #include "eyebridge/bridges/client/dbc_client.hpp"
 #include "eyebridge/bridges/dbc/signal.hpp"
+#include "pump_bus.hpp"
 
 namespace eyebridge::bridges {
 namespace {
@@ -39,20 +40,13 @@ void DbcClient::run() {
 }
 
 void DbcClient::pump(Time until) {
-  do {
-    const Time next = std::min(tick(), until);
-    const auto frame = bus_->receive(next);
-    if (frame) {
-      take(*frame);
-      continue;
-    }
-    if (frame.error().code != Errc::Disconnected) continue;
-    {
-      const std::lock_guard lock(mutex_);
-      check_heartbeat(Time::max(), frame.error().what);
-    }
-    clock_.wait_until(next);  // A lost bus may say so at once: do not spin.
-  } while (clock_.now() < until);
+  pump_bus(
+      *bus_, clock_, until, [this] { return tick(); },
+      [this](const CanFrame& frame) { take(frame); },
+      [this](const std::string& why) {
+        const std::lock_guard lock(mutex_);
+        check_heartbeat(Time::max(), why);
+      });
 }
 
 Time DbcClient::tick() {

@@ -14,10 +14,11 @@ constexpr std::uint32_t kUptimeMask = 0xFFFFFF;
 constexpr std::uint32_t kWindow = 20;  // 2 s of uptime: 20 heartbeats of one robot, 40 of two
 constexpr int kTooMany = 34;
 constexpr unsigned kRecentSteps = 0x3FF;
-constexpr std::uint32_t kBirthSlack = 10;  // 0.1 s; what two clocks and a queue may differ by
-constexpr std::uint32_t kClockError = 50;  // one part of so many
-constexpr Time kOneRestart =
-    std::chrono::seconds(1);  // boot, uptime and standby tell of the same one
+// Two clocks, and frames that wait in a queue, may differ by 1 s, and by 2 % of a long silence.
+constexpr std::uint32_t kBirthSlack = 10;  // in 0.1 s
+constexpr std::uint32_t kSilencePerSlack = 50;
+// Heartbeat and uptime both tell of a restart, one after the other.
+constexpr Time kOneRestart = std::chrono::seconds(1);
 constexpr Time kTick = std::chrono::milliseconds(100);
 constexpr int kTooOftenBack = 3;  // of the recent steps; one is a restart
 
@@ -88,8 +89,8 @@ void RobotWatch::restarted(Time now) {
   ++restarts_;
 }
 
-// A frame that was read late says nothing of when the robot started: two that came as far apart as
-// the robot sent them do.
+// A frame that was read late does not tell when the robot started. Two frames do that came as far
+// apart as the robot sent them.
 void RobotWatch::look_at_birth(std::uint32_t step, Time now) {
   const Time apart = uptime_at_ ? now - *uptime_at_ : Time{0};
   uptime_at_ = now;
@@ -98,7 +99,8 @@ void RobotWatch::look_at_birth(std::uint32_t step, Time now) {
     const auto alive = static_cast<std::uint32_t>((now - *born_) / kTick);
     const std::uint32_t late = (alive - *uptime_) & kUptimeMask;
     const std::uint32_t off = std::min(late, kUptimeMask + 1 - late);
-    if (off > kBirthSlack + static_cast<std::uint32_t>((now - born_seen_) / kTick) / kClockError) {
+    if (off >
+        kBirthSlack + static_cast<std::uint32_t>((now - born_seen_) / kTick) / kSilencePerSlack) {
       restarted(now);
     }
   }

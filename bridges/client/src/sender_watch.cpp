@@ -4,6 +4,7 @@
 #include <bit>
 #include <utility>
 
+#include "eyebridge/bridges/can/table.hpp"
 #include "opcodes.h"
 
 namespace eyebridge::bridges {
@@ -16,31 +17,32 @@ constexpr Time kNameAgain = 10s;
 constexpr Time kAnswerTime = 200ms;
 constexpr int kFoundAfter = 2;    // a lost frame or a late one may double another once
 constexpr int kEnoughOthers = 2;  // one may lie on either side of a foreign frame
-// A kind that comes no more is not waited for. By both: a host that was held up for a while reads a
-// heap of old frames, and somebody who sends without a pause sends many in no time.
+// A kind that no longer comes is not waited for. Both must be true: after a pause of the program
+// the time alone would say so of every kind, and a flood of foreign frames reaches the number at
+// once.
 constexpr int kSilentPeriods = 5;
 constexpr int kMissed = 50;
 
 }  // namespace
 
 std::array<SenderWatch::Kind, SenderWatch::kKinds> SenderWatch::first_kinds() {
-  constexpr std::pair<int, int> kSent[kKinds] = {
-      {EYECAN_S_POSE, 20},     {EYECAN_S_SPEED, 20},  {EYECAN_S_ENC12, 20},
-      {EYECAN_S_PSD_A, 50},    {EYECAN_S_PSD_B, 50},  {EYECAN_S_PSD_RAW, 50},
-      {EYECAN_S_DIGITAL, 50},  {EYECAN_S_ENC34, 100}, {EYECAN_S_ANALOG_A, 100},
-      {EYECAN_S_ANALOG_B, 100}};
+  // Not Heartbeat and S_Status: RobotWatch finds a second sender of those.
+  constexpr int kSent[kKinds] = {
+      EYECAN_S_POSE,    EYECAN_S_SPEED,   EYECAN_S_ENC12, EYECAN_S_PSD_A,    EYECAN_S_PSD_B,
+      EYECAN_S_PSD_RAW, EYECAN_S_DIGITAL, EYECAN_S_ENC34, EYECAN_S_ANALOG_A, EYECAN_S_ANALOG_B};
   std::array<Kind, kKinds> kinds{};
   for (std::size_t i = 0; i < kKinds; ++i) {
-    kinds[i].function = kSent[i].first;
-    kinds[i].period_ms = kSent[i].second;
+    kinds[i].function = kSent[i];
+    kinds[i].period_ms = can::find_message(kSent[i], false)->period_ms;
     kinds[i].counts = kinds[i].function != EYECAN_S_DIGITAL;  // on change, too
   }
   return kinds;
 }
 
-const SenderWatch::Kind* SenderWatch::find(int function) const {
+std::optional<std::size_t> SenderWatch::find(int function) const {
   const auto found = std::ranges::find(kinds_, function, &Kind::function);
-  return found == kinds_.end() ? nullptr : &*found;
+  if (found == kinds_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - kinds_.begin());
 }
 
 unsigned SenderWatch::others(const Kind& kind, Time now) const {
@@ -59,47 +61,50 @@ bool SenderWatch::enough(const Kind& kind, Time now) const {
 }
 
 bool SenderWatch::heard(int function, Time now) {
-  Kind* const kind = find(function);
-  if (kind == nullptr) return true;
+  const auto index = find(function);
+  if (!index) return true;
+  Kind& kind = kinds_[*index];
   bool is_usable = true;
-  if (kind->at && kind->counts && !enough(*kind, now)) {
-    const bool is_expected = kind->another_until && now <= *kind->another_until;
-    // What lies on the two sides of a foreign frame; a frame that was lost is missing from both.
-    const bool is_split = kind->since != 0 && (kind->since & kind->before) == 0 &&
-                          (kind->since | kind->before) == others(*kind, now);
-    is_usable = is_expected || kind->since != 0;
+  if (kind.at && kind.counts && !enough(kind, now)) {
+    const bool is_expected = kind.another_until && now <= *kind.another_until;
+    // Some of the others came before a foreign frame, the rest behind it. A frame that was lost
+    // came on neither side.
+    const bool is_split = kind.since != 0 && (kind.since & kind.before) == 0 &&
+                          (kind.since | kind.before) == others(kind, now);
+    is_usable = is_expected || kind.since != 0;
     if (is_expected) {
-      kind->another_until.reset();
-    } else if (kind->since == 0 || is_split) {
-      note_doubled(*kind, now);
+      kind.another_until.reset();
+    } else if (kind.since == 0 || is_split) {
+      note_doubled(kind, now);
     }
   }
-  const unsigned bit = 1U << (kind - kinds_.data());
   for (std::size_t i = 0; i < kKinds; ++i) {
     Kind& other = kinds_[i];
-    if (&other == kind || other.period_ms != kind->period_ms) continue;
-    other.since |= bit;
-    if ((kind->since & 1U << i) == 0) ++other.missed;
+    if (i == *index || other.period_ms != kind.period_ms) continue;
+    other.since |= 1U << *index;
+    if ((kind.since & 1U << i) == 0) ++other.missed;
   }
-  kind->before = kind->since;
-  kind->since = 0;
-  kind->missed = 0;
-  kind->at = now;
+  kind.before = kind.since;
+  kind.since = 0;
+  kind.missed = 0;
+  kind.at = now;
   return is_usable;
 }
 
 bool SenderWatch::is_followed(int function, Time now) const {
-  const Kind* const kind = find(function);
-  return kind == nullptr || enough(*kind, now);
+  const auto index = find(function);
+  return !index || enough(kinds_[*index], now);
 }
 
 void SenderWatch::expect_another(int function, Time now) {
-  if (Kind* const kind = find(function)) kind->another_until = now + kAnswerTime;
+  if (const auto index = find(function)) kinds_[*index].another_until = now + kAnswerTime;
 }
 
 bool SenderWatch::is_doubled(int function, Time now) const {
-  const Kind* const kind = find(function);
-  return kind != nullptr && kind->doubled_at && now - *kind->doubled_at <= kWindow;
+  const auto index = find(function);
+  if (!index) return false;
+  const std::optional<Time>& at = kinds_[*index].doubled_at;
+  return at && now - *at <= kWindow;
 }
 
 void SenderWatch::note_doubled(Kind& kind, Time now) {

@@ -21,7 +21,7 @@ extern "C" {
 
 #define RV_DATA_ID 0x2A51U    /* of RV_DRIVE, in its checksum */
 #define RV_LAST_COUNTER 14    /* of RV_DRIVE */
-#define RV_FARTHEST_COUNTER 3 /* so many steps after the one before; more were lost or are old */
+#define RV_FARTHEST_COUNTER 3 /* steps from one command to the next; a larger step is refused */
 #define RV_SILENCE_US 100000U
 #define RV_PSD_TABLE 4096
 

@@ -1,4 +1,5 @@
-/* Drives on for ever, and says so once it moves: whoever ends it must stop the motors. */
+/* Drives for ever, and says when it moves. The test kills it: then something else must stop the
+ * motors. */
 #include "eyebot.h"
 
 int main() {

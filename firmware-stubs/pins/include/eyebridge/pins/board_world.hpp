@@ -32,7 +32,8 @@ class BoardWorld {
   /// as long as the world. Throws std::out_of_range when there is no such robot.
   eb_board& add_board(robot::RobotIndex index, const eb_config& config);
 
-  /// Gives robot `index` a rover's electronics instead; likewise.
+  /// Gives robot `index` the electronics of a rover. They live as long as the world. Throws
+  /// std::out_of_range when there is no such robot.
   rv_rover& add_rover(robot::RobotIndex index);
 
   /// One step of the world: every board sees its pins, works, and moves its robot.

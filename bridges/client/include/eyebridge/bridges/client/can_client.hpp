@@ -43,9 +43,9 @@ enum class MoveProgress {
 /// Heartbeat and repeated set-points are sent, and frames taken, by a thread of its own (start())
 /// or by the caller (pump()), never by both. All else: any thread. When the robot is lost every
 /// command is dropped and every call fails with Disconnected until it is ready again, at speed 0;
-/// generation() tells, and restarts() whether it forgot its pose and its counts meanwhile. Of a
-/// pose, a speed and a count that somebody else sends under the robot's identifiers none is given
-/// to the caller; who sends is said.
+/// generation() tells, and restarts() whether it forgot its pose and its counts meanwhile. Poses,
+/// speeds and counts that somebody else sends under the robot's identifiers are not used, and a
+/// warning names the identifier.
 class CanClient {
  public:
   /// `node` is 1 … 14. `clock`, the one of `bus`, and `log` must outlive this.
@@ -132,7 +132,7 @@ class CanClient {
                  Latest<can::PsdRawStatus>, Latest<can::DigitalStatus>, Latest<can::AnalogAStatus>,
                  Latest<can::AnalogBStatus>, Latest<can::BoardStatus>, Latest<can::VersionStatus>,
                  Latest<can::FaultStatus>>;
-  /// Not known to be the robot's own until others of its period have come behind it.
+  /// What came last, until other messages of the same period show that the robot sent it.
   using Pending =
       std::tuple<Latest<can::PoseStatus>, Latest<can::SpeedStatus>, Latest<can::Encoder12Status>>;
   template <class Status, class Tuple>

@@ -1,9 +1,8 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
+#include <cstddef>
 #include <optional>
-#include <utility>
 
 #include "eyebridge/base/clock.hpp"
 
@@ -18,8 +17,9 @@ namespace eyebridge::bridges {
 /// that are read late, all at once, do not look like a second sender.
 class SenderWatch {
  public:
-  /// A message of this function (EYECAN_S_…) came. False: it or the one before it is another's, and
-  /// neither is to be used unless is_followed() was true of it. True for all that are not cyclic.
+  /// A message of this function (EYECAN_S_…) came. False: this one or the one before it is foreign,
+  /// and neither must be used. (An earlier one of which is_followed() was true may be.) Always true
+  /// of messages that are not cyclic.
   bool heard(int function, Time now);
   /// Whether enough others came after the last one of this function: it is the robot's own.
   [[nodiscard]] bool is_followed(int function, Time now) const;
@@ -28,29 +28,29 @@ class SenderWatch {
   /// Whether this function was doubled within the last second.
   [[nodiscard]] bool is_doubled(int function, Time now) const;
 
-  /// A command to the robot came that this program did not send; true when it is one too many.
+  /// A command to the robot came that this program did not send. True for the second one within a
+  /// second: a single one may be left over from a program that has just ended.
   bool other_host(Time now);
 
-  /// The function whose second sender nobody knows of yet, each once in ten seconds.
+  /// A function that has a second sender, told once in ten seconds; none: there is no news.
   std::optional<int> take_found();
 
  private:
   struct Kind {
     int function = 0;
     int period_ms = 0;
-    bool counts = true;   ///< Sent once in a period and never besides.
+    bool counts = true;   ///< Sent once in a period, and not on other occasions.
     unsigned since = 0;   ///< Bit n: kind n came after the last one of this.
     unsigned before = 0;  ///< `since` when the last one came.
-    int missed = 0;       ///< So often did another of its period come twice without it.
+    int missed = 0;       ///< How often another of its period came twice while this did not come.
     std::optional<Time> at;
     std::optional<Time> another_until;
     std::optional<Time> doubled_at;
     std::optional<Time> named_at;
-    int doubled = 0;  ///< Within a second of each other.
+    int doubled = 0;  ///< How often, each within a second of the one before.
   };
 
-  [[nodiscard]] const Kind* find(int function) const;
-  Kind* find(int function) { return const_cast<Kind*>(std::as_const(*this).find(function)); }
+  [[nodiscard]] std::optional<std::size_t> find(int function) const;
   /// The other kinds of its period that are being sent.
   [[nodiscard]] unsigned others(const Kind& kind, Time now) const;
   [[nodiscard]] bool enough(const Kind& kind, Time now) const;
