@@ -49,7 +49,7 @@ def judge(said, program):
     if off > 0.02 or abs(turned) > 2 or abs(path / LENGTH_MM - 1) > 0.02:
         yield f"the robot is {off:.1%} and {turned:.1f} degrees off"
     believed = list(map(float, program.stdout.split()[:3]))
-    if len(believed) == 3 and (math.hypot(x - believed[0], y - believed[1]) > 10 or abs(phi - believed[2]) > 2):
+    if len(believed) != 3 or math.hypot(x - believed[0], y - believed[1]) > 10 or abs(phi - believed[2]) > 2:
         yield f"the program believes to be at {believed}"
     if refused > 0:
         yield f"the robot refused {refused:.0f} frames of the program"
