@@ -23,8 +23,8 @@ class HeldLine {
   [[nodiscard]] bool is_taken() const;
   [[nodiscard]] bool is_open() const { return line_.valid(); }
   [[nodiscard]] int descriptor() const { return line_.get(); }
-  /// Opens a closed line again, with its settings; false when that fails. A terminal that has only a
-  /// number (/dev/pts/7) stays closed: the number may belong to another device by now.
+  /// Opens a closed line again, with its settings; false when that fails. A terminal that has only
+  /// a number (/dev/pts/7) stays closed: the number may belong to another device by now.
   bool reopen();
   /// One write of all; what the line does not take is left out. Closes a line that is lost.
   void write(std::span<const std::uint8_t> bytes);
