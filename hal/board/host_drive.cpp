@@ -19,7 +19,9 @@ namespace {
 constexpr double kPeriodSeconds = 0.01;
 constexpr int kTopTicks = 127;           // of letter M
 constexpr double kLongestStep = 0.1;     // seconds that the ramps make up for after a late call
-constexpr int kCycles = 8;               // of which `cycle` is an average
+constexpr int kCycles = 8;               // of which the usual cycle is an average
+constexpr double kMemory = 2.0;          // seconds, for the worst one
+constexpr double kMuchLonger = 1.5;      // times a cycle: another is this much longer
 constexpr std::size_t kMeasured = 5;     // periods: one alone is too coarse for a speed
 constexpr int kStallDebt = 4;            // ticks that a wheel owes before it counts as held …
 constexpr int kStallPeriods = 20;        // … and for how long
@@ -30,29 +32,32 @@ double speed_step(double acceleration, double seconds) {
   return acceleration > 0.0 ? acceleration * seconds : std::numeric_limits<double>::infinity();
 }
 
-/// For speeds that hold for `seconds`, and counts that usually come every `cycle` seconds.
-robot::DriveLimits limits_of(const HostDriveSettings& s, double seconds, double cycle) {
+/// How long it is from counts to counts: usually, and at worst of late. Seconds.
+struct Cycle {
+  double usual = kPeriodSeconds;
+  double worst = kPeriodSeconds;
+};
+
+/// For speeds that hold for `seconds`, though now and then for the cycle's worst.
+robot::DriveLimits limits_of(const HostDriveSettings& s, double seconds, const Cycle& cycle) {
   assert(s.wheel_base > 0.0 && s.left_ticks_per_metre > 0.0 && s.right_ticks_per_metre > 0.0);
   const double coarser = std::min(s.left_ticks_per_metre, s.right_ticks_per_metre);
   const double finer = std::max(s.left_ticks_per_metre, s.right_ticks_per_metre);
   robot::DriveLimits limits;
   limits.dt = seconds;
-  limits.linear = std::min(s.max_linear, kFarthestBlind / cycle);
-  limits.angular = std::min(s.max_angular, kWidestBlind / cycle);
+  limits.linear = std::min(s.max_linear, kFarthestBlind / cycle.usual);
+  limits.angular = std::min(s.max_angular, kWidestBlind / cycle.usual);
   limits.linear_step = speed_step(s.linear_acceleration, seconds);
   limits.angular_step = speed_step(s.angular_acceleration, seconds);
   limits.wheel = kTopTicks / kPeriodSeconds / finer;
   limits.half_base = s.wheel_base / 2;
   // A goal between two ticks is reached at either of them; and the slowest speed is a tick in a
-  // period, held until the next counts.
-  const double ticks = std::max(1.0, seconds / kPeriodSeconds / 2);
-  limits.distance_end = kCreepDistance + ticks / coarser;
-  limits.angle_end = kCreepAngle + ticks / coarser / s.wheel_base;
-  // What is still driven before the next counts come must not lead away from the goal again.
-  if (seconds > kPeriodSeconds) {
-    limits.rest_linear = limits.distance_end / seconds;
-    limits.rest_angular = limits.angle_end / seconds;
-  }
+  // period, held until the next counts: half of that way, or of that turn, is as near as it gets.
+  const double periods = seconds / kPeriodSeconds;
+  limits.distance_end = kCreepDistance + std::max(1.0, periods / 2) / coarser;
+  limits.angle_end = kCreepAngle + std::max(1.0, periods) / coarser / s.wheel_base;
+  limits.blind = periods > 1.0;
+  if (cycle.worst > kMuchLonger * seconds) limits.held = cycle.worst / seconds;
   return limits;
 }
 
@@ -106,7 +111,7 @@ struct Stretch {
 struct HostDrive::Impl {
   explicit Impl(const HostDriveSettings& given)
       : settings(given),
-        controller(limits_of(given, kPeriodSeconds, kPeriodSeconds)),
+        controller(limits_of(given, kPeriodSeconds, {})),
         timeout_periods(static_cast<int>(
             std::clamp(std::ceil(given.stall_timeout / kPeriodSeconds - 1e-9), 1.0, 1e9))) {
     left.reversed = given.left_reversed;
@@ -126,6 +131,14 @@ struct HostDrive::Impl {
     left.stand();
     right.stand();
     rolling = {};
+  }
+
+  [[nodiscard]] double longest_step() const { return std::max(kLongestStep, cycle.usual); }
+  void note_gap(double gap) {
+    cycle.usual += (gap - cycle.usual) / kCycles;
+    // What was late once may be so again for a while.
+    const double forgotten = cycle.worst - (cycle.worst - gap) * std::min(1.0, gap / kMemory);
+    cycle.worst = std::min(std::max(gap, forgotten), longest_step());
   }
 
   /// What the wheels did since the last counts goes into the odometry.
@@ -189,7 +202,7 @@ struct HostDrive::Impl {
   std::optional<Time> last;
   std::array<Stretch, kMeasured> recent{};
   std::size_t next_recent = 0;
-  double cycle = kPeriodSeconds;
+  Cycle cycle;
   Twist measured;  ///< Over all of `recent`.
   Twist latest;    ///< Of the last one alone.
   Twist rolling;
@@ -240,9 +253,9 @@ Result<WheelSpeeds> HostDrive::step(const WheelCounts& counts, Time counted, Tim
     const int periods = static_cast<int>((gap + kPeriod / 2) / kPeriod);
     if (periods < 1) return WheelSpeeds{self.left.on_board(), self.right.on_board()};
     self.measure(counts, to_seconds(gap), periods);
-    self.cycle += (to_seconds(gap) - self.cycle) / kCycles;
+    self.note_gap(to_seconds(gap));
     // The next gap is taken to be as long as this one, unless it was an exception.
-    if (periods > 1) seconds = std::min(to_seconds(gap), std::max(kLongestStep, self.cycle));
+    if (periods > 1) seconds = std::min(to_seconds(gap), self.longest_step());
   } else {
     self.left.count = counts.left;
     self.right.count = counts.right;
@@ -252,7 +265,7 @@ Result<WheelSpeeds> HostDrive::step(const WheelCounts& counts, Time counted, Tim
   return WheelSpeeds{self.left.on_board(), self.right.on_board()};
 }
 
-double HostDrive::cycle() const { return impl_->cycle; }
+double HostDrive::cycle() const { return impl_->cycle.usual; }
 
 void HostDrive::halt() {
   impl_->controller.stop();

@@ -1,6 +1,7 @@
 #include "board/host_drive.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include <gmock/gmock.h>
 
@@ -98,26 +99,64 @@ TEST(HostDrive, LateCallsLoseNoWay) {
 }
 
 // Counts that are old when the speeds that follow from them are sent, and speeds that hold for
-// long.
+// long: both for `periods`. Returns how far the robot went at most.
+double drive_on_a_slow_line(Plant& plant, int periods, double seconds) {
+  double furthest = 0.0;
+  for (int i = 0; i < seconds * 100 / periods; ++i) {
+    const WheelCounts counts = plant.counts();
+    const Time counted = plant.now;
+    for (int period = 0; period < periods; ++period) plant.sim.step();
+    plant.now += periods * HostDrive::kPeriod;
+    const WheelSpeeds told = plant.drive.step(counts, counted, plant.now - counted).value();
+    plant.sim.set_motor_speed(plant.robot, 0, 100.0 * told.left);
+    plant.sim.set_motor_speed(plant.robot, 1, 100.0 * told.right);
+    furthest = std::max(furthest, plant.sim.pose(plant.robot).x - kPlantRoom / 2);
+  }
+  return furthest;
+}
+
 TEST(HostDrive, ASlowLineNeitherOvershootsNorSwings) {
   for (const int periods : {2, 3, 6, 12}) {
     Plant plant;
     plant.drive.start({0.5, 0.0, 0.2});
-    double furthest = 0.0;
-    WheelSpeeds told;
-    for (int i = 0; i < 600 / periods; ++i) {
-      const WheelCounts counts = plant.counts();
-      const Time counted = plant.now;
-      for (int period = 0; period < periods; ++period) plant.sim.step();
-      plant.now += periods * HostDrive::kPeriod;
-      told = plant.drive.step(counts, counted, plant.now - counted).value();
-      plant.sim.set_motor_speed(plant.robot, 0, 100.0 * told.left);
-      plant.sim.set_motor_speed(plant.robot, 1, 100.0 * told.right);
-      furthest = std::max(furthest, plant.sim.pose(plant.robot).x - kPlantRoom / 2);
-    }
+    EXPECT_LT(drive_on_a_slow_line(plant, periods, 6.0), 0.505) << periods;
     EXPECT_EQ(plant.drive.status().progress, DriveProgress::Done) << periods;
     EXPECT_NEAR(plant.sim.pose(plant.robot).x - kPlantRoom / 2, 0.5, 5e-3) << periods;
-    EXPECT_LT(furthest, 0.505) << periods;
+  }
+}
+
+// Where the slowest speed passes the goal from one count to the next, the goal must not be passed
+// for ever: that looked like a wheel that is held.
+TEST(HostDrive, EachTurnOverASlowLineEnds) {
+  const std::map<int, double> lines = {{2, 0.8}, {3, 1.0}, {6, 1.5}, {12, 3.2}};
+  for (const auto& [periods, off] : lines) {
+    for (int degrees = 20; degrees <= 120; ++degrees) {
+      Plant plant;
+      plant.drive.start({0.0, deg_to_rad(degrees), 1.5});
+      drive_on_a_slow_line(plant, periods, 5.0);
+      EXPECT_EQ(plant.drive.status().progress, DriveProgress::Done) << periods << " " << degrees;
+      EXPECT_NEAR(plant.sim.pose(plant.robot).theta, deg_to_rad(degrees), deg_to_rad(off))
+          << periods << " " << degrees;
+    }
+  }
+}
+
+// Every ninth speed holds for ten times as long: wherever that meets the goal, it is not passed
+// far.
+TEST(HostDrive, AnswersThatAreLateAtTimesDoNotLeadBeyondTheGoal) {
+  for (int phase = 0; phase < 9; ++phase) {
+    Plant plant;
+    plant.drive.start({0.5, 0.0, 0.2});
+    double furthest = 0.0;
+    int calls = 0;
+    for (; plant.drive.status().progress == DriveProgress::Driving && calls < 2000; ++calls) {
+      plant.step(calls % 9 == phase ? 10 : 1);
+      furthest = std::max(furthest, plant.sim.pose(plant.robot).x - kPlantRoom / 2);
+    }
+    EXPECT_EQ(plant.drive.status().progress, DriveProgress::Done) << phase;
+    EXPECT_LT(furthest, 0.503) << phase;
+    EXPECT_NEAR(plant.sim.pose(plant.robot).x - kPlantRoom / 2, 0.5, 2e-3) << phase;
+    EXPECT_LT(plant.now, std::chrono::seconds(5)) << phase;
   }
 }
 

@@ -48,8 +48,14 @@ Io7Session::Io7Session(std::unique_ptr<ByteStream> stream, io7::ProbeReport repo
   report_.profile.vw_letters = settings.vw_letters;
 }
 
+Time Io7Session::longest_patience() const {
+  if (settings_.said_timeout) return settings_.reply_timeout;
+  const Time late = quality_.latest(clock_.now());
+  return std::min(kLongestReply, std::max(settings_.reply_timeout, late + late / 2));
+}
+
 Time Io7Session::reply_patience() const {
-  if (smoothed_latency_ == Time{0} || quality_.late(clock_.now())) return settings_.reply_timeout;
+  if (smoothed_latency_ == Time{0} || quality_.late(clock_.now())) return longest_patience();
   const Time least = noisy() ? settings_.noisy_least : settings_.reply_least;
   return std::clamp(10 * smoothed_latency_, least, settings_.reply_timeout);
 }
@@ -91,14 +97,17 @@ Result<io7::Reply> Io7Session::exchange_once(const io7::Request& request,
     quality_.note_fault(clock_.now());
     const bool timed_out = reply.error().code == Errc::Timeout;
     const std::uint64_t stray = statistics_.stray;
+    const Time asked = last_asked_;
     if (auto found = resync(); !found) return tl::unexpected(std::move(found.error()));
-    if (timed_out && statistics_.stray > stray) quality_.note_late(clock_.now());
+    if (timed_out && statistics_.stray > stray) {
+      quality_.note_late(clock_.now(), last_drained_ - asked);
+    }
     const int most = noisy() ? kNoisyAttempts : kAttempts;
     if (attempt >= most || is_movement(request.letter)) break;
     ++statistics_.retries;
     // A line that was slow once may be so again, and the last time there is no other.
     const bool last = attempt + 1 >= most;
-    reply = ask(request, bytes, last ? settings_.reply_timeout : reply_patience());
+    reply = ask(request, bytes, last ? longest_patience() : reply_patience());
   }
   return reply;
 }
@@ -162,13 +171,16 @@ Result<io7::Reply> Io7Session::ask(const io7::Request& request, const io7::Reque
   }
   last_heard_ = clock_.now();
   note_latency(last_heard_ - start);
+  if (last_heard_ - start > settings_.reply_timeout) {
+    quality_.note_late(last_heard_, last_heard_ - start);
+  }
   return parser_.reply();
 }
 
-Result<std::size_t> Io7Session::drain_until_quiet() {
+Result<std::size_t> Io7Session::drain_until_quiet(Time quiet) {
   // A text board ends a request in part at the next line end; one that takes bytes must see quiet.
-  const Time quiet =
-      speaks_lines() ? std::min(reply_patience(), settings_.probe.quiet) : settings_.probe.quiet;
+  quiet = std::max(quiet, speaks_lines() ? std::min(reply_patience(), settings_.probe.quiet)
+                                         : settings_.probe.quiet);
   std::size_t drained = 0;
   const Time end = clock_.now() + settings_.probe.longest;
   while (clock_.now() < end) {
@@ -176,6 +188,7 @@ Result<std::size_t> Io7Session::drain_until_quiet() {
     if (!count && count.error().code == Errc::Timeout) break;
     if (!count) return tl::unexpected(count.error());
     drained += *count;
+    if (*count > 0) last_drained_ = clock_.now();
   }
   return drained;
 }
@@ -192,7 +205,10 @@ Result<void> Io7Session::resync() {
   const int quick_attempts = noisy() ? kQuickAttempts : 0;
   for (int attempt = 0; attempt < quick_attempts + kResyncAttempts && silent < kSilentAttempts;
        ++attempt) {
-    const auto late = drain_until_quiet();
+    // The first time, an answer that only comes late may still be under way, and tells how late.
+    const bool may_be_late = attempt == 0 && !noisy() && !quality_.late(clock_.now());
+    const auto late = drain_until_quiet(
+        may_be_late ? last_asked_ + 2 * settings_.reply_timeout - clock_.now() : Time{0});
     if (!late) return tl::unexpected(late.error());
     statistics_.stray += *late;
     if (auto repeated = write_orders(); !repeated) return repeated;
@@ -202,7 +218,8 @@ Result<void> Io7Session::resync() {
     if (auto prompt = drain_until_quiet(); !prompt) return tl::unexpected(prompt.error());
     // Mostly a byte was lost and the board is well: it answers as soon as ever.
     const bool quick = attempt < quick_attempts;
-    const Time patience = attempt == 0 ? settings_.reply_timeout : settings_.resync_timeout;
+    const Time patience =
+        attempt == 0 ? longest_patience() : std::max(longest_patience(), settings_.resync_timeout);
     const auto reply = ask(version, *bytes, quick ? reply_patience() : patience);
     if (!reply && is_lost(reply.error())) return tl::unexpected(reply.error());
     if (reply && std::equal(reply->version.begin(), reply->version.end(), report_.version.begin(),

@@ -63,12 +63,14 @@ class Io7Session {
   void tell_guard(Time now);
   Result<void> resync();
   Result<void> expect_silence();
-  /// Bytes that came until the line was quiet, for so long that a board gives up a request that it
-  /// has in part.
-  Result<std::size_t> drain_until_quiet();
+  /// Bytes that came until the line was quiet, for `quiet` or, if that is longer, until a board
+  /// gives up a request that it has in part.
+  Result<std::size_t> drain_until_quiet(Time quiet = Time{0});
   [[nodiscard]] bool speaks_lines() const;
   void note_latency(Time latency);
   [[nodiscard]] Time reply_patience() const;
+  /// The longest wait for a reply: on a line that is late at times, as long as that takes.
+  [[nodiscard]] Time longest_patience() const;
 
   // On a noisy line, in noisy_line.cpp.
   [[nodiscard]] bool noisy() const { return quality_.noisy(clock_.now()); }
@@ -102,6 +104,7 @@ class Io7Session {
   Time smoothed_latency_{0};  ///< 0: none known.
   Time last_heard_{0};
   Time last_asked_{0};
+  Time last_drained_{0};  ///< When the last byte came that nobody asked for.
 };
 
 }  // namespace eyebridge::bridges

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "eyebridge/base/clock.hpp"
 
 namespace eyebridge::bridges {
@@ -16,8 +18,14 @@ class LineQuality {
     last_ = now;
     any_ = true;
   }
-  void note_late(Time now) { late_until_ = now + kMemory; }
+  /// A reply that was given up, or nearly, came `took` after it was asked for.
+  void note_late(Time now, Time took) {
+    latest_ = late(now) ? std::max(latest_, took) : took;
+    late_until_ = now + kMemory;
+  }
   [[nodiscard]] bool late(Time now) const { return now < late_until_; }
+  /// How long the latest of them took; 0 when none was late.
+  [[nodiscard]] Time latest(Time now) const { return late(now) ? latest_ : Time{0}; }
   [[nodiscard]] bool noisy(Time now) const { return now < noisy_until_; }
 
  private:
@@ -25,6 +33,7 @@ class LineQuality {
   Time last_{0};
   Time noisy_until_ = Time::min();
   Time late_until_ = Time::min();
+  Time latest_{0};
 };
 
 }  // namespace eyebridge::bridges

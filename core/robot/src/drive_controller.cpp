@@ -33,12 +33,16 @@ void DriveController::Part::set(double amount) {
   side = amount;
 }
 
-void DriveController::Part::advance(double travelled, double speed, double slow_speed, double end) {
+void DriveController::Part::advance(double travelled, double speed, double step, double end,
+                                    const DriveLimits& limits) {
   if (!open) return;
   left -= travelled;
-  // A start too fast for a short goal runs past it and comes back: only slow passing counts.
+  // A start too fast for a short goal runs past it and comes back: only slow passing counts, and
+  // none where a step leads far.
+  const double slow_speed = limits.blind ? std::min(step, end / (limits.dt * limits.held)) : step;
   const bool slow = std::abs(speed) <= slow_speed * kRounding;
-  if (slow && (std::abs(left) <= end || left * side < 0.0)) open = false;
+  const bool passed = !limits.blind && left * side < 0.0;
+  if (slow && (std::abs(left) <= end || passed)) open = false;
   if (left != 0.0) side = left < 0.0 ? -1.0 : 1.0;
 }
 
@@ -93,8 +97,11 @@ void DriveController::fail() {
 
 Twist DriveController::next(const PathStep& rolling) {
   if (state_ == DriveState::Driving) {
-    twist_ = towards_goal(distance_.open ? distance_.left - rolling.distance : 0.0,
-                          angle_.open ? angle_.left - rolling.angle : 0.0);
+    double distance = distance_.open ? distance_.left - rolling.distance : 0.0;
+    double angle = angle_.open ? angle_.left - rolling.angle : 0.0;
+    if (limits_.blind && std::abs(distance) <= limits_.distance_end) distance = 0.0;
+    if (limits_.blind && std::abs(angle) <= limits_.angle_end) angle = 0.0;
+    twist_ = towards_goal(distance, angle);
   } else {
     twist_ = approach(twist_, target_, limits_);
   }
@@ -109,20 +116,22 @@ Twist DriveController::towards_goal(double distance, double angle) const {
   const double a = std::abs(angle);
   double share = kInfinity;  // see stopping_share()
   double top = limits_.wheel / (d + a * limits_.half_base);
+  const double hold = limits_.dt * limits_.held;
+  const double holds = limits_.held * limits_.held;
   if (d > 0.0) {
-    share = limits_.dt * limits_.linear_step / d;
+    share = limits_.dt * limits_.linear_step * holds / d;
     top = std::min(top, linear_top_ / d);
   }
   if (a > 0.0) {
-    share = std::min(share, limits_.dt * limits_.angular_step / a);
+    share = std::min(share, limits_.dt * limits_.angular_step * holds / a);
     top = std::min(top, angular_top_ / a);
   }
   double factor = top;
   // Stopping from f covers at most f^2 dt^2 / (2 share) + f dt of what is left: far from the goal
   // there is no need to know it exactly.
-  const double step = top * limits_.dt;
+  const double step = top * hold;
   if (step > 1.0 || step * (step + 2 * share) > 2 * share) {
-    factor = std::min(top, stopping_share(share) / limits_.dt);
+    factor = std::min(top, stopping_share(share) / hold);
   }
   double low = -kInfinity;
   double high = kInfinity;
@@ -135,10 +144,9 @@ Twist DriveController::towards_goal(double distance, double angle) const {
 void DriveController::advance(const PathStep& measured) {
   heading_owed_ -= measured.angle;
   if (state_ != DriveState::Driving) return;
-  distance_.advance(measured.distance, twist_.linear,
-                    std::min(limits_.linear_step, limits_.rest_linear), limits_.distance_end);
-  angle_.advance(measured.angle, twist_.angular,
-                 std::min(limits_.angular_step, limits_.rest_angular), limits_.angle_end);
+  distance_.advance(measured.distance, twist_.linear, limits_.linear_step, limits_.distance_end,
+                    limits_);
+  angle_.advance(measured.angle, twist_.angular, limits_.angular_step, limits_.angle_end, limits_);
   const bool can_stand = std::abs(twist_.linear) <= limits_.linear_step * kRounding &&
                          std::abs(twist_.angular) <= limits_.angular_step * kRounding;
   if (!distance_.open && !angle_.open && can_stand) state_ = DriveState::Idle;

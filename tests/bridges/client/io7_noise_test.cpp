@@ -99,6 +99,23 @@ TEST_F(Io7NoiseTest, ABoardThatAnswersLateIsWaitedForLonger) {
   EXPECT_EQ(client.statistics().timeouts, timeouts);
 }
 
+// Replies that come after the longest wait are no faults of the line once it is known how late they
+// are.
+TEST_F(Io7NoiseTest, ABoardThatAnswersVeryLateAtTimesIsWaitedForAsLongAsItTakes) {
+  for (int i = 0; i < 50; ++i) psd();  // of replies that take 1 ms
+  const auto late = [](ScriptedLine& to, const std::string& answer) { to.arrive(answer, 90ms); };
+  damage = late;
+  EXPECT_EQ(psd(), 512);
+  const auto timeouts = client.statistics().timeouts;
+  EXPECT_EQ(timeouts, 1U);
+  for (int i = 0; i < 20; ++i) {
+    damage = late;
+    EXPECT_EQ(psd(), 512);
+    clock.spend(1s);
+  }
+  EXPECT_EQ(client.statistics().timeouts, timeouts);
+}
+
 TEST_F(Io7NoiseTest, ACleanLineRepeatsNothing) {
   EXPECT_TRUE(client.exchange(io7::motor(1, 50)));
   clock.spend(50ms);

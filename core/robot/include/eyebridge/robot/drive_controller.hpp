@@ -65,7 +65,9 @@ class DriveController {
     double side = 0.0;  ///< Sign of `left` in the step before.
 
     void set(double amount);
-    void advance(double travelled, double speed, double slow_speed, double end);
+    /// `step` is one of its speed's ramp.
+    void advance(double travelled, double speed, double step, double end,
+                 const DriveLimits& limits);
   };
 
   /// The angle of a goal of `angle` with what those before it owe.

@@ -15,9 +15,10 @@ struct DriveLimits {
   double half_base = 0.045;     ///< Half the distance between the wheels, metres.
   double distance_end = 1e-10;  ///< A goal nearer than this is reached, metres.
   double angle_end = 1e-10;     ///< A goal nearer than this is reached, radians.
-  // A goal is reached only below these speeds, and below one step of the ramp.
-  double rest_linear = 1e9;   ///< Metres per second.
-  double rest_angular = 1e9;  ///< Radians per second.
+  double held = 1.0;  ///< For how many steps a speed may have to hold: the next may come late.
+  /// What a step brought is known only when the next ones are under way: nearer to its goal than
+  /// its end no speed is asked for, and one at which a step leads further is too fast to end with.
+  bool blind = false;
 };
 
 /// `twist` clamped to the top speeds; where a wheel would be too fast, both parts are scaled, so
