@@ -1,20 +1,19 @@
 #!/usr/bin/env python3
 """Drives a robot on the IO7 board of shared/judges over lines of all speeds: where is it, and where does it believe to be?
 
-usage: lines.py FOLDER_OF_PROGRAMS [--runs 1] [--course leg|square] [--line NAME]
-Prints a table; per line the worst run. A course that is refused is a row, too.
+usage: lines.py FOLDER_OF_PROGRAMS [--runs 1] [--jobs 2] [--course leg|square] [--line NAME]
+Prints a table; per line the worst run. Fails where a program fails, or a robot is beyond what docs/boards.md lets expect of the worst line.
 """
 import argparse
 import concurrent.futures
 import math
 import pathlib
-import re
 import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-BOARD = ROOT.parent / "shared/judges/io7_board.py"
+from judged_board import io7_board
+
 LINES = {
     "1 ms": ["--latency", "1"],
     "2 ms": ["--latency", "2"],
@@ -36,34 +35,40 @@ LINES = {
 }
 # The path's length in mm, where it ends, and the turns that it takes on the spot.
 COURSES = {"leg": (500, (500, 0, 90)), "square": (1200, (0, 0, 0))}
-TRUTH = re.compile(r"end: truth x=(\S+) y=(\S+) mm phi=(\S+) deg path=(\S+) mm")
+# What no line may exceed, however busy the computer: of the path, degrees, the ideal path's length.
+MOST = {"off": 5.0, "turned": 8.0, "path": 1.25}
 
 
 def one_run(programs, line, course):
-    """Millimetres off, degrees off, odometry off in mm, share of the ideal path, seconds; or what it said."""
+    """Percent of the path off, degrees off, odometry off in mm and degrees, share of the ideal path, seconds; or what it said."""
     length, (to_x, to_y, to_phi) = COURSES[course]
     with tempfile.TemporaryDirectory() as folder:
-        board = subprocess.Popen([sys.executable, BOARD, f"{folder}/tty", "--tpm", "6484", "--base", "0.09", *LINES[line]],
-                                 stdout=subprocess.PIPE, text=True)
-        try:
-            board.stdout.readline()
+        with io7_board(folder, LINES[line]) as board:
             run = subprocess.run([programs / "judged_course", course], capture_output=True, text=True, timeout=120, cwd=folder,
-                                 env={"EYEBRIDGE_HAL": f"serial:{folder}/tty", "PATH": "/usr/bin:/bin"})
-        finally:
-            board.terminate()
-            out = board.communicate(timeout=20)[0]
+                                 env={"EYEBRIDGE_HAL": board.hal, "PATH": "/usr/bin:/bin"})
         if run.returncode != 0:
             return None, run.stderr.strip().replace("\n", "; ")
-    x, y, phi, path = map(float, TRUTH.search(out).groups())
     believed_x, believed_y, believed_phi, seconds = map(float, run.stdout.split())
     return {
-        "off": math.hypot(x - to_x, y - to_y) / length * 100,
-        "turned": abs(math.remainder(phi - to_phi, 360)),
-        "odometry": math.hypot(x - believed_x, y - believed_y),
-        "believed": abs(math.remainder(phi - believed_phi, 360)),
-        "path": path / length,
+        "off": math.hypot(board.x - to_x, board.y - to_y) / length * 100,
+        "turned": abs(math.remainder(board.phi - to_phi, 360)),
+        "odometry": math.hypot(board.x - believed_x, board.y - believed_y),
+        "believed": abs(math.remainder(board.phi - believed_phi, 360)),
+        "path": board.path / length,
         "seconds": seconds,
-    }, run.stderr.strip()
+    }, None
+
+
+def row_of(line, course, results):
+    """The row of the worst run, and what is wrong or None."""
+    failed = sorted({said for result, said in results if result is None})
+    if failed:
+        return f"| {line} | {course} | {' / '.join(failed)} | | | | | |", f"{line}, {course}: {failed[0]}"
+    worst = {key: max(result[key] for result, _ in results) for key in results[0][0]}
+    row = (f"| {line} | {course} | {worst['off']:.1f} | {worst['turned']:.1f} | {worst['odometry']:.1f} | {worst['believed']:.1f} | "
+           f"{worst['path']:.2f} | {worst['seconds']:.1f} |")
+    beyond = [key for key, most in MOST.items() if worst[key] > most]
+    return row, f"{line}, {course}: beyond {MOST}: {beyond}" if beyond else None
 
 
 def main():
@@ -74,20 +79,17 @@ def main():
     parser.add_argument("--course", choices=COURSES, action="append")
     parser.add_argument("--line", choices=LINES, action="append")
     options = parser.parse_args()
+    wrong = []
     print("| line | course | off % | off ° | odometry off mm | ° | path | s |\n|---|---|---:|---:|---:|---:|---:|---:|")
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        for line in options.line or LINES:
-            for course in options.course or COURSES:
-                results = list(pool.map(lambda _, at=(line, course): one_run(options.programs, *at), range(options.runs)))
-                for said in {said for result, said in results if result is None}:
-                    print(f"| {line} | {course} | {said} | | | | | |", flush=True)
-                found = [result for result, _ in results if result is not None]
-                if not found:
-                    continue
-                worst = {key: max(result[key] for result in found) for key in found[0]}
-                print(f"| {line} | {course} | {worst['off']:.1f} | {worst['turned']:.1f} | {worst['odometry']:.1f} | "
-                      f"{worst['believed']:.1f} | {worst['path']:.2f} | {worst['seconds']:.1f} |", flush=True)
-    return 0
+        cases = [(line, course) for line in options.line or LINES for course in options.course or COURSES]
+        runs = {case: [pool.submit(one_run, options.programs, *case) for _ in range(options.runs)] for case in cases}
+        for case in cases:
+            row, what = row_of(*case, [run.result() for run in runs[case]])
+            print(row, flush=True)
+            wrong += [what] if what else []
+    print("\n".join(wrong), file=sys.stderr)
+    return 1 if wrong else 0
 
 
 if __name__ == "__main__":

@@ -65,19 +65,21 @@ bool SenderWatch::heard(int function, Time now) {
   if (!index) return true;
   Kind& kind = kinds_[*index];
   bool is_usable = true;
+  bool is_answer = false;
   if (kind.at && kind.counts && !enough(kind, now)) {
-    const bool is_expected = kind.another_until && now <= *kind.another_until;
+    is_answer = kind.another_until && now <= *kind.another_until;
     // Some of the others came before a foreign frame, the rest behind it. A frame that was lost
-    // came on neither side.
+    // came on neither side; an answer splits them as a foreign frame does.
     const bool is_split = kind.since != 0 && (kind.since & kind.before) == 0 &&
-                          (kind.since | kind.before) == others(kind, now);
-    is_usable = is_expected || kind.since != 0;
-    if (is_expected) {
+                          (kind.since | kind.before) == others(kind, now) && !kind.answered;
+    is_usable = is_answer || kind.since != 0;
+    if (is_answer) {
       kind.another_until.reset();
     } else if (kind.since == 0 || is_split) {
       note_doubled(kind, now);
     }
   }
+  kind.answered = is_answer;
   for (std::size_t i = 0; i < kKinds; ++i) {
     Kind& other = kinds_[i];
     if (i == *index || other.period_ms != kind.period_ms) continue;

@@ -128,6 +128,27 @@ TEST_F(SenderWatchTest, AnAnswerIsNoSecondSender) {
   EXPECT_GT(own, 500);
 }
 
+// An answer between two messages of a cycle looks like another sender's frame to the one after it.
+TEST_F(SenderWatchTest, AnAnswerAmidACycleIsNoSecondSenderEither) {
+  for (int i = 0; i < 100; ++i) {
+    frame(EYECAN_S_POSE, true);
+    frame(EYECAN_S_SPEED, true);
+    frame(EYECAN_S_ENC12, true);
+    watch.expect_another(EYECAN_S_SPEED, now);
+    frame(EYECAN_S_SPEED, true);
+    now += 20ms;
+    cycle();
+    watch.expect_another(EYECAN_S_SPEED, now);
+    frame(EYECAN_S_POSE, true);
+    frame(EYECAN_S_SPEED, true);
+    frame(EYECAN_S_SPEED, true);
+    frame(EYECAN_S_ENC12, true);
+    now += 20ms;
+  }
+  EXPECT_TRUE(named.empty());
+  EXPECT_GT(own, 700);
+}
+
 TEST_F(SenderWatchTest, ARobotThatLacksAMessageIsHeard) {
   lost = EYECAN_S_ENC12;
   for (int i = 0; i < 300; ++i) cycle();

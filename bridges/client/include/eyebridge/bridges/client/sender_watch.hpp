@@ -45,6 +45,7 @@ class SenderWatch {
     int missed = 0;       ///< How often another of its period came twice while this did not come.
     std::optional<Time> at;
     std::optional<Time> another_until;
+    bool answered = false;  ///< The last one was such an answer.
     std::optional<Time> doubled_at;
     std::optional<Time> named_at;
     int doubled = 0;  ///< How often, each within a second of the one before.
