@@ -31,7 +31,9 @@ template <class Status>
 void CanClient::keep(const Status& status, Time now) {
   const can::MessageSpec& spec = can::spec_of<Status>();
   if (is_only_ours(spec)) return note_other_host(spec.name, now);
-  const bool is_usable = senders_.heard(Status::kFunction, now);
+  bool may_answer = true;
+  if constexpr (std::is_same_v<Status, can::SpeedStatus>) may_answer = echoes(status);
+  const bool is_usable = senders_.heard(Status::kFunction, now, may_answer);
   if constexpr (IsKept<Status, Pending>::value) {
     auto& pending = std::get<Latest<Status>>(pending_);
     pending.at.reset();
@@ -66,10 +68,12 @@ void CanClient::keep_followed(Time now) {
   std::apply([&](auto&... pending) { (look(pending), ...); }, pending_);
 }
 
+bool CanClient::echoes(const can::SpeedStatus& status) const {
+  return command_.mode == Mode::Move && status.last_move_seq == command_.move.seq;
+}
+
 void CanClient::note_speed(const can::SpeedStatus& status) {
-  if (command_.mode == Mode::Move && status.last_move_seq == command_.move.seq) {
-    command_.move_echoed = true;
-  }
+  if (echoes(status)) command_.move_echoed = true;
 }
 
 void CanClient::name_other_senders(Time now) {

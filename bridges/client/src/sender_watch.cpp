@@ -60,14 +60,14 @@ bool SenderWatch::enough(const Kind& kind, Time now) const {
   return std::popcount(kind.since) >= std::min(kEnoughOthers, std::popcount(others(kind, now)));
 }
 
-bool SenderWatch::heard(int function, Time now) {
+bool SenderWatch::heard(int function, Time now, bool may_answer) {
   const auto index = find(function);
   if (!index) return true;
   Kind& kind = kinds_[*index];
   bool is_usable = true;
   bool is_answer = false;
   if (kind.at && kind.counts && !enough(kind, now)) {
-    is_answer = kind.another_until && now <= *kind.another_until;
+    is_answer = may_answer && kind.another_until && now <= *kind.another_until;
     // Some of the others came before a foreign frame, the rest behind it. A frame that was lost
     // came on neither side; an answer splits them as a foreign frame does.
     const bool is_split = kind.since != 0 && (kind.since & kind.before) == 0 &&

@@ -149,6 +149,15 @@ TEST_F(SenderWatchTest, AnAnswerAmidACycleIsNoSecondSenderEither) {
   EXPECT_GT(own, 700);
 }
 
+TEST_F(SenderWatchTest, WhatCannotBeTheAnswerIsAnotherSenders) {
+  for (int i = 0; i < 3; ++i) cycle();
+  watch.expect_another(EYECAN_S_SPEED, now);
+  frame(EYECAN_S_POSE, true);
+  frame(EYECAN_S_SPEED, true);
+  EXPECT_FALSE(watch.heard(EYECAN_S_SPEED, now, false));
+  EXPECT_TRUE(watch.heard(EYECAN_S_SPEED, now, true));
+}
+
 TEST_F(SenderWatchTest, ARobotThatLacksAMessageIsHeard) {
   lost = EYECAN_S_ENC12;
   for (int i = 0; i < 300; ++i) cycle();

@@ -176,12 +176,14 @@ class CanClient {
   void name_other_senders(Time now);                         // under mutex_
   void note_other_host(std::string_view message, Time now);  // under mutex_
   void note_speed(const can::SpeedStatus& status);           // under mutex_
-  void note_fault(const can::FaultStatus& fault);            // under mutex_
-  void follow_watch(std::uint32_t before);                   // under mutex_
-  void add_set_points(Outbox& out);                          // under mutex_
-  void add_parameters(Outbox& out) const;                    // under mutex_
-  void add_zero(Outbox& out);                                // under mutex_
-  void tell_guard(bool turning);                             // under sending_
+  /// Whether it may be the answer to the move that was told last.
+  [[nodiscard]] bool echoes(const can::SpeedStatus& status) const;  // under mutex_
+  void note_fault(const can::FaultStatus& fault);                   // under mutex_
+  void follow_watch(std::uint32_t before);                          // under mutex_
+  void add_set_points(Outbox& out);                                 // under mutex_
+  void add_parameters(Outbox& out) const;                           // under mutex_
+  void add_zero(Outbox& out);                                       // under mutex_
+  void tell_guard(bool turning);                                    // under sending_
   Result<void> check_age(const can::MessageSpec& spec, std::optional<Time> at) const;
   Result<void> check_ready() const;          // under mutex_
   Result<void> send(const CanFrame& frame);  // under sending_
