@@ -39,24 +39,9 @@ class OneSensorRobot final : public Backend {
   explicit OneSensorRobot(bool is_virtual) : clock_(is_virtual) {}
   Clock& clock() override { return clock_; }
   [[nodiscard]] int robot_id() const override { return 1; }
-  Drive* drive() override { return nullptr; }
-  RangeSensor* range_sensor(int id) override { return id == 1 ? &sensor_ : nullptr; }
-  SwitchSensor* proximity(int) override { return nullptr; }
-  SwitchSensor* bumper(int) override { return nullptr; }
-  Lidar* lidar() override { return nullptr; }
-  Compass* compass() override { return nullptr; }
-  Gyroscope* gyroscope() override { return nullptr; }
-  Accelerometer* accelerometer() override { return nullptr; }
-  Motor* motor(int) override { return nullptr; }
-  Encoder* encoder(int) override { return nullptr; }
-  Servo* servo(int) override { return nullptr; }
-  DigitalLines* digital() override { return nullptr; }
-  AnalogInputs* analog() override { return nullptr; }
-  IoBoard* io_board() override { return nullptr; }
-  Remote* remote() override { return nullptr; }
-  SerialPort* serial_port(int) override { return nullptr; }
-  Sound* sound() override { return nullptr; }
-  Radio* radio() override { return nullptr; }
+  Device* find(DeviceKind kind, int id) override {
+    return kind == DeviceKind::Psd && id == 1 ? &sensor_ : nullptr;
+  }
   WorldControl* world() override { return nullptr; }
   camera::View* camera_view() override { return nullptr; }
   camera::Source* camera_source() override { return nullptr; }

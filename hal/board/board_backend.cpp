@@ -15,8 +15,8 @@ using namespace std::chrono_literals;
 constexpr Time kPeriod = 10ms;
 constexpr Time kTracePeriod = 100ms;
 
-template <class Device>
-Device* find(std::map<int, Device>& devices, int id) {
+template <class Type>
+Device* one_of(std::map<int, Type>& devices, int id) {
   const auto found = devices.find(id);
   return found == devices.end() ? nullptr : &found->second;
 }
@@ -125,10 +125,40 @@ void BoardBackend::trace_to(TraceSink* sink) {
   sink_ = sink;
 }
 
-RangeSensor* BoardBackend::range_sensor(int id) { return find(range_sensors_, id); }
-Motor* BoardBackend::motor(int id) { return find(motors_, id); }
-Encoder* BoardBackend::encoder(int id) { return find(encoders_, id); }
-Servo* BoardBackend::servo(int id) { return find(servos_, id); }
+Device* BoardBackend::find(DeviceKind kind, int id) {
+  switch (kind) {
+    case DeviceKind::Drive:
+      return drive_ ? &*drive_ : nullptr;
+    case DeviceKind::Motor:
+      return one_of(motors_, id);
+    case DeviceKind::Encoder:
+      return one_of(encoders_, id);
+    case DeviceKind::Servo:
+      return one_of(servos_, id);
+    case DeviceKind::Psd:
+      return one_of(range_sensors_, id);
+    case DeviceKind::Lidar:
+      return link_->has_lidar() ? &lidar_ : nullptr;
+    case DeviceKind::Digital:
+      return link_->has_digital() ? &digital_ : nullptr;
+    case DeviceKind::Analog:
+      return link_->has_analog() ? &analog_ : nullptr;
+    case DeviceKind::Board:
+      return &identity_;
+    case DeviceKind::Remote:
+      return link_->has_remote() ? &remote_ : nullptr;
+    case DeviceKind::Proximity:
+    case DeviceKind::Bumper:
+    case DeviceKind::Compass:
+    case DeviceKind::Gyroscope:
+    case DeviceKind::Accelerometer:
+    case DeviceKind::Serial:
+    case DeviceKind::Sound:
+    case DeviceKind::Radio:
+      break;
+  }
+  return nullptr;
+}
 
 Result<void> BoardBackend::stop() noexcept {
   try {

@@ -40,24 +40,7 @@ class BoardBackend final : public Backend {
 
   Clock& clock() override { return clock_; }
   [[nodiscard]] int robot_id() const override { return 1; }
-  Drive* drive() override { return drive_ ? &*drive_ : nullptr; }
-  RangeSensor* range_sensor(int id) override;
-  SwitchSensor* proximity(int) override { return nullptr; }
-  SwitchSensor* bumper(int) override { return nullptr; }
-  Lidar* lidar() override { return link_->has_lidar() ? &lidar_ : nullptr; }
-  Compass* compass() override { return nullptr; }
-  Gyroscope* gyroscope() override { return nullptr; }
-  Accelerometer* accelerometer() override { return nullptr; }
-  Motor* motor(int id) override;
-  Encoder* encoder(int id) override;
-  Servo* servo(int id) override;
-  DigitalLines* digital() override { return link_->has_digital() ? &digital_ : nullptr; }
-  AnalogInputs* analog() override { return link_->has_analog() ? &analog_ : nullptr; }
-  IoBoard* io_board() override { return &identity_; }
-  Remote* remote() override { return link_->has_remote() ? &remote_ : nullptr; }
-  SerialPort* serial_port(int) override { return nullptr; }
-  Sound* sound() override { return nullptr; }
-  Radio* radio() override { return nullptr; }
+  Device* find(DeviceKind kind, int id) override;
   WorldControl* world() override { return nullptr; }
   camera::View* camera_view() override { return nullptr; }
   camera::Source* camera_source() override { return nullptr; }

@@ -16,7 +16,6 @@ class BoardLidar final : public Lidar, private BoardDevice {
   /// Besides what Lidar says: at most the board's field of view, and its tilt.
   Result<void> configure(double field_of_view, double tilt, int points) override;
   [[nodiscard]] LidarShape shape() const override;
-  [[nodiscard]] int points() const override { return shape().points; }
   Result<void> read(std::span<double> ranges) override;
   [[nodiscard]] double max_range() const override { return kBoardOutOfRange; }
 

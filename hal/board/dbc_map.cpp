@@ -22,7 +22,7 @@ namespace dbc = bridges::dbc;
 
 constexpr double kHuge = 1e6;
 constexpr double kTiny = 1e-6;
-constexpr int kMostIds = 64;
+constexpr int kLastRangeId = 64;
 
 /// Reads one mapping file.
 class MapReader {
@@ -162,7 +162,7 @@ class MapReader {
 
   template <class Entry>
   int new_id(DbcFields& fields, const std::vector<Entry>& others) {
-    const auto id = fields.whole("id", 1, kMostIds);
+    const auto id = fields.whole("id", 1, kLastRangeId);
     if (!id) fields.refuse("id", fmt::format("found no 'id' in {}, expected it", fields.name()));
     if (std::ranges::find(others, static_cast<int>(*id), &Entry::id) != others.end()) {
       fields.refuse("id", fmt::format("found the id {} a second time, expected another one", *id));

@@ -1,18 +1,11 @@
 #pragma once
 
-#include <array>
 #include <string_view>
 #include <vector>
 
 #include "eyebridge/base/config_error.hpp"
 
 namespace eyebridge::hal {
-
-/// The kinds of devices, as --faults, --mix and recordings name them.
-inline constexpr std::array<std::string_view, 18> kDeviceKinds = {
-    "drive",     "psd",           "proximity", "bumper",  "lidar", "compass",
-    "gyroscope", "accelerometer", "motor",     "encoder", "servo", "digital",
-    "analog",    "board",         "remote",    "serial",  "sound", "radio"};
 
 /// One of the entries of a text like "psd:1 lose; all delay 20ms".
 struct Entry {

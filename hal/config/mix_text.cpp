@@ -7,6 +7,7 @@
 
 #include "config/entries.hpp"
 #include "eyebridge/base/text.hpp"
+#include "eyebridge/hal/device_kind.hpp"
 #include "eyebridge/hal/url.hpp"
 
 namespace eyebridge::hal {

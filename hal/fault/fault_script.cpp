@@ -10,6 +10,7 @@
 
 #include "config/entries.hpp"
 #include "eyebridge/base/text.hpp"
+#include "eyebridge/hal/device_kind.hpp"
 
 namespace eyebridge::hal {
 namespace {

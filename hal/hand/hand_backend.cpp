@@ -38,9 +38,11 @@ class HandBackend final : public PassingBackend {
     if (inner_clock_.is_virtual()) return pulling_;
     return inner_clock_;
   }
-  Drive* drive() override { return &drive_; }
-  Motor* motor(int) override { return nullptr; }
-  Encoder* encoder(int) override { return nullptr; }
+  Device* find(DeviceKind kind, int id) override {
+    if (kind == DeviceKind::Drive) return &drive_;
+    const bool is_of_wheel = kind == DeviceKind::Motor || kind == DeviceKind::Encoder;
+    return is_of_wheel ? nullptr : inner_->find(kind, id);
+  }
   camera::Source* camera_source() override { return &camera_; }
   HandGuide* hand_guide() override { return &robot_; }
   Result<void> stop() noexcept override {

@@ -7,23 +7,15 @@
 namespace eyebridge::hal {
 namespace {
 
-template <class Device>
-Device* either(Device* own, const std::unique_ptr<Device>& of_host) {
-  return own != nullptr ? own : of_host.get();
-}
-
 class HostBackend final : public PassingBackend {
  public:
   HostBackend(std::unique_ptr<Backend> inner, HostDevices devices)
       : PassingBackend(std::move(inner)), devices_(std::move(devices)) {}
 
-  SerialPort* serial_port(int id) override {
-    const auto port = devices_.serial_ports.find(id);
-    SerialPort* const own = inner_->serial_port(id);
-    return own != nullptr || port == devices_.serial_ports.end() ? own : port->second.get();
+  Device* find(DeviceKind kind, int id) override {
+    Device* const own = inner_->find(kind, id);
+    return own != nullptr ? own : of_host(kind, id);
   }
-  Sound* sound() override { return either(inner_->sound(), devices_.sound); }
-  Radio* radio() override { return either(inner_->radio(), devices_.radio); }
   Result<void> stop() noexcept override {
     auto stopped = inner_->stop();
     try {
@@ -36,6 +28,14 @@ class HostBackend final : public PassingBackend {
   }
 
  private:
+  [[nodiscard]] Device* of_host(DeviceKind kind, int id) const {
+    if (kind == DeviceKind::Sound) return devices_.sound.get();
+    if (kind == DeviceKind::Radio) return devices_.radio.get();
+    if (kind != DeviceKind::Serial) return nullptr;
+    const auto port = devices_.serial_ports.find(id);
+    return port == devices_.serial_ports.end() ? nullptr : port->second.get();
+  }
+
   const HostDevices devices_;  // live on the clock of inner_, which outlives them
 };
 

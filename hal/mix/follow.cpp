@@ -43,8 +43,10 @@ class FollowTap final : public Tap {
 class PutBackend final : public PassingBackend {
  public:
   using PassingBackend::PassingBackend;
-  Gyroscope* gyroscope() override { return nullptr; }
-  Accelerometer* accelerometer() override { return nullptr; }
+  Device* find(DeviceKind kind, int id) override {
+    const bool is_felt = kind == DeviceKind::Gyroscope || kind == DeviceKind::Accelerometer;
+    return is_felt ? nullptr : inner_->find(kind, id);
+  }
 };
 
 class FollowView final : public camera::View {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -11,39 +12,16 @@
 namespace eyebridge::hal {
 namespace {
 
-constexpr int kMostIds = 255;
-
-template <class Find>
-bool any_of_ids(Find&& find) {
-  for (int id = 1; id <= kMostIds; ++id) {
-    if (find(id) != nullptr) return true;
-  }
-  return false;
-}
-
 bool has(Backend& backend, std::string_view device) {
-  if (device == "drive") return backend.drive() != nullptr;
-  if (device == "lidar") return backend.lidar() != nullptr;
-  if (device == "compass") return backend.compass() != nullptr;
-  if (device == "gyroscope") return backend.gyroscope() != nullptr;
-  if (device == "accelerometer") return backend.accelerometer() != nullptr;
   if (device == "camera") return backend.camera_view() != nullptr;
-  if (device == "digital") return backend.digital() != nullptr;
-  if (device == "analog") return backend.analog() != nullptr;
-  if (device == "board") return backend.io_board() != nullptr;
-  if (device == "remote") return backend.remote() != nullptr;
-  if (device == "sound") return backend.sound() != nullptr;
-  if (device == "radio") return backend.radio() != nullptr;
-  if (device == "serial" && backend.serial_port(0) != nullptr) return true;
-  return any_of_ids([&](int id) -> void* {
-    if (device == "psd") return backend.range_sensor(id);
-    if (device == "proximity") return backend.proximity(id);
-    if (device == "bumper") return backend.bumper(id);
-    if (device == "motor") return backend.motor(id);
-    if (device == "encoder") return backend.encoder(id);
-    if (device == "serial") return backend.serial_port(id);
-    return backend.servo(id);
+  const std::optional<DeviceKind> named = kind_named(device);
+  bool is_there = false;
+  for_each_kind([&]<DeviceKind kind>() {
+    for (int id = kKind<kind>.first_id; named == kind && id <= kKind<kind>.last_id; ++id) {
+      is_there = is_there || backend.find(kind, id) != nullptr;
+    }
   });
+  return is_there;
 }
 
 class MixBackend final : public Backend {
@@ -67,24 +45,7 @@ class MixBackend final : public Backend {
 
   Clock& clock() override { return main_->clock(); }
   [[nodiscard]] int robot_id() const override { return main_->robot_id(); }
-  Drive* drive() override { return of("drive").drive(); }
-  RangeSensor* range_sensor(int id) override { return of("psd").range_sensor(id); }
-  SwitchSensor* proximity(int id) override { return of("proximity").proximity(id); }
-  SwitchSensor* bumper(int id) override { return of("bumper").bumper(id); }
-  Lidar* lidar() override { return of("lidar").lidar(); }
-  Compass* compass() override { return of("compass").compass(); }
-  Gyroscope* gyroscope() override { return of("gyroscope").gyroscope(); }
-  Accelerometer* accelerometer() override { return of("accelerometer").accelerometer(); }
-  Motor* motor(int id) override { return of("motor").motor(id); }
-  Encoder* encoder(int id) override { return of("encoder").encoder(id); }
-  Servo* servo(int id) override { return of("servo").servo(id); }
-  DigitalLines* digital() override { return of("digital").digital(); }
-  AnalogInputs* analog() override { return of("analog").analog(); }
-  IoBoard* io_board() override { return of("board").io_board(); }
-  Remote* remote() override { return of("remote").remote(); }
-  SerialPort* serial_port(int id) override { return of("serial").serial_port(id); }
-  Sound* sound() override { return of("sound").sound(); }
-  Radio* radio() override { return of("radio").radio(); }
+  Device* find(DeviceKind kind, int id) override { return of(name_of(kind)).find(kind, id); }
   [[nodiscard]] RadioConditions radio_conditions() const override {
     return main_->radio_conditions();
   }

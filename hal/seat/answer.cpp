@@ -9,7 +9,7 @@
 #include "eyebridge/files/readers.hpp"
 #include "seat/seat_view.hpp"
 #include "tap/carry_out.hpp"
-#include "tap/tapped_io.hpp"
+#include "tap/values.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -38,7 +38,7 @@ Result<Values> add_object(WorldControl& world, const std::string& text) {
 Result<Values> set(WorldControl& world, const Call& call) {
   const Values& v = call.request;
   if (call.name == "set_errors" && !v.empty()) {
-    return done(world.set_errors(call.id, unpack_text(std::span(v).subspan(1)), v[0]));
+    return done(world.set_errors(call.id, AsValues<std::string>::unpack(std::span(v).subspan(1)), v[0]));
   }
   if (v.size() == 3 && call.name == "set_robot_pose") {
     return done(world.set_robot_pose(call.id, {v[0], v[1], v[2]}));
@@ -49,8 +49,8 @@ Result<Values> set(WorldControl& world, const Call& call) {
   if (v.size() == 3 && call.name == "set_object_pose") {
     return done(world.set_object_pose(call.id, {v[0], v[1], v[2]}));
   }
-  if (call.name == "add_object") return add_object(world, unpack_text(v));
-  if (call.name == "change_object") return done(world.change_object(call.id, unpack_text(v)));
+  if (call.name == "add_object") return add_object(world, AsValues<std::string>::unpack(v));
+  if (call.name == "change_object") return done(world.change_object(call.id, AsValues<std::string>::unpack(v)));
   if (call.name == "remove_object") return done(world.remove_object(call.id));
   if (v.size() == 2 && call.name == "set_object_velocity") {
     return done(world.set_object_velocity(call.id, {v[0], v[1]}));
@@ -65,11 +65,11 @@ Result<Values> ask(WorldControl& world, const Call& call) {
   if (call.is_command) return set(world, call);
   if (call.name == "robot_count") return Values{static_cast<double>(world.robot_count())};
   if (call.name == "object_count") return Values{static_cast<double>(world.object_count())};
-  if (call.name == "robot_pose") return world.robot_pose(call.id).map(AsValues<Pose>::pack);
+  if (call.name == "robot_pose") return world.robot_pose(call.id).map(packed<Pose>);
   if (call.name == "robot_altitude") {
-    return world.robot_altitude(call.id).map(AsValues<double>::pack);
+    return world.robot_altitude(call.id).map(packed<double>);
   }
-  if (call.name == "object_pose") return world.object_pose(call.id).map(AsValues<Pose>::pack);
+  if (call.name == "object_pose") return world.object_pose(call.id).map(packed<Pose>);
   return fail(Errc::Unsupported, fmt::format("a world has no {}", call.name));
 }
 

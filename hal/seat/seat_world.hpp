@@ -5,7 +5,7 @@
 #include "eyebridge/files/readers.hpp"
 #include "eyebridge/hal/world_control.hpp"
 #include "seat/seat_line.hpp"
-#include "tap/tapped_io.hpp"
+#include "tap/values.hpp"
 
 namespace eyebridge::hal {
 
@@ -18,7 +18,7 @@ class SeatWorld final : public WorldControl {
   [[nodiscard]] int object_count() const override { return count("object_count"); }
   Result<Pose> robot_pose(int id) const override { return pose(id, "robot_pose"); }
   Result<void> set_robot_pose(int id, const Pose& pose) override {
-    return command(id, "set_robot_pose", AsValues<Pose>::pack(pose));
+    return command(id, "set_robot_pose", packed(pose));
   }
   Result<double> robot_altitude(int id) const override {
     const Call call{"world", id, "robot_altitude", false, {}};
@@ -29,12 +29,12 @@ class SeatWorld final : public WorldControl {
   }
   Result<Pose> object_pose(int id) const override { return pose(id, "object_pose"); }
   Result<void> set_object_pose(int id, const Pose& pose) override {
-    return command(id, "set_object_pose", AsValues<Pose>::pack(pose));
+    return command(id, "set_object_pose", packed(pose));
   }
   /// As text: numbers of objects that a `.sim` file cannot say are OutOfRange, too.
   Result<int> add_object(const world::ObjectSpec& object) override {
     try {
-      const Call call{"world", 0, "add_object", true, pack_bytes(files::write_object_text(object))};
+      const Call call{"world", 0, "add_object", true, packed(files::write_object_text(object))};
       return reply_as<int>(call, line_.ask(call));
     } catch (const ConfigError& error) {
       return fail(Errc::OutOfRange, error.what());
@@ -48,12 +48,10 @@ class SeatWorld final : public WorldControl {
     return command(id, "set_object_fixed", {fixed ? 1.0 : 0.0});
   }
   Result<void> change_object(int id, const std::string& lines) override {
-    return command(id, "change_object", pack_bytes(lines));
+    return command(id, "change_object", packed(lines));
   }
   Result<void> set_errors(int id, const std::string& rules, double share) override {
-    Values request = pack_bytes(rules);
-    request.insert(request.begin(), share);
-    return command(id, "set_errors", std::move(request));
+    return command(id, "set_errors", packed(share, rules));
   }
 
  private:

@@ -9,8 +9,8 @@
 namespace eyebridge::hal {
 namespace {
 
-template <class Device>
-Device* find(std::map<int, Device>& devices, int id) {
+template <class Type>
+Device* one_of(std::map<int, Type>& devices, int id) {
   const auto found = devices.find(id);
   return found == devices.end() ? nullptr : &found->second;
 }
@@ -100,12 +100,43 @@ SimBackend::SimBackend(std::shared_ptr<SimWorld> world, std::shared_ptr<Clock> c
   }
 }
 
-RangeSensor* SimBackend::range_sensor(int id) { return find(range_sensors_, id); }
-SwitchSensor* SimBackend::proximity(int id) { return find(proximity_sensors_, id); }
-SwitchSensor* SimBackend::bumper(int id) { return find(bumpers_, id); }
-Motor* SimBackend::motor(int id) { return find(motors_, id); }
-Encoder* SimBackend::encoder(int id) { return find(encoders_, id); }
-Servo* SimBackend::servo(int id) { return find(servos_, id); }
+Device* SimBackend::find(DeviceKind kind, int id) {
+  switch (kind) {
+    case DeviceKind::Drive:
+      return &drive_;
+    case DeviceKind::Motor:
+      return one_of(motors_, id);
+    case DeviceKind::Encoder:
+      return one_of(encoders_, id);
+    case DeviceKind::Servo:
+      return one_of(servos_, id);
+    case DeviceKind::Psd:
+      return one_of(range_sensors_, id);
+    case DeviceKind::Proximity:
+      return one_of(proximity_sensors_, id);
+    case DeviceKind::Bumper:
+      return one_of(bumpers_, id);
+    case DeviceKind::Lidar:
+      return lidar_ ? &*lidar_ : nullptr;
+    case DeviceKind::Compass:
+      return &compass_;
+    case DeviceKind::Gyroscope:
+      return &gyroscope_;
+    case DeviceKind::Accelerometer:
+      return &accelerometer_;
+    case DeviceKind::Digital:
+      return &digital_;
+    case DeviceKind::Analog:
+      return &analog_;
+    case DeviceKind::Board:
+    case DeviceKind::Remote:
+    case DeviceKind::Serial:
+    case DeviceKind::Sound:
+    case DeviceKind::Radio:
+      break;
+  }
+  return nullptr;
+}
 
 RadioConditions SimBackend::radio_conditions() const {
   const robot::RadioError& error = world_->model(robot_).radio_error;

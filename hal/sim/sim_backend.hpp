@@ -44,24 +44,7 @@ class SimBackend final : public Backend {
 
   Clock& clock() override { return *clock_; }
   [[nodiscard]] int robot_id() const override { return static_cast<int>(robot_) + 1; }
-  Drive* drive() override { return &drive_; }
-  RangeSensor* range_sensor(int id) override;
-  SwitchSensor* proximity(int id) override;
-  SwitchSensor* bumper(int id) override;
-  Lidar* lidar() override { return lidar_ ? &*lidar_ : nullptr; }
-  Compass* compass() override { return &compass_; }
-  Gyroscope* gyroscope() override { return &gyroscope_; }
-  Accelerometer* accelerometer() override { return &accelerometer_; }
-  Motor* motor(int id) override;
-  Encoder* encoder(int id) override;
-  Servo* servo(int id) override;
-  DigitalLines* digital() override { return &digital_; }
-  AnalogInputs* analog() override { return &analog_; }
-  IoBoard* io_board() override { return nullptr; }
-  Remote* remote() override { return nullptr; }
-  SerialPort* serial_port(int) override { return nullptr; }
-  Sound* sound() override { return nullptr; }
-  Radio* radio() override { return nullptr; }
+  Device* find(DeviceKind kind, int id) override;
   [[nodiscard]] RadioConditions radio_conditions() const override;
   WorldControl* world() override { return &control_; }
   Environment* environment() override { return environment_.get(); }

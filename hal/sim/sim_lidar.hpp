@@ -17,7 +17,6 @@ class SimLidar final : public Lidar, private SimDevice {
 
   Result<void> configure(double field_of_view, double tilt, int points) override;
   [[nodiscard]] LidarShape shape() const override;
-  [[nodiscard]] int points() const override { return shape().points; }
   Result<void> read(std::span<double> ranges) override;
   [[nodiscard]] double max_range() const override { return max_range_; }
 

@@ -2,81 +2,121 @@
 
 #include <map>
 #include <optional>
+#include <span>
+#include <utility>
 
+#include "arguments/arguments.hpp"
 #include "clock/lockstep_clock.hpp"
 #include "eyebridge/base/config_error.hpp"
-#include "tap/absent_devices.hpp"
+#include "tap/device_calls.hpp"
+#include "tap/values.hpp"
 
 namespace eyebridge::hal {
 namespace {
 
-template <class Device>
-class ById {
+/// The types of facts.
+template <class Methods>
+struct TypesOf;
+template <class... Facts, class Interface>
+struct TypesOf<const std::tuple<Facts (Interface::*)() const...>> {
+  using Types = std::tuple<Facts...>;
+};
+template <>
+struct TypesOf<const std::tuple<>> {
+  using Types = std::tuple<>;
+};
+
+/// A device that only a tap answers for. It says of itself what was listed; every call fails with
+/// Unsupported.
+template <class Interface>
+class Absent : public Interface {
  public:
-  template <class... Facts>
-  void add(int id, Facts... facts) {
-    devices_.try_emplace(id, facts...);
+  using Facts = typename TypesOf<decltype(Calls<Interface>::kFacts)>::Types;
+  explicit Absent(Facts facts) : facts_(std::move(facts)) {}
+
+ protected:
+  template <class Answer, class... Args>
+  Result<Answer> carry(const DeviceCall<Interface, Answer, Args...>&, const auto&...) {
+    return fail(Errc::Unsupported, "there is nothing behind this device");
   }
-  Device* find(int id) {
-    const auto found = devices_.find(id);
-    return found == devices_.end() ? nullptr : &found->second;
+  template <class Fact>
+  Fact fact(Fact (Interface::*)() const) const {
+    return std::get<Fact>(facts_);
   }
 
- private:
-  std::map<int, Device> devices_;
+  Facts facts_;
 };
+
+/// Keeps the shape that the program asked for, so that it can ask for it again, and knows how much
+/// room a scan needs.
+class AbsentLidar final : public Relay<Lidar, Absent<Lidar>> {
+ public:
+  using Relay::Relay;
+  Result<void> configure(double field_of_view, double tilt, int points) override {
+    std::get<LidarShape>(facts_) = {field_of_view, tilt, points};
+    return {};
+  }
+  Result<void> read(std::span<double> ranges) override {
+    return check_scan_size(ranges.size(), points()).and_then([&] { return Relay::read(ranges); });
+  }
+};
+
+/// What a list says of a device; none where it cannot be.
+template <class... Facts>
+std::optional<std::tuple<Facts...>> read_facts(std::span<const double> values,
+                                               std::type_identity<std::tuple<Facts...>>) {
+  if (values.size() != (std::size_t{0} + ... + AsValues<Facts>::kSize)) return std::nullopt;
+  [[maybe_unused]] const auto next = [&]<class Fact>(std::type_identity<Fact>) {
+    const auto own = values.first(AsValues<Fact>::kSize);
+    values = values.subspan(AsValues<Fact>::kSize);
+    return AsValues<Fact>::unpack(own);
+  };
+  return std::tuple<Facts...>{next(std::type_identity<Facts>{})...};
+}
+
+/// Whether a device can be as its facts say.
+template <class Facts>
+bool is_possible(const Facts&) {
+  return true;
+}
+bool is_possible(const std::tuple<int>& radio) {
+  return std::get<int>(radio) >= Radio::kFirstId && std::get<int>(radio) <= Radio::kLastId;
+}
+bool is_possible(const std::tuple<double, LidarShape>& lidar) {
+  const int points = std::get<LidarShape>(lidar).points;
+  return points >= 1 && points <= 36000;
+}
+
+/// Null: there is no such device.
+template <class Interface>
+std::unique_ptr<Device> make_absent(const Values& listed) {
+  auto facts = read_facts(listed, std::type_identity<typename Absent<Interface>::Facts>{});
+  if (!facts || !is_possible(*facts)) return nullptr;
+  if constexpr (std::is_same_v<Interface, Lidar>) {
+    return std::make_unique<AbsentLidar>(std::move(*facts));
+  } else {
+    return std::make_unique<Relay<Interface, Absent<Interface>>>(std::move(*facts));
+  }
+}
 
 class AbsentRobot final : public Backend {
  public:
-  void add(const ListedDevice& device) {
-    const auto& [kind, id, facts] = device;
-    if (kind == "drive") return drives_.add(id);
-    if (kind == "proximity") return proximity_sensors_.add(id);
-    if (kind == "bumper") return bumpers_.add(id);
-    if (kind == "compass") return compasses_.add(id);
-    if (kind == "gyroscope") return gyroscopes_.add(id);
-    if (kind == "accelerometer") return accelerometers_.add(id);
-    if (kind == "motor") return motors_.add(id);
-    if (kind == "encoder") return encoders_.add(id);
-    if (kind == "servo") return servos_.add(id);
-    if (kind == "digital") return digitals_.add(id);
-    if (kind == "analog") return analogs_.add(id);
-    if (kind == "board") return boards_.add(id);
-    if (kind == "remote") return remotes_.add(id);
-    if (kind == "serial") return serial_ports_.add(id);
-    if (kind == "sound") return sounds_.add(id);
-    if (kind == "radio" && facts.size() == 1 && facts[0] >= Radio::kFirstId &&
-        facts[0] <= Radio::kLastId) {
-      return radios_.add(id, static_cast<int>(facts[0]));
-    }
-    if (kind == "psd" && facts.size() == 1) return range_sensors_.add(id, facts[0]);
-    if (kind == "lidar" && facts.size() == 4 && facts[3] >= 1 && facts[3] <= 36000) {
-      const LidarShape shape{facts[1], facts[2], static_cast<int>(facts[3])};
-      return lidars_.add(id, facts[0], shape);
-    }
-    throw ConfigError({}, "unknown device '" + kind.substr(0, 40) + "'");
+  void add(const ListedDevice& listed) {
+    const std::optional<DeviceKind> named = kind_named(listed.kind);
+    std::unique_ptr<Device> device;
+    for_each_kind([&]<DeviceKind kind>() {
+      if (named == kind) device = make_absent<InterfaceOf<kind>>(listed.facts);
+    });
+    if (!device) throw ConfigError({}, "unknown device '" + listed.kind.substr(0, 40) + "'");
+    devices_.try_emplace({*named, listed.id}, std::move(device));
   }
 
   Clock& clock() override { return clock_; }
   [[nodiscard]] int robot_id() const override { return 1; }
-  Drive* drive() override { return drives_.find(1); }
-  RangeSensor* range_sensor(int id) override { return range_sensors_.find(id); }
-  SwitchSensor* proximity(int id) override { return proximity_sensors_.find(id); }
-  SwitchSensor* bumper(int id) override { return bumpers_.find(id); }
-  Lidar* lidar() override { return lidars_.find(1); }
-  Compass* compass() override { return compasses_.find(1); }
-  Gyroscope* gyroscope() override { return gyroscopes_.find(1); }
-  Accelerometer* accelerometer() override { return accelerometers_.find(1); }
-  Motor* motor(int id) override { return motors_.find(id); }
-  Encoder* encoder(int id) override { return encoders_.find(id); }
-  Servo* servo(int id) override { return servos_.find(id); }
-  DigitalLines* digital() override { return digitals_.find(1); }
-  AnalogInputs* analog() override { return analogs_.find(1); }
-  IoBoard* io_board() override { return boards_.find(1); }
-  Remote* remote() override { return remotes_.find(1); }
-  SerialPort* serial_port(int id) override { return serial_ports_.find(id); }
-  Sound* sound() override { return sounds_.find(1); }
-  Radio* radio() override { return radios_.find(1); }
+  Device* find(DeviceKind kind, int id) override {
+    const auto found = devices_.find({kind, id});
+    return found == devices_.end() ? nullptr : found->second.get();
+  }
   WorldControl* world() override { return nullptr; }
   camera::View* camera_view() override { return nullptr; }
   camera::Source* camera_source() override { return nullptr; }
@@ -86,24 +126,7 @@ class AbsentRobot final : public Backend {
 
  private:
   LockstepClock clock_{std::chrono::milliseconds(10), [] {}};
-  ById<NoDrive> drives_;
-  ById<NoRangeSensor> range_sensors_;
-  ById<NoSwitch> proximity_sensors_;
-  ById<NoSwitch> bumpers_;
-  ById<NoLidar> lidars_;
-  ById<NoCompass> compasses_;
-  ById<NoGyroscope> gyroscopes_;
-  ById<NoAccelerometer> accelerometers_;
-  ById<NoMotor> motors_;
-  ById<NoEncoder> encoders_;
-  ById<NoServo> servos_;
-  ById<NoDigital> digitals_;
-  ById<NoAnalog> analogs_;
-  ById<NoBoard> boards_;
-  ById<NoRemote> remotes_;
-  ById<NoSerialPort> serial_ports_;
-  ById<NoSound> sounds_;
-  ById<NoRadio> radios_;
+  std::map<std::pair<DeviceKind, int>, std::unique_ptr<Device>> devices_;
 };
 
 }  // namespace

@@ -23,11 +23,6 @@ class Worldless final : public PassingBackend {
  public:
   using PassingBackend::PassingBackend;
   [[nodiscard]] int robot_id() const override { return 1; }
-  IoBoard* io_board() override { return nullptr; }
-  Remote* remote() override { return nullptr; }
-  SerialPort* serial_port(int) override { return nullptr; }
-  Sound* sound() override { return nullptr; }
-  Radio* radio() override { return nullptr; }
   WorldControl* world() override { return nullptr; }
   camera::View* camera_view() override { return nullptr; }
   camera::Source* camera_source() override { return nullptr; }

@@ -6,23 +6,8 @@
 
 #include "eyebridge/base/clock.hpp"
 #include "eyebridge/base/result.hpp"
-#include "eyebridge/hal/accelerometer.hpp"
-#include "eyebridge/hal/analog_inputs.hpp"
-#include "eyebridge/hal/compass.hpp"
 #include "eyebridge/hal/device_facts.hpp"
-#include "eyebridge/hal/digital_lines.hpp"
-#include "eyebridge/hal/drive.hpp"
-#include "eyebridge/hal/gyroscope.hpp"
-#include "eyebridge/hal/io_board.hpp"
-#include "eyebridge/hal/lidar.hpp"
-#include "eyebridge/hal/motor.hpp"
-#include "eyebridge/hal/radio.hpp"
-#include "eyebridge/hal/range_sensor.hpp"
-#include "eyebridge/hal/remote.hpp"
-#include "eyebridge/hal/serial_port.hpp"
-#include "eyebridge/hal/servo.hpp"
-#include "eyebridge/hal/sound.hpp"
-#include "eyebridge/hal/switch_sensor.hpp"
+#include "eyebridge/hal/device_kind.hpp"
 #include "eyebridge/hal/trace.hpp"
 #include "eyebridge/hal/world_control.hpp"
 
@@ -54,36 +39,43 @@ class Backend {
   /// Number of this robot in its world, from 1 (1 on real hardware).
   [[nodiscard]] virtual int robot_id() const = 0;
 
-  virtual Drive* drive() = 0;
-  /// A distance sensor (PSD).
-  virtual RangeSensor* range_sensor(int id) = 0;
-  /// An infrared switch.
-  virtual SwitchSensor* proximity(int id) = 0;
-  virtual SwitchSensor* bumper(int id) = 0;
-  virtual Lidar* lidar() = 0;
-  virtual Compass* compass() = 0;
-  /// Null on real hardware, and of a robot that is not driven but put where another one is.
-  virtual Gyroscope* gyroscope() = 0;
-  /// Likewise.
-  virtual Accelerometer* accelerometer() = 0;
+  /// The device of that kind and number; its type is InterfaceOf<kind>.
+  virtual Device* find(DeviceKind kind, int id) = 0;
+  template <DeviceKind kind>
+  InterfaceOf<kind>* device(int id = 1) {
+    return static_cast<InterfaceOf<kind>*>(find(kind, id));
+  }
+
+  Drive* drive() { return device<DeviceKind::Drive>(); }
   /// 1 is the left wheel's motor, 2 the right one's; encoders likewise. Robots that are no
   /// differential ones have other wheels: docs/drives.md.
-  virtual Motor* motor(int id) = 0;
-  virtual Encoder* encoder(int id) = 0;
+  Motor* motor(int id) { return device<DeviceKind::Motor>(id); }
+  Encoder* encoder(int id) { return device<DeviceKind::Encoder>(id); }
   /// 1 is the camera's pan, 2 its tilt, where there are such.
-  virtual Servo* servo(int id) = 0;
-  virtual DigitalLines* digital() = 0;
-  virtual AnalogInputs* analog() = 0;
+  Servo* servo(int id) { return device<DeviceKind::Servo>(id); }
+  /// A distance sensor (PSD).
+  RangeSensor* range_sensor(int id) { return device<DeviceKind::Psd>(id); }
+  /// An infrared switch.
+  SwitchSensor* proximity(int id) { return device<DeviceKind::Proximity>(id); }
+  SwitchSensor* bumper(int id) { return device<DeviceKind::Bumper>(id); }
+  Lidar* lidar() { return device<DeviceKind::Lidar>(); }
+  Compass* compass() { return device<DeviceKind::Compass>(); }
+  /// Null on real hardware, and of a robot that is not driven but put where another one is.
+  Gyroscope* gyroscope() { return device<DeviceKind::Gyroscope>(); }
+  /// Likewise.
+  Accelerometer* accelerometer() { return device<DeviceKind::Accelerometer>(); }
+  DigitalLines* digital() { return device<DeviceKind::Digital>(); }
+  AnalogInputs* analog() { return device<DeviceKind::Analog>(); }
   /// Null for simulated robots.
-  virtual IoBoard* io_board() = 0;
+  IoBoard* io_board() { return device<DeviceKind::Board>(); }
   /// A receiver of infrared codes that is part of the robot.
-  virtual Remote* remote() = 0;
+  Remote* remote() { return device<DeviceKind::Remote>(); }
 
   // Of the computer that the program runs on: what --serial, --player and --radio say.
   /// 0 is the serial port, 1 … 20 are USB devices.
-  virtual SerialPort* serial_port(int id) = 0;
-  virtual Sound* sound() = 0;
-  virtual Radio* radio() = 0;
+  SerialPort* serial_port(int id) { return device<DeviceKind::Serial>(id); }
+  Sound* sound() { return device<DeviceKind::Sound>(); }
+  Radio* radio() { return device<DeviceKind::Radio>(); }
 
   /// What a radio on this robot suffers; nothing where nobody says.
   [[nodiscard]] virtual RadioConditions radio_conditions() const { return {}; }

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "eyebridge/base/result.hpp"
+#include "eyebridge/hal/device.hpp"
 
 namespace eyebridge::hal {
 
@@ -19,11 +20,9 @@ enum class LineMode {
 ///
 /// The backend owns them; any thread. A line outside is OutOfRange. Fails with Timeout or
 /// Disconnected on hardware.
-class DigitalLines {
+class DigitalLines : public Device {
  public:
   static constexpr int kCount = 16;
-
-  virtual ~DigitalLines() = default;
 
   virtual Result<void> setup(int line, LineMode mode) = 0;
   /// The level at a line; an output reads as what it drives.

@@ -3,6 +3,7 @@
 #include "eyebridge/base/drive_goal.hpp"
 #include "eyebridge/base/pose.hpp"
 #include "eyebridge/base/result.hpp"
+#include "eyebridge/hal/device.hpp"
 
 namespace eyebridge::hal {
 
@@ -26,10 +27,8 @@ struct DriveStatus {
 /// The backend owns it; any thread. Metres, radians, seconds; counter-clockwise is positive. Every
 /// call fails with Timeout or Disconnected on hardware and blocks no longer than the link's
 /// timeout; numbers that are not finite are OutOfRange, and the running command goes on.
-class Drive {
+class Drive : public Device {
  public:
-  virtual ~Drive() = default;
-
   /// Drives at `twist`, metres and radians per second, until the next command. What is faster than
   /// the robot can is clamped without an error.
   virtual Result<void> set_speed(const Twist& twist) = 0;

@@ -3,14 +3,13 @@
 #include <string>
 
 #include "eyebridge/base/result.hpp"
+#include "eyebridge/hal/device.hpp"
 
 namespace eyebridge::hal {
 
 /// The I/O board of a robot, as a thing of its own. The backend owns it; any thread.
-class IoBoard {
+class IoBoard : public Device {
  public:
-  virtual ~IoBoard() = default;
-
   /// Version of its firmware, printable characters, as the board says it. Fails with Timeout or
   /// Disconnected.
   virtual Result<std::string> version() = 0;

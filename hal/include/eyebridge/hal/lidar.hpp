@@ -3,6 +3,7 @@
 #include <span>
 
 #include "eyebridge/base/result.hpp"
+#include "eyebridge/hal/device.hpp"
 
 namespace eyebridge::hal {
 
@@ -19,10 +20,8 @@ struct LidarShape {
 ///
 /// The backend owns it; any thread. A scan is of the shape that is set when it starts, so threads
 /// that set different shapes have to agree among themselves.
-class Lidar {
+class Lidar : public Device {
  public:
-  virtual ~Lidar() = default;
-
   /// Shape of the following scans: `field_of_view` radians centred on the front, `tilt` radians
   /// (positive down), `points` rays; a single ray looks ahead. Fails with OutOfRange for a shape
   /// that LidarShape excludes or with more points than the device has, and leaves the old one.
@@ -31,7 +30,7 @@ class Lidar {
   /// The shape of the following scans: configure() takes it back unchanged.
   [[nodiscard]] virtual LidarShape shape() const = 0;
   /// How many ranges a scan has: shape().points.
-  [[nodiscard]] virtual int points() const = 0;
+  [[nodiscard]] int points() const { return shape().points; }
 
   /// One scan, metres, 0 … max_range(), left-most ray first, clockwise; a full circle starts
   /// straight behind. `ranges` has points() elements, else OutOfRange. Ranges are along the tilted

@@ -1,16 +1,15 @@
 #pragma once
 
 #include "eyebridge/base/result.hpp"
+#include "eyebridge/hal/device.hpp"
 
 namespace eyebridge::hal {
 
 /// One motor. Using it takes the robot out of v-omega control.
 ///
 /// The backend owns it; any thread. Fails with Timeout or Disconnected on hardware.
-class Motor {
+class Motor : public Device {
  public:
-  virtual ~Motor() = default;
-
   /// Uncontrolled: `duty` -1 … 1 of full voltage, positive is forward; else OutOfRange.
   virtual Result<void> set_duty(double duty) = 0;
   /// Controlled: encoder ticks per second, positive is forward; switches PID on. What is faster
@@ -24,10 +23,8 @@ class Motor {
 /// One quadrature encoder.
 ///
 /// The backend owns it; any thread. Fails with Timeout or Disconnected on hardware.
-class Encoder {
+class Encoder : public Device {
  public:
-  virtual ~Encoder() = default;
-
   /// Ticks since the last reset (the start, at first); forward counts up. Wraps around as 32 bits
   /// do.
   virtual Result<int> read() = 0;

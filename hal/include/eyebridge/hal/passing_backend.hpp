@@ -19,24 +19,7 @@ class PassingBackend : public Backend {
   Clock& clock() override { return inner_->clock(); }
   void arrive() override { inner_->arrive(); }
   [[nodiscard]] int robot_id() const override { return inner_->robot_id(); }
-  Drive* drive() override { return inner_->drive(); }
-  RangeSensor* range_sensor(int id) override { return inner_->range_sensor(id); }
-  SwitchSensor* proximity(int id) override { return inner_->proximity(id); }
-  SwitchSensor* bumper(int id) override { return inner_->bumper(id); }
-  Lidar* lidar() override { return inner_->lidar(); }
-  Compass* compass() override { return inner_->compass(); }
-  Gyroscope* gyroscope() override { return inner_->gyroscope(); }
-  Accelerometer* accelerometer() override { return inner_->accelerometer(); }
-  Motor* motor(int id) override { return inner_->motor(id); }
-  Encoder* encoder(int id) override { return inner_->encoder(id); }
-  Servo* servo(int id) override { return inner_->servo(id); }
-  DigitalLines* digital() override { return inner_->digital(); }
-  AnalogInputs* analog() override { return inner_->analog(); }
-  IoBoard* io_board() override { return inner_->io_board(); }
-  Remote* remote() override { return inner_->remote(); }
-  SerialPort* serial_port(int id) override { return inner_->serial_port(id); }
-  Sound* sound() override { return inner_->sound(); }
-  Radio* radio() override { return inner_->radio(); }
+  Device* find(DeviceKind kind, int id) override { return inner_->find(kind, id); }
   [[nodiscard]] RadioConditions radio_conditions() const override {
     return inner_->radio_conditions();
   }

@@ -6,6 +6,7 @@
 
 #include "eyebridge/base/clock.hpp"
 #include "eyebridge/base/result.hpp"
+#include "eyebridge/hal/device.hpp"
 
 namespace eyebridge::hal {
 
@@ -29,14 +30,12 @@ struct RadioConditions {
 /// The radio of a robot: messages to other robots by number.
 ///
 /// The backend owns it; any thread. All but id() and start() fail with Unsupported while it is off.
-class Radio {
+class Radio : public Device {
  public:
   static constexpr int kEveryone = -1;               ///< As a receiver: all others.
   static constexpr int kFirstId = 1;                 ///< Of a robot.
   static constexpr int kLastId = 255;                ///< Of a robot.
   static constexpr std::size_t kLongestText = 1024;  ///< Bytes.
-
-  virtual ~Radio() = default;
 
   /// This robot's number, kFirstId … kLastId.
   [[nodiscard]] virtual int id() const = 0;

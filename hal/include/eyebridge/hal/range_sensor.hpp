@@ -1,6 +1,7 @@
 #pragma once
 
 #include "eyebridge/base/result.hpp"
+#include "eyebridge/hal/device.hpp"
 
 namespace eyebridge::hal {
 
@@ -8,10 +9,8 @@ namespace eyebridge::hal {
 ///
 /// The backend owns the sensor; a reference stays valid for as long as the backend does.
 /// Any thread of the robot's program.
-class RangeSensor {
+class RangeSensor : public Device {
  public:
-  virtual ~RangeSensor() = default;
-
   /// Distance from the sensor's face to the first surface along its axis, in metres.
   /// No surface within reach, or one that is too near, reads as `out_of_range()`, as it does on the
   /// robot.

@@ -6,6 +6,7 @@
 
 #include "eyebridge/base/clock.hpp"
 #include "eyebridge/base/result.hpp"
+#include "eyebridge/hal/device.hpp"
 
 namespace eyebridge::hal {
 
@@ -14,10 +15,8 @@ namespace eyebridge::hal {
 ///
 /// The backend owns it; any thread: one may wait for what comes while another one sends. Every call
 /// but open() fails with Unsupported before open(), and with Disconnected when the device is gone.
-class SerialPort {
+class SerialPort : public Device {
  public:
-  virtual ~SerialPort() = default;
-
   /// 8 data bits, no parity, 1 stop bit; `handshake`: the lines RTS and CTS hold back the sender.
   /// Opens it anew when it was open. Fails with Disconnected or Unsupported, in words for people.
   virtual Result<void> open(int baud, bool handshake) = 0;

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "eyebridge/base/result.hpp"
+#include "eyebridge/hal/device.hpp"
 
 namespace eyebridge::hal {
 
@@ -10,10 +11,8 @@ namespace eyebridge::hal {
 /// robot's clock.
 ///
 /// The backend owns it; any thread. A new sound begins beside the one that still plays.
-class Sound {
+class Sound : public Device {
  public:
-  virtual ~Sound() = default;
-
   /// Plays `frequency` hertz, 20 … 20000, for `duration` seconds, more than 0, at most 60; returns
   /// at once. Unsupported where there is no player.
   virtual Result<void> tone(double frequency, double duration) = 0;
