@@ -12,6 +12,7 @@ constexpr double kRounding = 1.0 + 1e-9;
 // Ends of a goal that the heading may lack. More than that was not the drive's doing: somebody
 // turned the robot by hand.
 constexpr double kMostOwed = 10.0;
+constexpr double kPlannedBraking = 0.7;  // of what the robot can, where speeds may come late
 
 /// Narrows [low, high] to the factors f for which f * amount is one step of speed from `speed`.
 void narrow(double amount, double speed, double speed_step, double& low, double& high) {
@@ -117,7 +118,8 @@ Twist DriveController::towards_goal(double distance, double angle) const {
   double share = kInfinity;  // see stopping_share()
   double top = limits_.wheel / (d + a * limits_.half_base);
   const double hold = limits_.dt * limits_.held;
-  const double holds = limits_.held * limits_.held;
+  // Late speeds brake late, too: some of the deceleration is kept for that.
+  const double holds = limits_.held > 1.0 ? kPlannedBraking * limits_.held * limits_.held : 1.0;
   if (d > 0.0) {
     share = limits_.dt * limits_.linear_step * holds / d;
     top = std::min(top, linear_top_ / d);
