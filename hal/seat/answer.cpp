@@ -38,7 +38,8 @@ Result<Values> add_object(WorldControl& world, const std::string& text) {
 Result<Values> set(WorldControl& world, const Call& call) {
   const Values& v = call.request;
   if (call.name == "set_errors" && !v.empty()) {
-    return done(world.set_errors(call.id, AsValues<std::string>::unpack(std::span(v).subspan(1)), v[0]));
+    return done(
+        world.set_errors(call.id, AsValues<std::string>::unpack(std::span(v).subspan(1)), v[0]));
   }
   if (v.size() == 3 && call.name == "set_robot_pose") {
     return done(world.set_robot_pose(call.id, {v[0], v[1], v[2]}));
@@ -50,7 +51,8 @@ Result<Values> set(WorldControl& world, const Call& call) {
     return done(world.set_object_pose(call.id, {v[0], v[1], v[2]}));
   }
   if (call.name == "add_object") return add_object(world, AsValues<std::string>::unpack(v));
-  if (call.name == "change_object") return done(world.change_object(call.id, AsValues<std::string>::unpack(v)));
+  if (call.name == "change_object")
+    return done(world.change_object(call.id, AsValues<std::string>::unpack(v)));
   if (call.name == "remove_object") return done(world.remove_object(call.id));
   if (v.size() == 2 && call.name == "set_object_velocity") {
     return done(world.set_object_velocity(call.id, {v[0], v[1]}));

@@ -73,8 +73,7 @@ class Relay;
 
 template <>
 struct Calls<Drive> : NoFacts {
-  static constexpr auto kSetSpeed =
-      commands("set_speed", &Drive::set_speed, Quantity::WantedSpeed);
+  static constexpr auto kSetSpeed = commands("set_speed", &Drive::set_speed, Quantity::WantedSpeed);
   static constexpr auto kStart = commands("start", &Drive::start, Quantity::Goal);
   static constexpr auto kStatus = reads("status", &Drive::status, Quantity::Progress);
   static constexpr auto kTwist = reads("measured_twist", &Drive::measured_twist, Quantity::Speed);

@@ -11,9 +11,9 @@ std::vector<ListedDevice> devices_of(Backend& backend) {
     for (int id = kKind<kind>.first_id; id <= kKind<kind>.last_id; ++id) {
       const auto* const device = backend.device<kind>(id);
       if (device == nullptr) continue;
-      const auto facts = std::apply(
-          [&](const auto... fact) { return packed((device->*fact)()...); },
-          Calls<InterfaceOf<kind>>::kFacts);
+      const auto facts =
+          std::apply([&](const auto... fact) { return packed((device->*fact)()...); },
+                     Calls<InterfaceOf<kind>>::kFacts);
       devices.push_back({std::string(name_of(kind)), id, facts});
     }
   });

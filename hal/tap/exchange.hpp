@@ -85,9 +85,8 @@ inline Result<std::size_t> put_reply(const Call& call, const Values& reply,
     return fail(Errc::Corrupt, fmt::format("{} {}: {} bytes in the reply, expected at most {}",
                                            call.device, call.id, reply.size(), room.size()));
   }
-  std::ranges::transform(reply, room.begin(), [](double value) {
-    return static_cast<std::uint8_t>(to_byte(value));
-  });
+  std::ranges::transform(reply, room.begin(),
+                         [](double value) { return static_cast<std::uint8_t>(to_byte(value)); });
   return reply.size();
 }
 

@@ -23,9 +23,8 @@ class Tapped : public Interface {
                        std::type_identity_t<Args>... args) {
     const Call call{kind_, id_of(row, id_, args...), row.name, row.is_command(),
                     request_of(row, args...)};
-    const Result<Values> reply = tap_.exchange(call, [&]() -> Result<Values> {
-      return reply_of((inner_.*row.method)(args...), args...);
-    });
+    const Result<Values> reply = tap_.exchange(
+        call, [&]() -> Result<Values> { return reply_of((inner_.*row.method)(args...), args...); });
     return answer_of<Answer>(call, row.style, reply, args...);
   }
   template <class Fact>
@@ -69,8 +68,8 @@ class TapBackend final : public PassingBackend {
     for_each_kind([&]<DeviceKind kind>() {
       if (kind != wanted) return;
       using Interface = InterfaceOf<kind>;
-      made = std::make_unique<Relay<Interface, Tapped<Interface>>>(
-          *tap_, name_of(kind), id, static_cast<Interface&>(device));
+      made = std::make_unique<Relay<Interface, Tapped<Interface>>>(*tap_, name_of(kind), id,
+                                                                   static_cast<Interface&>(device));
     });
     return made;
   }

@@ -147,7 +147,7 @@ TEST_F(ConfigTest, TakesAMixAsATableOrAsText) {
 
 TEST_F(ConfigTest, SaysWhereAMixIsWrong) {
   EXPECT_THAT(complaint("[mix]\npsd = 'sim'\nwings = 'sim'\n"),
-              HasSubstr(":3:1: found 'wings' as a device, expected one of drive, psd"));
+              HasSubstr(":3:1: found 'wings' as a device, expected one of drive, motor, encoder"));
   EXPECT_THAT(complaint("[mix]\npsd = 1\n"),
               HasSubstr(":2:7: found a whole number for 'mix.psd', expected a text"));
   EXPECT_THAT(complaint("[mix]\npsd = 'sim; drive=sim'\n"), HasSubstr(":2:7: found a ';'"));

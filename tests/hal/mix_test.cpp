@@ -212,7 +212,8 @@ TEST(MixText, IsAListOfKindsAndBackends) {
 
 TEST(MixText, SaysWhereAndWhatIsWrong) {
   const Wrong all[] = {
-      {"psd=sim; wings=sim", "1:10: found 'wings' as a device, expected one of drive, psd"},
+      {"psd=sim; wings=sim",
+       "1:10: found 'wings' as a device, expected one of drive, motor, encoder"},
       {"psd", "found no backend for 'psd', expected one as in psd=sim"},
       {"psd=", "found no backend for 'psd'"},
       {"=sim", "found '' as a device"},

@@ -93,7 +93,8 @@ template <class Act>
 constexpr void for_each_kind(Act&& act) {
   [&]<std::size_t... i>(std::index_sequence<i...>) {
     (act.template operator()<static_cast<DeviceKind>(i)>(), ...);
-  }(std::make_index_sequence<kKindCount>{});
+  }
+  (std::make_index_sequence<kKindCount>{});
 }
 
 /// The names of all kinds.
