@@ -5,9 +5,9 @@
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/camera/convert.hpp"
 #include "eyebridge/camera/pose_finder.hpp"
+#include "fiducials/vision.hpp"
 #include "lens_effects.hpp"
-#include "src/undistortion.hpp"
-#include "src/vision.hpp"
+#include "optics/undistortion.hpp"
 #include "vision/aruco.hpp"
 
 // CPU time a VGA frame of finding a camera's pose, and of straightening a picture; the baselines

@@ -4,8 +4,8 @@
 #include "eyebridge/camera/convert.hpp"
 #include "frames/frames_url.hpp"
 #include "frames/series_player.hpp"
-#include "src/frame_schedule.hpp"
-#include "src/sources.hpp"
+#include "sources/frame_schedule.hpp"
+#include "sources/sources.hpp"
 
 namespace eyebridge::camera {
 namespace {

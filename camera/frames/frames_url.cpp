@@ -10,7 +10,7 @@
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/base/url.hpp"
 #include "frames/frame_series.hpp"
-#include "src/frame_schedule.hpp"
+#include "sources/frame_schedule.hpp"
 
 namespace eyebridge::camera {
 namespace {

@@ -7,7 +7,7 @@
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/camera/video_writer.hpp"
-#include "src/own_library.hpp"
+#include "sources/own_library.hpp"
 
 namespace eyebridge::camera {
 namespace {

@@ -1,7 +1,7 @@
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/camera/recording/frame_table.hpp"
 #include "frames/frame_series.hpp"
-#include "src/frame_schedule.hpp"
+#include "sources/frame_schedule.hpp"
 
 namespace eyebridge::camera {
 namespace {

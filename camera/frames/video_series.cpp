@@ -4,8 +4,8 @@
 #include "eyebridge/base/config_error.hpp"
 #include "frames/frame_series.hpp"
 #include "frames/video_reader.hpp"
-#include "src/frame_schedule.hpp"
-#include "src/own_library.hpp"
+#include "sources/frame_schedule.hpp"
+#include "sources/own_library.hpp"
 
 namespace eyebridge::camera {
 namespace {

@@ -10,7 +10,7 @@
 #include <zlib.h>
 
 #include "eyebridge/camera/convert.hpp"
-#include "src/decoders.hpp"
+#include "pictures/decoders.hpp"
 
 namespace eyebridge::camera {
 namespace {

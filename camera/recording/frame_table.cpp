@@ -4,7 +4,7 @@
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/text.hpp"
-#include "src/frame_schedule.hpp"
+#include "sources/frame_schedule.hpp"
 
 namespace eyebridge::camera {
 namespace {

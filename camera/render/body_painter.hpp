@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "eyebridge/world/scene.hpp"
+#include "optics/lens.hpp"
 #include "render/gl_functions.hpp"
-#include "render/lens.hpp"
 #include "render/mesh.hpp"
 #include "render/visible_walls.hpp"
 

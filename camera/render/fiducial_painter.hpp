@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "eyebridge/camera/fiducials.hpp"
+#include "optics/lens.hpp"
 #include "render/gl_functions.hpp"
-#include "render/lens.hpp"
 #include "render/picture_painter.hpp"
 #include "render/visible_walls.hpp"
 

@@ -5,7 +5,7 @@
 
 #include "eyebridge/base/math.hpp"
 #include "eyebridge/base/units.hpp"
-#include "src/marker.hpp"
+#include "pictures/marker.hpp"
 
 namespace eyebridge::camera {
 namespace {

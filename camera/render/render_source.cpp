@@ -9,10 +9,10 @@
 #include "eyebridge/camera/fiducials.hpp"
 #include "render/engine.hpp"
 #include "render/gl_context.hpp"
-#include "src/frame_errors.hpp"
-#include "src/frame_schedule.hpp"
-#include "src/sources.hpp"
-#include "src/stderr_log.hpp"
+#include "sources/frame_errors.hpp"
+#include "sources/frame_schedule.hpp"
+#include "sources/sources.hpp"
+#include "sources/stderr_log.hpp"
 
 namespace eyebridge::camera {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "eyebridge/world/world_model.hpp"
+#include "optics/lens.hpp"
 #include "render/horizon.hpp"
-#include "render/lens.hpp"
 
 namespace eyebridge::camera {
 

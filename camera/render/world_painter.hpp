@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "eyebridge/world/world_model.hpp"
+#include "optics/lens.hpp"
 #include "render/gl_functions.hpp"
-#include "render/lens.hpp"
 #include "render/quads.hpp"
 #include "render/visible_walls.hpp"
 

@@ -6,7 +6,7 @@
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/base/url.hpp"
-#include "src/frame_schedule.hpp"
+#include "sources/frame_schedule.hpp"
 #include "v4l2/raw_formats.hpp"
 
 namespace eyebridge::camera {

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "eyebridge/base/config_error.hpp"
-#include "src/frame_schedule.hpp"
-#include "src/sources.hpp"
-#include "src/stderr_log.hpp"
+#include "sources/frame_schedule.hpp"
+#include "sources/sources.hpp"
+#include "sources/stderr_log.hpp"
 
 namespace eyebridge::camera {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "src/vision.hpp"
+#include "fiducials/vision.hpp"
 
 namespace eyebridge::camera {
 

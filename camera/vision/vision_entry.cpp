@@ -1,6 +1,6 @@
 #include "vision/vision_parts.hpp"
 
-// What src/vision.cpp looks for.
+// What fiducials/vision.cpp looks for.
 extern "C" __attribute__((visibility("default"))) const eyebridge::camera::Vision*
 eyebridge_vision() {
   return &eyebridge::camera::opencv_vision();

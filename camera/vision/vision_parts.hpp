@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/vision.hpp"
+#include "fiducials/vision.hpp"
 
 namespace eyebridge::camera {
 

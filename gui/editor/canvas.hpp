@@ -11,7 +11,7 @@
 
 #include "editor/document.hpp"
 #include "editor/pick.hpp"
-#include "environment/viewport.hpp"
+#include "plan/viewport.hpp"
 
 namespace eyebridge::gui {
 

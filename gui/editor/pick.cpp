@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "environment/grip.hpp"
 #include "eyebridge/base/units.hpp"
+#include "plan/grip.hpp"
 
 namespace eyebridge::gui {
 namespace {

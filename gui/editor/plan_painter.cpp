@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "editor/edits.hpp"
-#include "environment/paint_world.hpp"
 #include "eyebridge/robot/body_colours.hpp"
+#include "plan/paint_world.hpp"
 
 namespace eyebridge::gui {
 namespace {

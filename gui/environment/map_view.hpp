@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "environment/viewport.hpp"
+#include "plan/viewport.hpp"
 #include "windows/map_board.hpp"
 
 namespace eyebridge::gui {

@@ -2,7 +2,7 @@
 
 #include <QTableWidget>
 
-#include "environment/mirror.hpp"
+#include "plan/mirror.hpp"
 
 namespace eyebridge::gui {
 

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <utility>
 
-#include "environment/viewport.hpp"
 #include "eyebridge/base/config_error.hpp"
 #include "parts/frame_image.hpp"
+#include "plan/viewport.hpp"
 
 namespace eyebridge::gui {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "environment/viewport.hpp"
+#include "plan/viewport.hpp"
 
 class QPainter;
 

@@ -4,7 +4,7 @@
 #include <QPainterPath>
 #include <algorithm>
 
-#include "environment/paint_world.hpp"
+#include "plan/paint_world.hpp"
 
 namespace eyebridge::gui {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "environment/trails.hpp"
-#include "environment/viewport.hpp"
+#include "plan/viewport.hpp"
 
 namespace eyebridge::gui {
 

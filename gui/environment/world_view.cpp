@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "environment/paint_world.hpp"
 #include "hand/uncertainty.hpp"
+#include "plan/paint_world.hpp"
 
 namespace eyebridge::gui {
 namespace {

@@ -6,14 +6,14 @@
 #include <functional>
 #include <optional>
 
-#include "environment/grip.hpp"
 #include "environment/keyboard_driver.hpp"
-#include "environment/mirror.hpp"
 #include "environment/tape.hpp"
 #include "environment/trail_layer.hpp"
 #include "environment/trails.hpp"
-#include "environment/viewport.hpp"
 #include "eyebridge/hal/hand_guide.hpp"
+#include "plan/grip.hpp"
+#include "plan/mirror.hpp"
+#include "plan/viewport.hpp"
 
 namespace eyebridge::gui {
 

@@ -3,8 +3,8 @@
 #include <QString>
 #include <array>
 
-#include "environment/viewport.hpp"
 #include "eyebridge/base/pose.hpp"
+#include "plan/viewport.hpp"
 
 class QPainter;
 

@@ -127,6 +127,25 @@ class Arrows(Tree):
         self.assertEqual(self.offences(), [])
 
 
+class Circles(Tree):
+    def test_two_folders_that_include_each_other_are_an_offence(self):
+        self.write("gui/plan/a.hpp", '#pragma once\n#include "editor/b.hpp"\n')
+        self.write("gui/editor/b.hpp", '#pragma once\n#include "plan/a.hpp"\n')
+        found = self.offences()
+        self.assertEqual(len(found), 1, found)
+        self.assertIn("gui/editor, gui/plan: include each other in a circle", found[0])
+
+    def test_a_circle_may_be_longer(self):
+        for home, target in (("a", "b"), ("b", "c"), ("c", "a")):
+            self.write(f"gui/{home}/{home}.hpp", f'#pragma once\n#include "{target}/{target}.hpp"\n')
+        self.assertIn("gui/a, gui/b, gui/c: include each other in a circle", self.offences()[0])
+
+    def test_a_way_down_is_none(self):
+        self.write("gui/editor/b.hpp", '#pragma once\n#include "plan/a.hpp"\n')
+        self.write("gui/plan/a.hpp", "#pragma once\n")
+        self.assertEqual(self.offences(), [])
+
+
 class Forgotten(Tree):
     def test_a_name_without_its_header_is_found(self):
         self.write("hal/sim/a.cpp", "#include <string>\n// std::optional<int>\nstd::vector<std::string> names;\n")

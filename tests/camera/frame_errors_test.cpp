@@ -1,6 +1,6 @@
 // What a camera's errors do to pictures: how often, how much, how spread, and which seed they
 // follow.
-#include "src/frame_errors.hpp"
+#include "sources/frame_errors.hpp"
 
 #include <cmath>
 

@@ -9,7 +9,7 @@
 #include "eyebridge/camera/convert.hpp"
 #include "eyebridge/camera/png.hpp"
 #include "picture_files.hpp"
-#include "src/frame_errors.hpp"
+#include "sources/frame_errors.hpp"
 
 namespace eyebridge::camera::testing {
 namespace {

@@ -4,10 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "environment/grip.hpp"
-#include "environment/mirror.hpp"
-#include "environment/paint_world.hpp"
 #include "environment/trails.hpp"
+#include "plan/grip.hpp"
+#include "plan/mirror.hpp"
+#include "plan/paint_world.hpp"
 #include "room.hpp"
 
 namespace eyebridge::gui {

@@ -1,4 +1,4 @@
-#include "environment/viewport.hpp"
+#include "plan/viewport.hpp"
 
 #include <gtest/gtest.h>
 

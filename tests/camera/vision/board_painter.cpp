@@ -5,7 +5,7 @@
 
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/camera/convert.hpp"
-#include "src/lens_distortion.hpp"
+#include "optics/lens_distortion.hpp"
 
 namespace eyebridge::camera::testing {
 namespace {

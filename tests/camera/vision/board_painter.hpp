@@ -2,7 +2,7 @@
 
 #include "eyebridge/camera/calibration.hpp"
 #include "eyebridge/camera/frame.hpp"
-#include "src/eye_pose.hpp"
+#include "optics/eye_pose.hpp"
 
 namespace eyebridge::camera::testing {
 

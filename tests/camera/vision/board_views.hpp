@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "eyebridge/camera/calibration.hpp"
-#include "src/eye_pose.hpp"
+#include "optics/eye_pose.hpp"
 
 namespace eyebridge::camera::testing {
 

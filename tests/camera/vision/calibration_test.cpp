@@ -12,10 +12,10 @@
 #include "eyebridge/camera/source.hpp"
 #include "fake_clock.hpp"
 #include "lens_effects.hpp"
-#include "src/lens_distortion.hpp"
-#include "src/undistorted_source.hpp"
-#include "src/undistortion.hpp"
-#include "src/url_option.hpp"
+#include "optics/lens_distortion.hpp"
+#include "optics/undistortion.hpp"
+#include "sources/undistorted_source.hpp"
+#include "sources/url_option.hpp"
 
 namespace eyebridge::camera::testing {
 namespace {

@@ -8,8 +8,8 @@
 #include "eyebridge/camera/convert.hpp"
 #include "eyebridge/camera/pose_finder.hpp"
 #include "fake_view.hpp"
+#include "fiducials/vision.hpp"
 #include "lens_effects.hpp"
-#include "src/vision.hpp"
 
 namespace eyebridge::camera::testing {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/lens_distortion.hpp"
+#include "optics/lens_distortion.hpp"
 
 namespace eyebridge::camera::testing {
 namespace {

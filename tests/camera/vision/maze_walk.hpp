@@ -4,7 +4,7 @@
 
 #include "eyebridge/base/clock.hpp"
 #include "eyebridge/world/world_model.hpp"
-#include "src/eye_pose.hpp"
+#include "optics/eye_pose.hpp"
 
 namespace eyebridge::camera::testing {
 

@@ -1,4 +1,4 @@
-#include "src/pose_fit.hpp"
+#include "fiducials/pose_fit.hpp"
 
 #include <cmath>
 
@@ -6,8 +6,8 @@
 
 #include "eyebridge/base/random.hpp"
 #include "eyebridge/base/units.hpp"
-#include "src/localise.hpp"
-#include "src/pose_filter.hpp"
+#include "fiducials/localise.hpp"
+#include "fiducials/pose_filter.hpp"
 
 namespace eyebridge::camera::testing {
 namespace {

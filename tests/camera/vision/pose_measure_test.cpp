@@ -11,9 +11,9 @@
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/camera/pose_finder.hpp"
 #include "eyebridge/files/load.hpp"
+#include "fiducials/vision.hpp"
 #include "lens_effects.hpp"
 #include "maze_walk.hpp"
-#include "src/vision.hpp"
 
 namespace eyebridge::camera::testing {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/files/load.hpp"
-#include "src/vision.hpp"
+#include "fiducials/vision.hpp"
 
 namespace eyebridge::camera::testing {
 namespace {

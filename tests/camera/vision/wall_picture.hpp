@@ -7,7 +7,7 @@
 #include "eyebridge/camera/fiducials.hpp"
 #include "eyebridge/camera/frame.hpp"
 #include "eyebridge/world/world_model.hpp"
-#include "src/eye_pose.hpp"
+#include "optics/eye_pose.hpp"
 
 namespace eyebridge::camera::testing {
 

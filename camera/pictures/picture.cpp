@@ -1,0 +1,88 @@
+#include "eyebridge/camera/picture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "eyebridge/camera/convert.hpp"
+#include "pictures/decoders.hpp"
+
+namespace eyebridge::camera {
+namespace {
+
+struct Format {
+  std::string_view first_bytes;
+  Frame (*decode)(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels);
+  Size (*size)(std::span<const std::uint8_t> bytes);
+};
+
+constexpr std::array<Format, 3> kPictureFormats{{
+    {"\x89PNG\r\n\x1A\n", &decode_png, &png_size},
+    {"\xFF\xD8\xFF", &decode_jpeg, &jpeg_size},
+    {"BM", &decode_bmp, &bmp_size},
+}};
+
+/// The largest picture, uncompressed, with room for a header.
+constexpr std::uint64_t kMostBytes = 4 * kMostPicturePixels;
+
+std::vector<std::uint8_t> read_bytes(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const std::streamoff size = file ? static_cast<std::streamoff>(file.tellg()) : -1;
+  if (size < 0) throw std::runtime_error("cannot be opened");
+  if (static_cast<std::uint64_t>(size) > kMostBytes) throw std::runtime_error("too large");
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
+  file.seekg(0);
+  if (!file.read(reinterpret_cast<char*>(bytes.data()), size)) {
+    throw std::runtime_error("cannot be read");
+  }
+  return bytes;
+}
+
+/// The format that `bytes` are in. Throws when it is none of ours.
+const Format& format_of(std::span<const std::uint8_t> bytes) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  for (const Format& format : kPictureFormats) {
+    if (text.starts_with(format.first_bytes)) return format;
+  }
+  throw std::runtime_error("neither a PNG nor a JPEG nor a BMP");
+}
+
+/// What `read` makes of the file's bytes; its failure names the file.
+template <class Read>
+auto read_file(const std::filesystem::path& path, const Read& read) {
+  try {
+    return read(read_bytes(path));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(path.string() + ": cannot read picture: " + error.what());
+  }
+}
+
+}  // namespace
+
+Frame frame_to_decode(std::int64_t width, std::int64_t height, std::uint64_t most_pixels) {
+  // First each side alone: their product must not overflow.
+  const auto most = static_cast<std::int64_t>(std::min<std::uint64_t>(most_pixels, 1U << 30U));
+  if (width < 1 || height < 1 || width > most || height > most || width * height > most) {
+    throw std::runtime_error(std::to_string(width) + " x " + std::to_string(height) +
+                             " pixels, expected 1 ... " + std::to_string(most));
+  }
+  return make_frame(static_cast<int>(width), static_cast<int>(height), PixelFormat::Rgb24);
+}
+
+Frame decode_picture(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels) {
+  return format_of(bytes).decode(bytes, most_pixels);
+}
+
+Frame read_picture(const std::filesystem::path& path) {
+  return read_file(path, [](const auto& bytes) { return decode_picture(bytes); });
+}
+
+Size picture_size(const std::filesystem::path& path) {
+  return read_file(path, [](const auto& bytes) { return format_of(bytes).size(bytes); });
+}
+
+}  // namespace eyebridge::camera

@@ -1,0 +1,26 @@
+#include "sources/stderr_log.hpp"
+
+#include <cstdio>
+#include <string>
+
+namespace eyebridge::camera {
+namespace {
+
+class StderrLog final : public LogSink {
+ public:
+  void write(Severity severity, std::string_view message) override {
+    if (severity < Severity::Warning) return;
+    const char* kind = severity == Severity::Warning ? "warning: " : "error: ";
+    const std::string line = "eyebridge: " + std::string(kind) + std::string(message) + "\n";
+    std::fwrite(line.data(), 1, line.size(), stderr);
+  }
+};
+
+}  // namespace
+
+LogSink& log_or_stderr(LogSink* log) {
+  static StderrLog standard_error;
+  return log != nullptr ? *log : standard_error;
+}
+
+}  // namespace eyebridge::camera
