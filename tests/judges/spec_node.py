@@ -330,6 +330,8 @@ def main():
                 continue
             try:
                 packet = ready.recv(72)
+            except ConnectionResetError:
+                continue  # it had not read all that was sent to it; what it has sent is still there
             except OSError:
                 packet = b""
             if not packet:
