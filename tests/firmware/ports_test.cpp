@@ -11,10 +11,12 @@
 #include <poll.h>
 #include <pty.h>
 #include <sys/socket.h>
+#include <sys/un.h>
 #include <termios.h>
 #include <unistd.h>
 
 #include "board_fixture.hpp"
+#include "eyebridge/ports/can_hub.hpp"
 #include "eyebridge/ports/lines.hpp"
 #include "eyebridge/ports/trace.hpp"
 #include "run_program.hpp"
@@ -216,6 +218,39 @@ TEST(Can, CarriesFramesOverASocket) {
   port->pump();
   EXPECT_FALSE(port->connected());
   EXPECT_EQ(board.board.pins.duty[0], 0);
+}
+
+/// A node on the bus of a hub.
+UniqueFd node_on(const std::string& path) {
+  UniqueFd node(::socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0));
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  path.copy(address.sun_path, sizeof address.sun_path - 1);
+  EXPECT_EQ(::connect(node.get(), reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+  return node;
+}
+
+// A program that ends sends a stop and is gone, whether or not it has read all that was for it.
+TEST(Can, TheLastFrameOfANodeThatIsGoneIsPassedOn) {
+  const eyebridge::testing::ScratchFolder folder;
+  const std::string path = folder.path() + "/bus";
+  const auto hub = ports::open_can_hub(path, {});
+  ASSERT_TRUE(hub);
+  const UniqueFd robot = node_on(path);
+  UniqueFd program = node_on(path);
+  hub->pump();
+  can_frame unread{};
+  unread.can_id = 0x181;
+  ASSERT_EQ(::send(robot.get(), &unread, sizeof unread, 0), static_cast<ssize_t>(CAN_MTU));
+  hub->pump();
+  can_frame stop{};
+  stop.can_id = 0x231;
+  ASSERT_EQ(::send(program.get(), &stop, sizeof stop, 0), static_cast<ssize_t>(CAN_MTU));
+  program.reset();
+  hub->pump();
+  can_frame got{};
+  ASSERT_EQ(::recv(robot.get(), &got, sizeof got, MSG_DONTWAIT), static_cast<ssize_t>(CAN_MTU));
+  EXPECT_EQ(got.can_id, 0x231U);
 }
 
 TEST(Can, WhatIsMissingIsToldApart) {

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Ends robot programs in every way there is, on the IO7 board of shared/judges, which has no watchdog: do its wheels stand?
+"""Ends robot programs in every way there is: do the robot's wheels stand? On the IO7 board of shared/judges, which has no watchdog,
+or with --can on the robot from SPECIFICATION.md alone.
 
-usage: ends.py FOLDER_OF_PROGRAMS [--runs 1] [--jobs 4] [--limit MS]
-Prints a table: per way the time from the end, or from when a deaf board hears again, until the board was told 0. Fails
+usage: ends.py FOLDER_OF_PROGRAMS [--can] [--runs 1] [--jobs 4] [--limit MS]
+Prints a table: per way the time from the end, or from when a deaf board hears again, until the board was told 0; on CAN until it stood. Fails
 when a board was not told at all, an exit code or a message is not the expected one; with --limit also when it took longer.
 """
 import argparse
@@ -15,8 +16,8 @@ import sys
 import tempfile
 import time
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
-BOARD = ROOT.parent / "shared/judges/io7_board.py"
+from judged_board import IO7, io7_board, spec_node
+
 PATIENCE_S = 20.0
 DEAD_AT_S, DEAD_FOR_S = 0.1, 1.5  # from the first command that drives
 GONE = "the program is gone"
@@ -39,70 +40,64 @@ WAYS = {
 
 
 class Log:
-    """What the board heard: its log, whose times count from `start` on the monotonic clock."""
+    """When the robot's wheels were told to turn or to stand, by its log."""
 
     def __init__(self, path, start):
-        self.start = start
-        self.motors = []  # (time, motor, value)
+        """`start` is when the times of an IO7 board begin, on the monotonic clock; those of spec_node are of that clock."""
+        self.changes = []  # (time, whether they turn)
+        told = {}
         for line in path.read_text().splitlines():
             words = line.split(maxsplit=3)
-            if len(words) == 4 and words[1] == "CMD" and words[2] in "mM":
+            if words[1] in ("ROLLS", "STANDS"):
+                self.changes.append((float(words[0]), words[1] == "ROLLS"))
+            elif len(words) == 4 and words[1] == "CMD" and words[2] in "mM":
                 motor, value = eval(words[3])  # noqa: S307: a list that our own process wrote
-                self.motors.append((float(words[0]) + start, motor, value))
+                told[motor] = value
+                self.changes.append((float(words[0]) + start, any(told.values())))
 
     def driven_at(self):
         """When the first command came that drives; None: never."""
-        return next((when for when, _, value in self.motors if value != 0), None)
+        return next((when for when, turns in self.changes if turns), None)
 
     def stands_from(self, moment):
-        """The first time after `moment` at which no motor was told to turn; None: one still is."""
-        told = {}
-        since = moment
-        for when, motor, value in self.motors:
-            moved = any(told.values())
-            told[motor] = value
-            if any(told.values()):
-                since = None
-            elif moved:
+        """The first time after `moment` at which no wheel turns; None: one still does."""
+        since, turned = moment, False
+        for when, turns in self.changes:
+            if turned and not turns:
                 since = max(when, moment)
-        return since
+            turned = turns
+        return None if turned else since
 
 
-def one_run(programs, way):
-    """Milliseconds until the board was told 0, and what was wrong."""
+def one_run(programs, way, board_of):
+    """Milliseconds until the wheels stood, and what was wrong."""
     what, deaf, code, message = WAYS[way]
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
-        command = [sys.executable, BOARD, folder / "tty", "--tpm", "6484", "--base", "0.09", "--log", folder / "log"]
+        options = ["--log", folder / "log"]
         if deaf:
-            command += ["--dead", f"{DEAD_AT_S},{DEAD_FOR_S}"]
-        board = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
-        try:
-            board.stdout.readline()
+            options += ["--dead", f"{DEAD_AT_S},{DEAD_FOR_S}"]
+        with board_of(folder, options) as board:
             start = time.monotonic()
-            ended, returned, said = run_program(programs, what, folder, deaf)
-            wrong = wait_for_board(board)
-        finally:
-            board.kill()
-            board.wait()
+            ended, returned, said = run_program(programs, what, folder, deaf, board.hal)
         log = Log(folder / "log", start)
         if log.driven_at() is None:
             return None, f"{way}: the board was never told to drive: {said}"
         reference = max(ended, log.driven_at() + DEAD_AT_S + DEAD_FOR_S) if deaf else ended
         stands = log.stands_from(reference)
         if stands is None:
-            return None, f"{way}: {wrong or 'motors were left running'}; it said: {said}"
+            return None, f"{way}: motors were left running; it said: {said}"
         if returned != code or message not in said:
             return None, f"{way}: expected exit code {code} and '{message}', found {returned} and '{said}'"
         return (stands - reference) * 1000, None
 
 
-def run_program(programs, what, folder, deaf):
+def run_program(programs, what, folder, deaf, hal):
     """Runs the program and ends it: when it ended, its exit code, its standard error once its guard has ended, too."""
     with open(folder / "err", "w+") as errors:
         program = subprocess.Popen(
             [programs / "judged_ways", what], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=errors, text=True,
-            cwd=folder, start_new_session=True, env={"EYEBRIDGE_HAL": f"serial:{folder}/tty", "PATH": "/usr/bin:/bin"})
+            cwd=folder, start_new_session=True, env={"EYEBRIDGE_HAL": hal, "PATH": "/usr/bin:/bin"})
         guard = None
         try:
             program.stdout.readline()
@@ -165,12 +160,6 @@ def await_that(holds):
         time.sleep(0.005)
 
 
-def wait_for_board(board):
-    """Ends the board; what it said of its motors."""
-    board.terminate()
-    return board.communicate(timeout=PATIENCE_S)[0].strip().splitlines()[-1]
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("programs", type=lambda path: pathlib.Path(path).resolve())
@@ -178,14 +167,18 @@ def main():
     parser.add_argument("--jobs", type=int, default=4)
     parser.add_argument("--limit", type=float, metavar="MS")
     parser.add_argument("--way", action="append", choices=WAYS, help="only this one; may be given again")
+    parser.add_argument("--can", action="store_true")
     options = parser.parse_args()
-    if not BOARD.exists():
-        sys.exit(f"{BOARD}: not found; expected the judges beside the project")
+    if not IO7.exists():
+        sys.exit(f"{IO7}: not found; expected the judges beside the project")
+    board_of = spec_node if options.can else io7_board
+    # A robot on CAN that hears nothing stops by itself, before its guard would.
+    ways = options.way or [way for way, (what, deaf, *_) in WAYS.items() if not (options.can and (deaf or what == "STOP"))]
     failed = False
     print("| end | runs | median ms | longest ms |\n|---|---:|---:|---:|")
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        for way in options.way or WAYS:
-            results = list(pool.map(lambda _, way=way: one_run(options.programs, way), range(options.runs)))
+        for way in ways:
+            results = list(pool.map(lambda _, way=way: one_run(options.programs, way, board_of), range(options.runs)))
             times = [taken for taken, wrong in results if wrong is None]
             for wrong in {wrong for _, wrong in results if wrong is not None}:
                 failed = True

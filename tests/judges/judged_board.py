@@ -51,6 +51,6 @@ def io7_board(folder, options=()):
     return running(command, f"serial:{folder}/tty", folder)
 
 
-def spec_node(folder, _options=()):
-    """The robot on CAN from SPECIFICATION.md alone, on a bus over a socket in `folder`."""
-    return running([sys.executable, "-B", SPEC_NODE, "--bus", "./eyebot.bus"], "can:./eyebot.bus?node=1", folder)
+def spec_node(folder, options=()):
+    """The robot on CAN from SPECIFICATION.md alone, on a bus over a socket in `folder`, with its own command line `options`."""
+    return running([sys.executable, "-B", SPEC_NODE, "--bus", "./eyebot.bus", *options], "can:./eyebot.bus?node=1", folder)

@@ -303,6 +303,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--bus", required=True, metavar="PATH")
     parser.add_argument("--node", type=int, default=1, choices=range(1, 15))
+    parser.add_argument("--log", type=argparse.FileType("w"), help="tells when the wheels begin to turn and when they stand")
     options = parser.parse_args()
     ended = []
     signal.signal(signal.SIGTERM, lambda *_: ended.append(True))
@@ -321,6 +322,7 @@ def main():
     body = Body()
     robot = Robot(options.node, body, lambda packet: pass_on(packet, others), time.monotonic())
     print(f"bus at {options.bus}", flush=True)
+    rolls = False
     while not ended:
         for ready in select.select([listener, *others], [], [], 0.005)[0]:
             if ready is listener:
@@ -328,6 +330,8 @@ def main():
                 continue
             try:
                 packet = ready.recv(72)
+            except ConnectionResetError:
+                continue  # it had not read all that was sent to it; what it has sent is still there
             except OSError:
                 packet = b""
             if not packet:
@@ -336,6 +340,9 @@ def main():
             pass_on(packet, [other for other in others if other is not ready])
             robot.hear(packet, time.monotonic())
         robot.go_on(time.monotonic())
+        if options.log and rolls != (robot.drive.v != 0 or robot.drive.w != 0):
+            rolls = not rolls
+            print(f"{time.monotonic():.4f} {'ROLLS' if rolls else 'STANDS'}", file=options.log, flush=True)
     os.unlink(options.bus)
     print(f"end: truth x={body.x * 1000:.1f} y={body.y * 1000:.1f} mm phi={math.degrees(body.phi):.2f} deg "
           f"path={body.path * 1000:.1f} mm refused={robot.refused}")

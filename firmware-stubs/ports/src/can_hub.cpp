@@ -66,7 +66,8 @@ class CanHub final : public Port {
     canfd_frame frame{};
     for (;;) {
       const ssize_t size = ::recv(from.get(), &frame, sizeof frame, MSG_TRUNC);
-      if (size < 0 && errno == EINTR) continue;
+      // Reset: it did not read all that was for it; what it has sent is still there.
+      if (size < 0 && (errno == EINTR || errno == ECONNRESET)) continue;
       if (size < 0 && errno == EAGAIN) return;
       if (size <= 0) {
         from.reset();
