@@ -182,9 +182,12 @@ TEST_F(LineGuardTest, ALineThatWasLostIsOpenedAgain) {
     ::close(line);
   });
   std::string heard;
+  pollfd said{errors_.get(), POLLIN, 0};
   while (heard.find('?') == std::string::npos) {
+    ASSERT_EQ(said.revents & POLLHUP, 0) << "the guard has ended: " << read_until(errors_.get());
     // Nobody has the line open for a moment: that is an end of file here.
     heard += read_until(board_.get(), "?");
+    ASSERT_GE(::poll(&said, 1, 0), 0);
   }
   EXPECT_THAT(heard, Not(HasSubstr("stop"))) << "nobody knows yet that it is the same board";
   write_text(board_.get(), "7.05");
