@@ -28,8 +28,10 @@ static void end(const char* way) {
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
+  int v = 0, w = 0;
   VWSetSpeed(200, 0);
   OSWait(200);
+  while (v == 0 && VWGetSpeed(&v, &w) == 0) OSWait(20); /* on a busy computer */
   puts("drives");
   fflush(stdout);
   if (getchar() == EOF) return 2; /* a line: it is time */
