@@ -1,5 +1,6 @@
 #include <random>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -112,6 +113,30 @@ TEST(Io7Probe, ABoardThatTakesBytesAndAnyChannelIsNotTakenForOneOfText) {
     EXPECT_EQ(report->profile.request_form, RequestForm::Binary);
     EXPECT_TRUE(report->request_form_proven);
   }
+}
+
+// On a busy computer the answer to a line can come when bytes are tried already.
+TEST(Io7Probe, ALateAnswerToALineIsNotTakenForOneToBytes) {
+  FakeBoard board;
+  Probe probe;
+  std::vector<std::uint8_t> late;
+  for (int steps = 0; steps < 40 && !probe.done(); ++steps) {
+    std::vector<std::uint8_t> answer = board.answer(probe.step().send);
+    if (probe.step().expect == "a reading, if requests are text") std::swap(answer, late);
+    if (probe.step().expect == "a reading, if requests are bytes") {
+      answer.insert(answer.begin(), late.begin(), late.end());
+    }
+    probe.answer(answer);
+  }
+  const auto report = probe.report();
+  ASSERT_TRUE(report) << report.error().what;
+  EXPECT_FALSE(late.empty());
+  EXPECT_EQ(report->profile.request_form, RequestForm::Ascii);
+  EXPECT_TRUE(report->request_form_proven);
+  board.asked.clear();
+  const std::string version = "v\r";
+  board.answer({reinterpret_cast<const std::uint8_t*>(version.data()), version.size()});
+  EXPECT_EQ(board.asked, "v") << "bytes that were tried spoil no line";
 }
 
 TEST(Io7Probe, AQuietTextBoardOnUsbPowerIsStillFound) {

@@ -101,8 +101,8 @@ std::string_view Probe::without_frame(std::string_view body) const {
   body = without_echo(body);
   const std::string_view prompt = report_.profile.prompt.view();
   // A raw reading may well end in the byte that is the prompt.
-  const bool reading =
-      state_ == State::Voltage || state_ == State::AsciiForm || state_ == State::BinaryForm;
+  const bool reading = state_ == State::Voltage || state_ == State::AsciiForm ||
+                       state_ == State::BinaryForm || state_ == State::BinaryAgain;
   const bool prompts =
       !reading || report_.profile.reply_form == ReplyForm::Text || report_.profile.prompt_after_raw;
   if (prompts && !prompt.empty() && body.ends_with(prompt)) body.remove_suffix(prompt.size());
@@ -132,7 +132,10 @@ void Probe::answer(std::span<const std::uint8_t> received) {
       return answer_open_line(body);
     case State::AsciiForm:
     case State::BinaryForm:
+    case State::BinaryAgain:
       return answer_form(body);
+    case State::LineEnd:  // Whatever it says to what was no line.
+      return finish();
     case State::Done:
     case State::Failed:
       return;
@@ -297,10 +300,28 @@ void Probe::answer_form(std::string_view body) {
   }
   const bool good = value && *value >= field.first && *value <= field.last;
   if (state_ == State::AsciiForm && (!good || body == enter_)) return try_bytes();
+  if (state_ == State::BinaryAgain && without_echo(body).empty()) {
+    // The first answer was a late one to the line; the bytes still wait there for an end.
+    profile.request_form = RequestForm::Ascii;
+    state_ = State::LineEnd;
+    expect_ = "anything";
+    return send_line_end();
+  }
   if (!good) {
     return give_up(Errc::Corrupt, std::string("no reading from '") + form_request_.letter +
                                       "' in either request form, found " + quoted(body));
   }
+  if (state_ == State::BinaryForm) {
+    state_ = State::BinaryAgain;
+    expect_ = "the reading again: the first one may have been late";
+    send(form_request_);
+    return;
+  }
+  finish();
+}
+
+void Probe::finish() {
+  const Profile& profile = report_.profile;
   report_.request_form_proven = true;
   const bool is_quiet =
       profile.request_form == RequestForm::Ascii || profile.reply_form == ReplyForm::Raw;

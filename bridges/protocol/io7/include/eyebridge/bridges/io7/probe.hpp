@@ -38,7 +38,8 @@ struct ProbeReport {
 ///
 /// The order is: Enter until the prompt repeats; `h`; `v`; `O 0` and `v` again; `V`; one reading
 /// with an argument as text, first without its line end: only a board that takes bytes answers
-/// that, and only one that takes lines answers the line end; to the former the reading in bytes.
+/// that, and only one that takes lines answers the line end; to the former the reading in bytes,
+/// twice: the first answer may be a late one to the line.
 /// `h` goes first, so that no letter is sent that the board does not list; letters that move
 /// anything are never sent, `E` least of all. Allocates; not a hot path.
 ///
@@ -73,6 +74,8 @@ class Probe {
     OpenLine,
     AsciiForm,
     BinaryForm,
+    BinaryAgain,
+    LineEnd,
     Done,
     Failed
   };
@@ -88,6 +91,8 @@ class Probe {
   void answer_voltage(std::string_view body);
   void answer_open_line(std::string_view body);
   void answer_form(std::string_view body);
+  /// The form of requests is known.
+  void finish();
   void ask_list();
   bool quieten();  ///< False when the board does not list the letter.
   void ask_voltage();
