@@ -8,6 +8,7 @@ when a board was not told at all, an exit code or a message is not the expected 
 """
 import argparse
 import concurrent.futures
+import os
 import pathlib
 import signal
 import statistics
@@ -116,7 +117,7 @@ def run_program(programs, what, folder, deaf, hal):
             returned = program.wait(PATIENCE_S)
             if not what.isupper():
                 ended = time.monotonic()
-            await_that(lambda: not any(pathlib.Path(f"/proc/{process}/stat").exists() for process in guard))
+            await_that(lambda: not any(os.path.exists(f"/proc/{process}/stat") for process in guard))  # exists() of a Path fails where it ends meanwhile
         finally:
             for process in holders_of(folder / "err"):  # the child of "fork"
                 subprocess.run(["kill", "-9", str(process)], check=False, stderr=subprocess.DEVNULL)
