@@ -180,8 +180,9 @@ def main():
     failed = False
     print("| end | runs | median ms | longest ms |\n|---|---:|---:|---:|")
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        runs = {way: [pool.submit(one_run, options.programs, way, board_of) for _ in range(options.runs)] for way in ways}
         for way in ways:
-            results = list(pool.map(lambda _, way=way: one_run(options.programs, way, board_of), range(options.runs)))
+            results = [run.result() for run in runs[way]]
             times = [taken for taken, wrong in results if wrong is None]
             for wrong in {wrong for _, wrong in results if wrong is not None}:
                 failed = True
