@@ -10,8 +10,8 @@
 
 namespace eyebridge::hal {
 
-// What each device can be asked: once as a table, for whoever has a name and numbers, and once as
-// the functions of its interface, for whoever stands between a program and a device.
+// What each device can be asked, twice: as a table, for code that has a call's name and numbers,
+// and as the functions of its interface, for code between a program and a device.
 
 enum class CallStyle {
   Reads,     ///< May be asked again.

@@ -90,7 +90,7 @@ inline Result<std::size_t> put_reply(const Call& call, const Values& reply,
   return reply.size();
 }
 
-/// What the caller is given for a reply, whoever wrote it.
+/// A reply as the value that the caller expects. Corrupt when it cannot be one.
 template <class Answer, class... Args>
 Result<Answer> answer_of(const Call& call, CallStyle style, const Result<Values>& reply,
                          const Args&... args) {

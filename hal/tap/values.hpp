@@ -15,7 +15,7 @@
 
 namespace eyebridge::hal {
 
-// Whoever wrote the numbers: each becomes something that the type can be.
+// Numbers of a recording or another process can be anything: they are limited to the type.
 
 /// A whole number.
 inline int to_whole(double value) {

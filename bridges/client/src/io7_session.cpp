@@ -50,7 +50,7 @@ Io7Session::Io7Session(std::unique_ptr<ByteStream> stream, io7::ProbeReport repo
 
 Time Io7Session::longest_patience() const {
   if (settings_.said_timeout) return settings_.reply_timeout;
-  const Time late = quality_.latest(clock_.now());
+  const Time late = quality_.lateness(clock_.now());
   return std::min(kLongestReply, std::max(settings_.reply_timeout, late + late / 2));
 }
 

@@ -18,14 +18,14 @@ class LineQuality {
     last_ = now;
     any_ = true;
   }
-  /// A reply that was given up, or nearly, came `took` after it was asked for.
+  /// A reply took longer than the usual wait: `took` from the question on.
   void note_late(Time now, Time took) {
-    latest_ = late(now) ? std::max(latest_, took) : took;
+    lateness_ = late(now) ? std::max(lateness_, took) : took;
     late_until_ = now + kMemory;
   }
   [[nodiscard]] bool late(Time now) const { return now < late_until_; }
-  /// How long the latest of them took; 0 when none was late.
-  [[nodiscard]] Time latest(Time now) const { return late(now) ? latest_ : Time{0}; }
+  /// The longest time that such a reply took; 0 when none was late.
+  [[nodiscard]] Time lateness(Time now) const { return late(now) ? lateness_ : Time{0}; }
   [[nodiscard]] bool noisy(Time now) const { return now < noisy_until_; }
 
  private:
@@ -33,7 +33,7 @@ class LineQuality {
   Time last_{0};
   Time noisy_until_ = Time::min();
   Time late_until_ = Time::min();
-  Time latest_{0};
+  Time lateness_{0};
 };
 
 }  // namespace eyebridge::bridges

@@ -47,8 +47,8 @@ class Backend {
   }
 
   Drive* drive() { return device<DeviceKind::Drive>(); }
-  /// 1 is the left wheel's motor, 2 the right one's; encoders likewise. Robots that are no
-  /// differential ones have other wheels: docs/drives.md.
+  /// Motor 1 turns the left wheel, motor 2 the right one; encoders have the same numbers. Robots
+  /// with another drive have other wheels: docs/drives.md.
   Motor* motor(int id) { return device<DeviceKind::Motor>(id); }
   Encoder* encoder(int id) { return device<DeviceKind::Encoder>(id); }
   /// 1 is the camera's pan, 2 its tilt, where there are such.

@@ -19,8 +19,8 @@ class SenderWatch {
  public:
   /// A message of this function (EYECAN_S_…) came. False: this one or the one before it is foreign,
   /// and neither must be used. (An earlier one of which is_followed() was true may be.) Always true
-  /// of messages that are not cyclic. `may_answer`: by what it says it may be the one that
-  /// expect_another() told of.
+  /// of messages that are not cyclic. `may_answer`: it can be the answer that
+  /// expect_another() announced.
   bool heard(int function, Time now, bool may_answer = true);
   /// Whether enough others came after the last one of this function: it is the robot's own.
   [[nodiscard]] bool is_followed(int function, Time now) const;
