@@ -16,6 +16,9 @@ using State = io7::ReplyParser::State;
 // attempt fails. A silent one is given up sooner.
 constexpr int kResyncAttempts = 8;
 constexpr int kSilentAttempts = 3;
+// A board that is silent is asked often: who asked while it was deaf waits in vain. Only then long.
+constexpr Time kAskedOften = std::chrono::milliseconds(400);
+constexpr Time kSilence = std::chrono::milliseconds(600);
 constexpr int kAttempts = 2;       // of an exchange
 constexpr int kNoisyAttempts = 3;  // on a line that is known to spoil bytes
 constexpr int kQuickAttempts = 5;  // to find back there, before silence counts for a board's
@@ -203,8 +206,9 @@ Result<void> Io7Session::resync() {
   std::string found = "nothing";
   int silent = 0;
   const int quick_attempts = noisy() ? kQuickAttempts : 0;
-  for (int attempt = 0; attempt < quick_attempts + kResyncAttempts && silent < kSilentAttempts;
-       ++attempt) {
+  const Time since = clock_.now();
+  for (int attempt = 0; attempt < quick_attempts + kResyncAttempts; ++attempt) {
+    if (silent >= kSilentAttempts && clock_.now() - since >= kSilence) break;
     // The first time, an answer that only comes late may still be under way, and tells how late.
     const bool may_be_late = attempt == 0 && !noisy() && !quality_.late(clock_.now());
     const auto late = drain_until_quiet(
@@ -218,8 +222,9 @@ Result<void> Io7Session::resync() {
     if (auto prompt = drain_until_quiet(); !prompt) return tl::unexpected(prompt.error());
     // Mostly a byte was lost and the board is well: it answers as soon as ever.
     const bool quick = attempt < quick_attempts;
+    const bool often = clock_.now() - since < kAskedOften;
     const Time patience =
-        attempt == 0 ? longest_patience() : std::max(longest_patience(), settings_.resync_timeout);
+        often ? longest_patience() : std::max(longest_patience(), settings_.resync_timeout);
     const auto reply = ask(version, *bytes, quick ? reply_patience() : patience);
     if (!reply && is_lost(reply.error())) return tl::unexpected(reply.error());
     if (reply && std::equal(reply->version.begin(), reply->version.end(), report_.version.begin(),

@@ -82,6 +82,22 @@ TEST_F(Io7LossTest, ABoardThatRebootedIntoItsVerboseModeIsProbedAgain) {
   EXPECT_EQ(client.generation(), 2u);
 }
 
+// A drive by the encoders goes on without them for half a second.
+TEST_F(Io7LossTest, ABoardThatWasDeafIsFoundSoonAfterItHearsAgain) {
+  for (Time deaf = 5ms; deaf <= 400ms; deaf += 5ms) {
+    const Time from = clock.now();
+    const auto answers = std::exchange(line->on_write, {});
+    line->on_write = [&](ScriptedLine& to, const std::string& sent) {
+      if (clock.now() - from >= deaf) answers(to, sent);
+    };
+    EXPECT_EQ(client.exchange(io7::psd(1)).value().values[0], 512) << deaf / 1ms << " ms";
+    EXPECT_LE((clock.now() - from) / 1ms, std::max(deaf, Time{100ms}) / 1ms + 110) << deaf / 1ms;
+    line->on_write = answers;
+    clock.spend(20s);
+  }
+  EXPECT_EQ(client.statistics().losses, 0u);
+}
+
 TEST_F(Io7LossTest, AnotherBoardOnTheSameLineIsNotTakenForTheOldOne) {
   board.version = "2.00";
   damage = [](ScriptedLine&, const std::string&) {};

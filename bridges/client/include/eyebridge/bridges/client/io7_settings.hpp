@@ -18,7 +18,7 @@ struct Io7Settings {
   Time reply_least = std::chrono::milliseconds(20);
   /// The same on a noisy line, where many replies will never come.
   Time noisy_least = std::chrono::milliseconds(5);
-  /// For what a resync sends, and for the `v` that ends it from the second attempt on.
+  /// For what a resync sends, and for the last `v` that a silent board is asked.
   Time resync_timeout = std::chrono::milliseconds(200);
   ProbeTiming probe{};
   Time boot_patience = std::chrono::seconds(3);  ///< Opening a port resets some boards: they are
