@@ -18,6 +18,8 @@ constexpr auto kSettings = std::to_array<Setting>({
      "how many robots of the world run programs: a number, or all that it places"},
     {"shared_globals", Kind::Boolean, "false",
      "several robots of one program share its variables, as in EyeSim"},
+    {"isolate", Kind::Boolean, "false",
+     "each of several robots' programs has a process of its own: it crashes or hangs alone"},
     {"hdt", Kind::Path, "",
      "hardware description of a real board; unset: that of an S4. In simulation: the tables of "
      "PSDs"},

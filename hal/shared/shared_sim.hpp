@@ -46,7 +46,6 @@ class SharedSim final : public SharedWorld {
   void note(const std::string& name, double value) override { world_->note(name, value); }
   void end() noexcept override { world_->end_report(); }
   [[nodiscard]] StateHash hash() override;
-  [[nodiscard]] bool is_locked() override { return world_->is_locked(); }
   [[nodiscard]] std::uint64_t overruns() const override;
 
   [[nodiscard]] std::shared_ptr<SimWorld> world() { return world_; }

@@ -64,11 +64,6 @@ class SimWorld {
     return run_trace_.value();
   }
 
-  /// True while one of the others runs. For signal handlers, too.
-  [[nodiscard]] bool is_locked() {
-    const std::unique_lock lock(mutex_, std::try_to_lock);
-    return !lock.owns_lock();
-  }
   /// One step, and its trace point.
   void step();
   /// Tells `sink` of `robot` after every step from now on; null ends it.

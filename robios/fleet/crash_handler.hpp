@@ -3,28 +3,22 @@
 #include <array>
 #include <memory>
 
-#include "library_locks.hpp"
-
 namespace eyebridge::robios {
 
 class Robot;
 
-/// From now on a robot whose program crashes (bad memory access, illegal instruction, division by
-/// zero, abort()) ends alone, with a message. A crash while it had locked the world, or in no
-/// robot's program, ends the process as ever. `are_threads`: robots run beside each other.
-void handle_crashes(bool are_threads);
+/// From now on a crash of a robot's program (bad memory access, illegal instruction, division by
+/// zero, a heap that it spoilt) is told of, and ends the run: what it had locked or overwritten is
+/// the others', too. A program's own handler of the signal comes first.
+void handle_crashes();
 
-/// The robot whose program has ended in the middle of a function of the C library, so that the
-/// others cannot go on: the run is to be ended, before the process is soon. Null while all is well.
-/// Any thread.
+/// The robot whose program has crashed: the run is to be ended, before the process is soon. Null
+/// while all is well. Any thread.
 [[nodiscard]] Robot* broken_robot();
 
-/// Makes the robot that runs in `thread` end, as a crash would, in its program: what it waits for
-/// is interrupted, and a call of ours or the C library's returns first. Again and again, by one
-/// thread.
-void interrupt_robot(unsigned long thread);
-/// True when an interrupted robot's program has not returned to its own code yet.
-[[nodiscard]] bool is_outside_program();
+/// A program has a handler of its own for `signal`: it runs on the program's stack, as it would in
+/// a process of its own. Nothing where the signal is no crash.
+void let_program_handle(int signal);
 
 /// The calling thread's room for the handler: a program that used up its stack has none left.
 class CrashStack {
@@ -37,7 +31,6 @@ class CrashStack {
  private:
   static constexpr std::size_t kSize = 64 * 1024;
   std::unique_ptr<std::array<char, kSize>> room_;
-  const library_locks::HeapInUse heap_;
 };
 
 }  // namespace eyebridge::robios

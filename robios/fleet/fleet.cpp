@@ -37,6 +37,12 @@ Fleet::Fleet(hal::Config config, const std::vector<std::string>& words,
       scheduler_(config_.boolean("fast") ? in_lockstep(config_.number("hang_limit"))
                                          : in_real_time(config_.number("hang_limit"))),
       scenario_(config_.is_set("world") ? config_.path("world") : "the empty room") {
+  if (config_.boolean("isolate") && config_.boolean("shared_globals")) {
+    throw ConfigError(
+        {"isolate"},
+        "programs in processes of their own cannot share variables; leave out isolate "
+        "or shared_globals");
+  }
   calls = robot_calls(scheduler_->strands());
   windows_ = open_session_windows(config_, log_);
   world_ = hal::open_shared_world(config_, log_, scheduler_->turns());
@@ -172,7 +178,7 @@ std::vector<Robot*> Fleet::robots() const {
 }
 
 int Fleet::run() {
-  handle_crashes(!config_.boolean("fast"));
+  handle_crashes();
   the_fleet = this;
   watch_signals([](int) { the_fleet->stop(); }, [] { the_fleet->look(); });
   const std::vector<Robot*> robots_at_start = robots();
@@ -227,7 +233,7 @@ void Fleet::look() {
 }
 
 void Fleet::end_without(Robot& broken) {
-  // Whoever comes to what is locked for ever stays there; the next one may not come to it.
+  // Whoever comes to what the broken one has locked stays there; the next may not come to it.
   static std::counting_semaphore<> done(0);
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(3);
   bool have_ended = true;
@@ -239,14 +245,15 @@ void Fleet::end_without(Robot& broken) {
     const auto soon = std::chrono::steady_clock::now() + std::chrono::milliseconds(500);
     have_ended = done.try_acquire_until(std::min(soon, end)) && have_ended;
   };
+  try_to([] { std::fflush(stdout); });
   for (Robot* const robot : robots()) {
     if (robot != &broken) try_to([robot] { robot->end_session(); });
   }
+  try_to([&broken] { broken.end_session(); });
   try_to([this] { world_->end(); });
   for (Robot* const robot : robots()) try_to([robot] { robot->make_process_end(); });
-  log_.write(Severity::Error, have_ended ? "the run is ended; the results of the others are written"
+  log_.write(Severity::Error, have_ended ? "the run is ended; results are written"
                                          : "the run is ended; results are missing");
-  std::fflush(stdout);
   _exit(exit_code());
 }
 

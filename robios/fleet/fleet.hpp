@@ -75,7 +75,7 @@ class Fleet final : public Crew {
   [[nodiscard]] std::vector<Robot*> robots() const;
   /// Ten times a second, in a thread of ours.
   void look();
-  /// Ends the run, and the process, where the others can no longer go on.
+  /// Ends the run, and the process: the program of `broken` crashed, or hangs.
   [[noreturn]] void end_without(Robot& broken);
   [[nodiscard]] int exit_code() const;
 

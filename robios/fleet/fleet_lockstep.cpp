@@ -7,7 +7,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <pthread.h>
 #include <unistd.h>
 
 #include "arrivals.hpp"
@@ -16,7 +15,6 @@
 #include "fiber_robot.hpp"
 #include "fleet_scheduler.hpp"
 #include "hold_up.hpp"
-#include "library_locks.hpp"
 #include "thread_state.hpp"
 #include "thread_wait.hpp"
 #include "watchdog.hpp"
@@ -52,7 +50,6 @@ struct Fleet::InLockstep final : Scheduler {
   void start_late(Robot& robot) override { static_cast<FiberRobot&>(robot).be_late(); }
   void run(Fleet& fleet, const std::vector<Robot*>& /*robots*/) override {
     const CrashStack stack;
-    thread = pthread_self();
     tid = gettid();
     running = &fleet;
     time = &fleet.world_->environment().time();
@@ -81,7 +78,7 @@ struct Fleet::InLockstep final : Scheduler {
     return arrivals.ask([&fleet, index] { return fleet.leave(index); });
   }
   void look() override {
-    if (running == nullptr || library_locks::are_in_doubt()) return;
+    if (running == nullptr) return;
     ProgramProcess* const process = awaited;
     const ThreadState state = look_at_thread(tid);
     double processor_s = state.processor_s;
@@ -118,19 +115,13 @@ struct Fleet::InLockstep final : Scheduler {
       process->kill_hanging();
       return;
     }
-    interrupt_robot(thread);
-    constexpr int kMostLooks = 50;
-    looks_outside = is_outside_program() ? looks_outside + 1 : 0;
-    if (looks_outside == kMostLooks) end_run();
-  }
-  void end_run() {
-    const std::string call = present_wait().call;
     for (Robot* const robot : running.load()->robots()) {
       if (robot->index() != lockstep.whose_turn()) continue;
+      const std::string call = present_wait().call;
       fmt::print(stderr,
-                 "eyebridge: robot {}: error: the program has made no call for too long, and does "
-                 "not come back from {}: all robots end\n",
-                 robot->index() + 1, call.empty() ? "the C library" : call);
+                 "eyebridge: robot {}: error: the program has made no call for too long{}: all "
+                 "robots end (with --isolate it alone would)\n",
+                 robot->index() + 1, call.empty() ? "" : ", and waits in " + call);
       robot->break_off(124);
       running.load()->end_without(*robot);
     }
@@ -168,8 +159,6 @@ struct Fleet::InLockstep final : Scheduler {
   double waited_for_person_s = 0.0;
   Watchdog watchdog;
   Watchdog waiting;
-  int looks_outside = 0;
-  pthread_t thread{};
   int tid = 0;
   std::atomic<Fleet*> running = nullptr;
 };

@@ -4,12 +4,12 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <functional>
 #include <iterator>
 #include <string>
 
 #include <unistd.h>
 
+#include "dynamic_names.hpp"
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/own_place.hpp"
 
@@ -25,11 +25,11 @@ bool this_is_classic() {
 bool is_of_other_generation(const std::filesystem::path& program) {
   std::ifstream stream(program, std::ios::binary);
   const std::string file{std::istreambuf_iterator<char>(stream), {}};
-  // As the names of needed libraries stand in it.
-  const std::string other = this_is_classic() ? std::string("\0libeyebridge.so", 16)
-                                              : std::string("\0libeyebridge_classic.so", 24);
-  return std::search(file.begin(), file.end(),
-                     std::boyer_moore_horspool_searcher(other.begin(), other.end())) != file.end();
+  const auto names = dynamic_names(file);
+  const char* const other = this_is_classic() ? "libeyebridge.so" : "libeyebridge_classic.so";
+  return names && std::ranges::any_of(names->libraries, [&](const std::string& library) {
+           return library.starts_with(other);  // a version may follow
+         });
 }
 
 void become_launcher(bool other_generation, std::vector<std::string> words) {

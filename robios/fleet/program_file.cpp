@@ -16,6 +16,7 @@
 #include <elf.h>
 #include <link.h>
 
+#include "dynamic_names.hpp"
 #include "generation.hpp"
 
 namespace eyebridge::robios {
@@ -50,16 +51,9 @@ constexpr Machine kMachine{EM_AARCH64, "arm64"};
 #error "several robots in one process: the number of this machine in elf(5) is missing here"
 #endif
 
-/// What the dynamic section says.
-struct Dynamic {
-  std::uint64_t names = 0;  ///< The address of the table of names.
-  std::vector<std::uint64_t> libraries;
-  std::vector<std::uint64_t> folders;  ///< Where to look for them, "a:b".
-};
-
 /// Takes the mark off that it is a program, and what would be called too early or too late. elf(5),
 /// and DT_FLAGS_1 of the System V gABI.
-void change(ElfW(Dyn) & entry, Dynamic& dynamic, ProgramFile& file) {
+void change(ElfW(Dyn) & entry, ProgramFile& file) {
   const auto take_other = [&](ProgramFile::Functions& functions) {
     functions.other = std::exchange(entry.d_un.d_ptr, 0);
     entry.d_tag = DT_DEBUG;  // means nothing in a library
@@ -81,25 +75,16 @@ void change(ElfW(Dyn) & entry, Dynamic& dynamic, ProgramFile& file) {
     take_count(file.ends);
   } else if (entry.d_tag == DT_FINI) {
     take_other(file.ends);
-  } else if (entry.d_tag == DT_STRTAB) {
-    dynamic.names = entry.d_un.d_ptr;
-  } else if (entry.d_tag == DT_NEEDED) {
-    dynamic.libraries.push_back(entry.d_un.d_val);
-  } else if (entry.d_tag == DT_RPATH || entry.d_tag == DT_RUNPATH) {
-    dynamic.folders.push_back(entry.d_un.d_val);
   }
 }
 
 /// The C library keeps where these are in a program's words, once for all who call them; and of
 /// optarg and optind each robot would have a copy of its own that they do not know.
-void check_calls(const fs::path& program, const Bytes& file) {
-  using namespace std::string_view_literals;
-  const std::string_view text(file.data(), file.size());
-  for (const std::string_view name :
-       {"\0getopt\0"sv, "\0getopt_long\0"sv, "\0getopt_long_only\0"sv}) {
-    if (text.find(name) == std::string_view::npos) continue;
-    refuse(program, "found " + std::string(name.substr(1, name.size() - 2)) +
-                        "(), which several robots cannot call in one process");
+void check_calls(const fs::path& program, const DynamicNames& names) {
+  for (const char* const call : {"getopt", "getopt_long", "getopt_long_only"}) {
+    if (std::ranges::find(names.wanted, call) == names.wanted.end()) continue;
+    refuse(program,
+           "found " + std::string(call) + "(), which several robots cannot call in one process");
   }
 }
 
@@ -134,14 +119,13 @@ std::vector<fs::path> first_folders(const fs::path& program, std::string_view li
 }
 
 /// The first library that is neither the system's nor in use already, as ours are.
-std::string own_library(const fs::path& program, const std::vector<std::string>& libraries,
-                        const std::string& run_path) {
+std::string own_library(const fs::path& program, const DynamicNames& names) {
   const char* const path = std::getenv("LD_LIBRARY_PATH");
-  std::vector<fs::path> folders = first_folders(program, run_path);
+  std::vector<fs::path> folders = first_folders(program, names.folders);
   std::ranges::copy(first_folders(program, path != nullptr ? path : ""),
                     std::back_inserter(folders));
   std::erase_if(folders, is_systems);
-  for (const std::string& library : libraries) {
+  for (const std::string& library : names.libraries) {
     if (is_loaded(library)) continue;
     const bool has_folder = library.find('/') != std::string::npos;
     std::error_code ignored;  // a folder that may not be searched holds nothing for us
@@ -155,6 +139,7 @@ std::string own_library(const fs::path& program, const std::vector<std::string>&
 
 void prepare(const fs::path& program, ProgramFile& file) {
   Bytes& bytes = file.bytes;
+  const auto names = dynamic_names(bytes);
   const auto* header = at<ElfW(Ehdr)>(bytes, 0);
   if (header == nullptr || std::memcmp(header->e_ident, ELFMAG, SELFMAG) != 0) {
     refuse(program,
@@ -169,8 +154,6 @@ void prepare(const fs::path& program, ProgramFile& file) {
   }
   auto* segments = at<ElfW(Phdr)>(bytes, header->e_phoff, header->e_phnum);
   if (segments == nullptr) refuse(program, "the program's file is cut off");
-  bool is_dynamic = false;
-  Dynamic dynamic;
   for (std::size_t i = 0; i < header->e_phnum; ++i) {
     if (segments[i].p_type == PT_TLS) {
       refuse(program,
@@ -183,32 +166,13 @@ void prepare(const fs::path& program, ProgramFile& file) {
     const std::size_t count = segments[i].p_filesz / sizeof(ElfW(Dyn));
     auto* entries = at<ElfW(Dyn)>(bytes, segments[i].p_offset, count);
     if (entries == nullptr) refuse(program, "the program's file is cut off");
-    is_dynamic = true;
     for (std::size_t k = 0; k < count && entries[k].d_tag != DT_NULL; ++k) {
-      change(entries[k], dynamic, file);
+      change(entries[k], file);
     }
   }
-  if (!is_dynamic) refuse(program, std::string("found a static program") + kExpected);
-
-  const auto text_at = [&](std::uint64_t name) -> std::string {
-    for (std::size_t i = 0; i < header->e_phnum; ++i) {
-      const ElfW(Phdr)& segment = segments[i];
-      const std::uint64_t address = dynamic.names + name;
-      if (segment.p_type != PT_LOAD || address < segment.p_vaddr ||
-          address - segment.p_vaddr >= segment.p_filesz) {
-        continue;
-      }
-      const std::uint64_t start = address - segment.p_vaddr + segment.p_offset;
-      if (start >= bytes.size()) break;
-      return {bytes.data() + start, strnlen(bytes.data() + start, bytes.size() - start)};
-    }
-    return "";
-  };
-  std::vector<std::string> libraries;
-  std::ranges::transform(dynamic.libraries, std::back_inserter(libraries), text_at);
-  std::string folders;
-  for (const std::uint64_t list : dynamic.folders) folders += text_at(list) + ":";
-  file.own_library = own_library(program, libraries, folders);
+  if (!names) refuse(program, std::string("found a static program") + kExpected);
+  check_calls(program, *names);
+  file.own_library = own_library(program, *names);
 }
 
 }  // namespace
@@ -229,7 +193,6 @@ const ProgramFile& ProgramFile::of(const fs::path& program) {
   file.bytes.assign(std::istreambuf_iterator<char>(stream), {});
   if (!stream) refuse(program, std::string("cannot be read: ") + std::strerror(errno));
   prepare(program, file);
-  check_calls(program, file.bytes);
   return known->emplace(program, std::move(file)).first->second;
 }
 

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <atomic>
-#include <memory>
 
 #include <signal.h>
 
@@ -10,8 +9,8 @@ namespace eyebridge::robios {
 
 /// The signal handlers that one robot's program has set. Any thread.
 ///
-/// What a crash raises, and what ends the run (Ctrl-C), never gets past here; of other signals from
-/// outside of the process the handler that was set last counts, whoever's it is.
+/// What ends the run (Ctrl-C) never gets past here; of other signals from outside of the process
+/// the handler that was set last counts, whoever's it is.
 class ProgramSignals {
  public:
   /// As sigaction(): true when the signal is the robot's alone.
@@ -22,9 +21,8 @@ class ProgramSignals {
   /// True when a signal without a handler ends no program.
   static bool is_harmless(int signal);
 
-  /// In the handler of a crash: lets the interrupted flow go on in the program's handler, on its
-  /// own stack. False when it has none, or no stack.
-  bool divert(int signal, const siginfo_t& info, ucontext_t& context);
+  /// In the handler of a crash: calls the program's. False when it has none.
+  bool handle(int signal, siginfo_t* info, void* context);
 
  private:
   using Table = std::array<struct sigaction, NSIG>;

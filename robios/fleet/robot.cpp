@@ -1,16 +1,9 @@
 #include "robot.hpp"
 
-#include <array>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <ctime>
-#include <exception>
 #include <utility>
 
 #include <fmt/format.h>
-#include <signal.h>
-#include <sys/syscall.h>
 #include <unistd.h>
 
 #include "flow.hpp"
@@ -23,10 +16,9 @@ Robot::Robot(std::size_t index, RobotProgram program)
 
 void Robot::begin(const hal::Config& config, const hal::Seat& seat,
                   const std::filesystem::path& out) {
-  world_ = seat.world;
   const std::filesystem::path own_out =
       out.empty() ? out : out / fmt::format("robot-{}", index_ + 1);
-  if (needs_process(program_.file, config.boolean("shared_globals"))) {
+  if (needs_process(program_.file, config)) {
     process_ = std::make_unique<ProgramProcess>(program_, config, seat, own_out);
     return;
   }
@@ -48,7 +40,6 @@ void Robot::run() {
     fail(program_.file.string() + ": " + why, kCannotRun);
   }
   if (process_ != nullptr) run_process();
-  flow.stack_mark = __builtin_frame_address(0);
   try {
     // Runs constructors: the robot's first code.
     image_ = session_->config().boolean("shared_globals") ? ProgramImage::load_shared(program_.file)
@@ -155,20 +146,10 @@ void* Robot::variable(const char* name) {
 }
 
 void Robot::fail(const std::string& how, int code) {
-  is_abandoned_ = flow.calls > 0;
-  flow.calls = 0;
   std::fflush(stdout);  // what it printed before comes before
-  log().write(Severity::Error, is_abandoned_ ? how + " (inside a RoBIOS call)" : how);
+  log().write(Severity::Error, how);
   drop(code);
   __builtin_unreachable();
-}
-
-void Robot::crash(int signal, const void* address) {
-  std::string where;
-  if (signal == SIGSEGV || signal == SIGBUS) where = fmt::format(" at address {}", address);
-  fail(
-      fmt::format("the program crashed: {}{}; it ends, the others go on", strsignal(signal), where),
-      128 + signal);
 }
 
 void Robot::break_off(int code) {
@@ -194,17 +175,6 @@ void Robot::remove(int code, const std::string& why) {
 
 const Screen* Robot::screen() const { return session_ != nullptr ? &session_->screen() : nullptr; }
 
-bool Robot::may_be_stopped() const {
-  if (flow.calls == 0) return true;
-  // Others hold the world for microseconds; a tenth of a second is for ever.
-  for (int i = 0; i < 100; ++i) {
-    if (!world_->is_locked()) return true;
-    const timespec pause{0, 1'000'000};
-    syscall(SYS_nanosleep, &pause, nullptr);
-  }
-  return false;
-}
-
 Robot* Robot::current() {
   Session* const session = Session::here();
   return session == nullptr ? nullptr : static_cast<Robot*>(session->runner());
@@ -214,12 +184,7 @@ bool Robot::end(int code) {
   if (ended_.exchange(true)) return false;
   exit_code_ = code;
   leave_image();
-  if (process_ != nullptr) return true;  // it has ended there
-  if (is_abandoned_) {
-    session_->abandon();
-  } else {
-    session_->end();
-  }
+  if (process_ == nullptr) session_->end();  // else it has ended there
   return true;
 }
 

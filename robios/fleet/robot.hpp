@@ -52,12 +52,9 @@ class Robot : public Runner {
   [[nodiscard]] ProgramSignals& signals() { return signals_; }
   /// True when `address` lies in its program.
   [[nodiscard]] bool runs(const void* address) const;
-  /// The robot's program crashed or hangs in the calling flow: tells so and leaves. Inside a call
-  /// of ours it leaves without results.
+  /// The robot's program cannot go on in the calling flow: tells so and leaves.
   [[noreturn]] void fail(const std::string& how, int code);
-  /// The same for a signal, which was about `address`.
-  [[noreturn]] void crash(int signal, const void* address);
-  /// Its program ended where it will let no session end: that is what it ends with. Any thread.
+  /// Its program crashed or hangs, and ends no session: that is what it ends with. Any thread.
   void break_off(int code);
   /// All flows of the robot wait for ever: tells so and ends it, from outside of them.
   void end_stuck();
@@ -67,9 +64,6 @@ class Robot : public Runner {
   void remove(int code = 0, const std::string& why = "");
   /// Its panel's screen; null where a process has it.
   [[nodiscard]] const Screen* screen() const;
-  /// False when the calling flow was stopped while it had locked what others need. For signal
-  /// handlers.
-  [[nodiscard]] bool may_be_stopped() const;
 
   [[nodiscard]] std::size_t index() const { return index_; }
   /// On its clock.
@@ -109,7 +103,6 @@ class Robot : public Runner {
 
   const std::size_t index_;
   const RobotProgram program_;
-  std::shared_ptr<hal::SharedWorld> world_;
   std::shared_ptr<ProgramImage> image_;
   Session* session_ = nullptr;               ///< Null where a process has it.
   std::unique_ptr<ProgramProcess> process_;  ///< Else null.
@@ -122,7 +115,6 @@ class Robot : public Runner {
   std::unique_ptr<std::byte[]> state_;
   ProgramSignals signals_;
   const int process_id_;
-  bool is_abandoned_ = false;  ///< The calling flow will never leave its call.
   int exit_code_ = 0;
 };
 

@@ -1,8 +1,10 @@
 #include "robot_calls.hpp"
 
 #include <cstdio>
+#include <cstring>
 #include <memory>
 
+#include <fmt/format.h>
 #include <pthread.h>
 #include <signal.h>
 
@@ -42,7 +44,9 @@ int raise_in_program(int signal) {
   Robot& robot = *Robot::current();
   if (robot.signals().raise(signal)) return 1;
   if (ProgramSignals::is_harmless(signal)) return 0;
-  robot.crash(signal, nullptr);
+  robot.fail(
+      fmt::format("the program was ended by a signal: {}; the others go on", sigdescr_np(signal)),
+      128 + signal);
 }
 
 /// Before fork(): what other threads have locked stays locked in the child, and it would write,
@@ -116,7 +120,8 @@ eyebridge_robot_calls robot_calls(Strands* given) {
   };
   calls.raise = raise_in_program;
   calls.abort = [] {
-    if (Robot* const robot = Robot::current()) {
+    Robot* const robot = Robot::current();
+    if (robot != nullptr && flow.calls == 0) {
       robot->fail("the program called abort(); it ends, the others go on", 134);
     }
   };
@@ -126,7 +131,6 @@ eyebridge_robot_calls robot_calls(Strands* given) {
       static thread_local const CrashStack stack;
       const std::unique_ptr<Beginning> beginning(static_cast<Beginning*>(thread));
       Session::set_here(beginning->session);
-      flow.stack_mark = __builtin_frame_address(0);
       is_created = true;
       if (beginning->is_programs) static thread_local const ProgramThread counted;
     };
@@ -136,7 +140,7 @@ eyebridge_robot_calls robot_calls(Strands* given) {
     };
     calls.finish = [](void* /*result*/) {
       Robot* const robot = Robot::current();
-      if (robot == nullptr || is_created || flow.stack_mark == nullptr) return;
+      if (robot == nullptr || is_created) return;
       robot->drop_thread();
       robot->hold_thread();  // its main(), in which nothing may be thrown
     };

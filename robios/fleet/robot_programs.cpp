@@ -53,9 +53,10 @@ std::string trouble_with(const fs::path& program) {
 
 bool is_script(const fs::path& program) { return is_python(program) || begins_with(program, "#!"); }
 
-bool needs_process(const fs::path& program, bool is_shared) {
-  return is_script(program) ||
-         (begins_with(program, "\177ELF") && !ProgramImage::can_load(program, is_shared));
+bool needs_process(const fs::path& program, const hal::Config& config) {
+  if (config.boolean("isolate") || is_script(program)) return true;
+  return begins_with(program, "\177ELF") &&
+         !ProgramImage::can_load(program, config.boolean("shared_globals"));
 }
 
 std::vector<RobotProgram> programs_of(const std::vector<hal::SharedRobot>& robots,

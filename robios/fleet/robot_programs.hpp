@@ -20,9 +20,9 @@ std::vector<RobotProgram> programs_of(const std::vector<hal::SharedRobot>& robot
 /// True for a Python program, and for one that begins with #!.
 bool is_script(const std::filesystem::path& program);
 
-/// True for a program that cannot be loaded into this process: a script, or a binary that
-/// ProgramImage refuses. It runs in a process of its own. `is_shared`: all have its variables.
-bool needs_process(const std::filesystem::path& program, bool is_shared);
+/// True for a program that runs in a process of its own: each where `config` says so (isolate), a
+/// script, or a binary that ProgramImage refuses.
+bool needs_process(const std::filesystem::path& program, const hal::Config& config);
 
 /// Why `program` cannot be run, in words; "" when nothing speaks against it.
 std::string trouble_with(const std::filesystem::path& program);

@@ -19,7 +19,6 @@ unsigned long Strands::create(Start start, void* argument) {
   Session* const session = Session::here();
   Strand& strand = lockstep_.add_strand([this, session, start, argument] {
     Session::set_here(session);
-    flow.stack_mark = __builtin_frame_address(0);
     finish(start(argument));
   });
   threads_[number] = {&strand, strand.robot};

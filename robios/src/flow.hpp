@@ -19,7 +19,7 @@ struct Flow {
   TurnMember* member = nullptr;
   /// Where the member's other threads see whether it is in a call; null without one.
   std::atomic<bool>* in_call = nullptr;
-  /// Calls of the API that it is in: a crash there may have left something locked.
+  /// Calls of the API that it is in.
   int calls = 0;
   bool is_away = false;  ///< In a call that waits for what other threads may have to do first.
   /// What looks at the time have cost since the last call, which charges it.
@@ -27,8 +27,6 @@ struct Flow {
   bool in_timer = false;        ///< It runs the function of a timer.
   int kernel_calls = 0;         ///< Of classic RoBIOS's multitasking.
   void* kernel_task = nullptr;  ///< Likewise: which task it is.
-  void* stack_mark = nullptr;   ///< Of one of several robots': from where down its stack may be
-                                ///< used again once the program is given up.
 };
 
 // Asked at every call: where the thread's start is, and not through a function. The library may be

@@ -265,15 +265,6 @@ void Session::failed(std::string_view call, const Error& error) {
 
 std::string Session::last_error() const { return impl_->failures.last(); }
 
-void Session::abandon() noexcept {
-  std::call_once(impl_->ended, [this] {
-    impl_->claim_end();
-    impl_->stage = Impl::Stage::Ended;
-    static_cast<void>(impl_->backend->stop());
-    impl_->backend->trace_to(nullptr);
-  });
-}
-
 // Who runs several tells of all together.
 void Session::tell_of_overruns() {
   hal::Environment* const world = impl_->backend->environment();

@@ -151,8 +151,6 @@ class Session {
 
   /// Stops the motors and writes the results to --out. Idempotent; never throws.
   void end() noexcept;
-  /// As end(), without results: a call of the program never returns, and may have locked them.
-  void abandon() noexcept;
   /// Returns in the thread that ends the process: the one that called end() first. In any other it
   /// waits for the process to end, so that the exit code is that of the one reason for the end.
   void await_end();

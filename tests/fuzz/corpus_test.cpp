@@ -15,6 +15,7 @@
 #include "host_entry.hpp"
 #include "map_entry.hpp"
 #include "plant_link_entry.hpp"
+#include "program_entry.hpp"
 #include "seat_entry.hpp"
 #include "sweep_entry.hpp"
 
@@ -53,6 +54,7 @@ constexpr Target kTargets[] = {{"world", world},
                                {"serial_devices", serial_devices},
                                {"sound", sound},
                                {"sample", sample},
+                               {"program_names", program_names},
                                {"sweep", sweep},
                                {"outcome", outcome},
                                {"recording", recording},

@@ -66,18 +66,49 @@ TEST(SeveralRobots, AnEndOfAnyKindIsThatRobotsOwn) {
     const auto r = run_named("several_ends", several("8", clock));
     EXPECT_EQ(r.exit_code, 3) << r.err;  // the first robot's
     EXPECT_EQ(r.out, "robot 8 is left\n");
-    EXPECT_THAT(
-        r.err,
-        AllOf(HasSubstr("robot 3: error: the program crashed: Segmentation fault at address 0x8;"),
-              HasSubstr("robot 4: error: the program crashed: Segmentation fault"),
-              HasSubstr("robot 5: error: the program called abort()"),
-              HasSubstr("robot 6: error: the program crashed: Floating point"),
-              HasSubstr("the others go on (inside a RoBIOS call)"),
-              HasSubstr("robot 1: warning: the program ended with exit code 3\n"),
-              HasSubstr("robot 2: warning: the program ended with exit code 4\n"),
-              Not(HasSubstr("robot 1: error")), Not(HasSubstr("robot 2: error")),
-              Not(HasSubstr("robot 8: "))));
+    EXPECT_THAT(r.err,
+                AllOf(HasSubstr("robot 1: warning: the program ended with exit code 3\n"),
+                      HasSubstr("robot 2: warning: the program ended with exit code 4\n"),
+                      HasSubstr("robot 3: error: the program called abort(); it ends, the others "
+                                "go on\n"),
+                      HasSubstr("robot 4: error: the program was ended by a signal: Floating point "
+                                "exception; the others go on\n"),
+                      Not(HasSubstr("robot 1: error")), Not(HasSubstr("robot 2: error")),
+                      Not(HasSubstr("robot 5: ")), Not(HasSubstr("robot 8: "))));
   }
+}
+
+TEST(SeveralRobots, ACrashIsTheRobotsOwnInAProcessOfItsOwn) {
+  for (auto clock : testing::kClocks) {
+    clock["EYEBRIDGE_ISOLATE"] = "true";
+    const auto r = run_named("several_ends", several("8", clock));
+    EXPECT_EQ(r.exit_code, 3) << r.err;
+    EXPECT_EQ(r.out, "robot 8 is left\n");
+    const auto ended_by = [](const std::string& robot, const std::string& signal) {
+      return HasSubstr("robot " + robot + ": error: the program was ended by a signal: " + signal +
+                       "; the others go on\n");
+    };
+    EXPECT_THAT(r.err,
+                AllOf(ended_by("3", "Aborted"), ended_by("4", "Floating point exception"),
+                      ended_by("5", "Segmentation fault"), ended_by("6", "Segmentation fault"),
+                      ended_by("7", "Segmentation fault"), Not(HasSubstr("robot 8: "))));
+  }
+}
+
+TEST(SeveralRobots, InProcessesOfTheirOwnTheyDriveTheSameWay) {
+  const auto together = run_named("several_follow", several("2"));
+  const auto isolated = run_named("several_follow", several("2", {{"EYEBRIDGE_ISOLATE", "true"}}));
+  EXPECT_EQ(isolated.exit_code, 0) << isolated.err;
+  EXPECT_EQ(isolated.out, together.out);
+  EXPECT_EQ(trace_of(isolated.err), trace_of(together.err));
+}
+
+TEST(SeveralRobots, ProcessesOfTheirOwnShareNoVariables) {
+  const auto r = run_named("several", several("2", {{"EYEBRIDGE_ISOLATE", "true"},
+                                                    {"EYEBRIDGE_SHARED_GLOBALS", "true"}}));
+  EXPECT_NE(r.exit_code, 0);
+  EXPECT_THAT(r.err, HasSubstr("isolate: programs in processes of their own cannot share "
+                               "variables; leave out isolate or shared_globals"));
 }
 
 TEST(SeveralRobots, EachHasTheStreamsOfCpp) {
@@ -140,7 +171,9 @@ TEST(SeveralRobots, ThreadsOfProgramsWorkInRealTime) {
 }
 
 TEST(SeveralRobots, OneThatHangsIsToldOfAndEnded) {
-  const auto r = run_named("several_hang", several("3", {{"EYEBRIDGE_HANG_LIMIT", "1s"}}));
+  const auto r =
+      run_named("several_hang",
+                several("3", {{"EYEBRIDGE_HANG_LIMIT", "1s"}, {"EYEBRIDGE_ISOLATE", "true"}}));
   EXPECT_EQ(r.exit_code, 124) << r.err;
   EXPECT_EQ(r.out, "1 at 10100\n3 at 10100\n");
   EXPECT_THAT(

@@ -1,6 +1,7 @@
-// Robots that crash or hang inside the C library, wait for ever, or compute on: the others go on.
+// Robots that crash, hang, wait for ever, or compute on: what becomes of the others.
 #include <array>
 #include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -17,7 +18,6 @@ namespace eyebridge {
 namespace {
 
 using ::testing::AllOf;
-using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using testing::ProgramRun;
@@ -37,52 +37,68 @@ ProgramRun run_stopping(const std::string& how, Settings settings) {
 const auto kOthersAreDone =
     AllOf(HasSubstr("1 is at the end\n"), HasSubstr("3 is at the end\n"), Not(HasSubstr("2 is")));
 
-TEST(RobotsThatStop, OneEndedInALoopAroundTheCLibraryLeavesItUnlocked) {
-  for (const char* how : {"takes memory", "prints"}) {
-    const ProgramRun r = run_stopping(how, {});
-    EXPECT_EQ(r.exit_code, 124) << how << r.err;
-    EXPECT_THAT(r.out, kOthersAreDone) << how;
-    EXPECT_THAT(r.err,
-                AllOf(HasSubstr("robot 2: warning: the program has computed for 0.5 s without a "
-                                "call with which its time passes; all robots wait for it"),
-                      HasSubstr("robot 2: error: the program has made no call for too long")));
-  }
-}
-
-TEST(RobotsThatStop, ACrashInTheMiddleOfPrintingLeavesTheOthersTheirOutput) {
+// The others need what a program had locked, or overwrote, when it crashed or hung.
+TEST(RobotsThatStop, ACrashEndsTheRunAndTheResultsAreWritten) {
+  // The string at 0x8: strlen() of arm64 reads from 0x0 on, where its 16 bytes begin.
+  const Settings crashes = {
+      {"writes where nothing is", "crashed: Segmentation fault at address 0x8"},
+      {"uses up its stack", "crashed: Segmentation fault at address 0x"},
+      {"shows no picture", "crashed inside a RoBIOS call: Segmentation fault at address 0x"},
+      {"prints nothing", "crashed: Segmentation fault at address 0x"}};
   for (const auto& clock : testing::kClocks) {
-    const ProgramRun r = run_stopping("prints nothing", clock);
-    EXPECT_EQ(r.exit_code, 139) << r.err;
-    EXPECT_THAT(r.out, kOthersAreDone);
-    // printf() of a string at 0x8: strlen() of arm64 reads from 0x0 on, where its 16 bytes begin.
-    EXPECT_THAT(r.err, ContainsRegex("robot 2: error: the program crashed: Segmentation fault at "
-                                     "address 0x[08]; it ends, the others go on"));
+    for (const auto& [how, what] : crashes) {
+      const testing::ScratchFolder folder;
+      Settings settings = clock;
+      settings["EYEBRIDGE_OUT"] = folder.path() + "/out";
+      const ProgramRun r = run_stopping(how, settings);
+      EXPECT_EQ(r.exit_code, 139) << how << r.err;
+      EXPECT_THAT(r.err, AllOf(HasSubstr("robot 2: error: the program " + what),
+                               HasSubstr("; all robots end (with --isolate it alone would)\n"),
+                               HasSubstr("error: the run is ended; results are ")))
+          << how;
+      if (clock.at("EYEBRIDGE_FAST") == "true") {
+        EXPECT_THAT(r.out, Not(HasSubstr("is at the end"))) << how;
+      }
+      EXPECT_GT(std::filesystem::file_size(folder.path() + "/out/robot-1/trace.csv"), 100U);
+    }
   }
 }
 
 // With the address sanitizer it ends the process itself.
 #if !defined(__SANITIZE_ADDRESS__)
-TEST(RobotsThatStop, AHeapThatIsLockedForEverEndsTheRunWithAMessage) {
+TEST(RobotsThatStop, AHeapThatIsSpoiltEndsTheRunWithAMessage) {
   for (const auto& clock : testing::kClocks) {
     const ProgramRun r = run_stopping("spoils its heap", clock);
     EXPECT_EQ(r.exit_code, 134) << r.err;
-    EXPECT_THAT(r.err, AllOf(HasSubstr("robot 2: error: the program crashed: Aborted, inside the C "
-                                       "library; the others need what it had locked there: all "
-                                       "robots end"),
+    EXPECT_THAT(r.err, AllOf(HasSubstr("robot 2: error: the program crashed: Aborted; all robots "
+                                       "end (with --isolate it alone would)\n"),
                              HasSubstr("error: the run is ended; ")));
   }
 }
 #endif
 
-TEST(RobotsThatStop, OneThatWaitsForAPipeOrASignalIsToldOfAndEnded) {
-  for (const auto& [how, call] : Settings{{"reads", "read()"}, {"pauses", "pause()"}}) {
+TEST(RobotsThatStop, AHangIsToldOfAndEndsTheRun) {
+  const Settings hangs = {{"computes", "computed for 0.5 s without a call"},
+                          {"takes memory", "computed for 0.5 s without a call"},
+                          {"reads", "waited for 0.5 s in read()"},
+                          {"pauses", "waited for 0.5 s in pause()"}};
+  for (const auto& [how, what] : hangs) {
     const ProgramRun r = run_stopping(how, {});
-    EXPECT_EQ(r.exit_code, 124) << r.err;
-    EXPECT_THAT(r.out, kOthersAreDone);
-    EXPECT_THAT(r.err, AllOf(HasSubstr("robot 2: warning: the program has waited for 0.5 s in " +
-                                       call + "; all robots wait for it"),
-                             HasSubstr("robot 2: error: the program has made no call for too "
-                                       "long and is ended; the others go on")));
+    EXPECT_EQ(r.exit_code, 124) << how << r.err;
+    EXPECT_THAT(r.err, AllOf(HasSubstr("robot 2: warning: the program has " + what),
+                             HasSubstr("robot 2: error: the program has made no call for too long"),
+                             HasSubstr("all robots end (with --isolate it alone would)"),
+                             HasSubstr("error: the run is ended; ")));
+  }
+}
+
+TEST(RobotsThatStop, InProcessesOfTheirOwnTheOthersGoOn) {
+  for (const auto& [how, code] : std::map<std::string, int>{
+           {"prints nothing", 139}, {"spoils its heap", 134}, {"prints", 124}, {"computes", 124}}) {
+    const ProgramRun r = run_stopping(how, {{"EYEBRIDGE_ISOLATE", "true"}});
+    EXPECT_EQ(r.exit_code, code) << how << r.err;
+    EXPECT_THAT(r.out, kOthersAreDone) << how;
+    EXPECT_THAT(r.err, HasSubstr("robot 2: error: ")) << how;
   }
 }
 

@@ -25,6 +25,12 @@ static void spoil_heap(void) {
   free(one);
 }
 
+static int fill(int depth) {
+  volatile char room[4096];
+  memset((char*)room, depth, sizeof room);
+  return depth < 0 ? 0 : fill(depth + 1) + room[7];
+}
+
 static void stop(const char* how) {
   char byte = 0;
   int ends[2] = {0, 0};
@@ -40,6 +46,12 @@ static void stop(const char* how) {
     if (read(STDIN_FILENO, &byte, 1) == 1) printf("2 read %c\n", byte);
   } else if (strcmp(how, "pauses") == 0) {
     pause();
+  } else if (strcmp(how, "writes where nothing is") == 0) {
+    *(volatile int*)8 = 1;
+  } else if (strcmp(how, "uses up its stack") == 0) {
+    counter = (unsigned long)fill(0);
+  } else if (strcmp(how, "shows no picture") == 0) {
+    LCDImage((BYTE*)16);
   } else if (strcmp(how, "prints nothing") == 0) {
     printf("%s", (char*)8); /* standard output is locked */
   } else if (strcmp(how, "spoils its heap") == 0) {

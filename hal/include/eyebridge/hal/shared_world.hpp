@@ -79,9 +79,6 @@ class SharedWorld {
   virtual void end() noexcept = 0;
   /// Of everything that moved, and of all that sensors told programs: the same for the same run.
   [[nodiscard]] virtual StateHash hash() = 0;
-  /// True while somebody reads or changes the world: asked by who may have been stopped in the
-  /// middle of that. For signal handlers, too.
-  [[nodiscard]] virtual bool is_locked() = 0;
   /// How often real time slipped because the computer was too slow; 0 in virtual time.
   [[nodiscard]] virtual std::uint64_t overruns() const = 0;
 };
