@@ -89,10 +89,10 @@ TEST(SeveralClassicRobots, AnEndOfAnyKindIsThatRobotsOwn) {
     EXPECT_EQ(r.exit_code, 5) << r.err;  // the first robot's
     EXPECT_THAT(sorted_lines(r.out), ElementsAre("robot 4 is left", "robot 5 is left",
                                                  "robot 6 is left", "robot 7 is left"));
-    EXPECT_THAT(r.err,
-                AllOf(HasSubstr("robot 2: error: all tasks wait for each other or are suspended"),
-                      HasSubstr("robot 3: error: OSPanic: no way"),
-                      Not(HasSubstr("robot 1: error")), Not(HasSubstr("robot 6: error"))));
+    EXPECT_THAT(
+        r.err, AllOf(HasSubstr("robot 2: error: all tasks wait for each other or are suspended"),
+                     HasSubstr("robot 3: error: OSPanic: no way"), Not(HasSubstr("robot 1: error")),
+                     Not(HasSubstr("robot 6: error"))));
   }
 }
 
