@@ -18,9 +18,9 @@
 #include "robot_calls.hpp"
 #include "robot_programs.hpp"
 #include "session_parts.hpp"
+#include "session_windows.hpp"
 #include "signals.hpp"
 #include "windows/open_windows.hpp"
-#include "windows/session_windows.hpp"
 
 namespace eyebridge::robios {
 

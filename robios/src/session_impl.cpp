@@ -11,9 +11,9 @@
 #include "host.hpp"
 #include "open_panel.hpp"
 #include "session_parts.hpp"
+#include "session_windows.hpp"
 #include "windows/first_use.hpp"
 #include "windows/open_windows.hpp"
-#include "windows/session_windows.hpp"
 
 namespace eyebridge::robios {
 namespace {

@@ -155,7 +155,7 @@ struct TurnMember {
   };
 
   std::atomic<int> tid = 0;  ///< 0: not started yet.
-  /// It sleeps for what comes by itself. The thread's own flow writes it (robios/src/flow.hpp).
+  /// It sleeps for what comes by itself. The thread's own flow writes it (flow.hpp).
   std::atomic<bool> is_in_call = false;
   unsigned long thread = 0;  ///< As pthread_t; 0: not known.
   std::atomic<Stage> stage = Stage::Out;

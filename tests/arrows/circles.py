@@ -7,13 +7,6 @@ CODE = {".c", ".h", ".cpp", ".hpp", ".ipp"}
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 PRODUCT = {"core", "hal", "bridges", "camera", "firmware-stubs", "robios", "gui", "python", "apps"}
 
-# Circles that are there still, and what will open them. Smaller ones of the same folders are, too; others are offences.
-KNOWN = [
-    # A session makes its program's threads take turns, whose turns go by the session's clock: one mechanism for several robots
-    # (issue 29, part 2) will part them.
-    {"robios/src", "robios/threads", "robios/windows"},
-]
-
 
 def folder_of(file: pathlib.PurePosixPath) -> str:
     """The second-level folder; public headers are those of the first one."""
@@ -64,8 +57,6 @@ def check_circles(root: pathlib.Path, files: list[pathlib.PurePosixPath]) -> lis
     arrows = arrows_in(root, files)
     offences = []
     for circle in circles_in(arrows):
-        if any(circle <= known for known in KNOWN):
-            continue
         examples = [arrows[home][target] for home in sorted(circle) for target in sorted(circle) if target in arrows.get(home, {})]
         offences.append(f"{', '.join(sorted(circle))}: include each other in a circle ({'; '.join(examples)})")
     return offences

@@ -1,4 +1,4 @@
-#include "windows/session_windows.hpp"
+#include "session_windows.hpp"
 
 #include <signal.h>
 #include <unistd.h>
