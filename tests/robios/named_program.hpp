@@ -14,6 +14,11 @@ inline ProgramRun run_named(const std::string& name,
   return run_program({{std::string(EYEBRIDGE_TEST_PROGRAMS) + "/" + name}, settings, ""});
 }
 
+/// ASAN_OPTIONS with which a crash ends a process as without the sanitizer.
+inline constexpr const char* kCrashesAreTheKernels =
+    "handle_segv=0:handle_sigbus=0:handle_abort=0:handle_sigfpe=0:detect_leaks=0:"
+    "intercept_tls_get_addr=0";
+
 /// Both clocks; the settings of a real-time run that does not keep a person waiting.
 inline const std::map<std::string, std::string> kClocks[] = {
     {{"EYEBRIDGE_FAST", "true"}}, {{"EYEBRIDGE_FAST", "false"}, {"EYEBRIDGE_FACTOR", "20"}}};

@@ -99,6 +99,7 @@ TEST(SeveralClassicRobots, AnEndOfAnyKindIsThatRobotsOwn) {
 TEST(SeveralClassicRobots, ACrashIsTheRobotsOwnInAProcessOfItsOwn) {
   for (auto clock : testing::kClocks) {
     clock["EYEBRIDGE_ISOLATE"] = "true";
+    clock["ASAN_OPTIONS"] = testing::kCrashesAreTheKernels;
     const ProgramRun r = run_several("several_ends_c", "7", clock);
     EXPECT_EQ(r.exit_code, 5) << r.err;
     EXPECT_THAT(sorted_lines(r.out), ElementsAre("robot 6 is left", "robot 7 is left"));
