@@ -164,6 +164,9 @@ def await_that(holds):
 
 
 def main():
+    # What a shell starts in the background ignores these, and so would the programs.
+    for number in (signal.SIGINT, signal.SIGQUIT):
+        signal.signal(number, signal.SIG_DFL)
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("programs", type=lambda path: pathlib.Path(path).resolve())
     parser.add_argument("--runs", type=int, default=1)
