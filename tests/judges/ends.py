@@ -134,10 +134,10 @@ def run_program(programs, what, folder, deaf, hal):
 def holders_of(path):
     """The processes that have `path` as standard error."""
     found = []
-    for link in pathlib.Path("/proc").glob("[0-9]*/fd/2"):
+    for process in filter(str.isdigit, os.listdir("/proc")):
         try:
-            if link.readlink() == path:
-                found.append(int(link.parts[2]))
+            if os.readlink(f"/proc/{process}/fd/2") == str(path):
+                found.append(int(process))
         except OSError:
             pass  # it has ended
     return found
