@@ -5,6 +5,7 @@ import tempfile
 import unittest
 
 import check_arrows
+import picture
 
 
 class Tree(unittest.TestCase):
@@ -193,6 +194,32 @@ class Sizes(Tree):
         self.write("core/base/src/a.cpp")
         (self.root / "core/base/README.md").unlink()
         self.assertEqual(self.offences(), ["core/base: has no README.md"])
+
+
+class Picture(Tree):
+    def setUp(self):
+        super().setUp()
+        self.write("core/base/include/eyebridge/base/pose.hpp", "#pragma once\n")
+        self.write("core/world/src/world.cpp", '#include "eyebridge/base/pose.hpp"\n')
+        self.write("hal/include/eyebridge/hal/drive.hpp", "#pragma once\n")
+        self.write("robios/src/vw.cpp", '#include "eyebridge/hal/drive.hpp"\n#include "eyebridge/base/pose.hpp"\n')
+
+    def wrong(self, page):
+        return picture.wrong_with(page, picture.shown(picture.includes(self.root)))
+
+    def test_a_shorter_way_is_left_out(self):
+        self.write("hal/src/drive.cpp", '#include "eyebridge/base/pose.hpp"\n')
+        arrows = picture.shown(picture.includes(self.root))
+        self.assertEqual(arrows, [("core/world", "core/base"), ("hal", "core/base"), ("robios", "hal")])
+
+    def test_each_arrow_is_drawn_and_explained_and_no_other(self):
+        arrows = picture.shown(picture.includes(self.root))
+        page = picture.drawn(arrows) + "".join(f"| {home} → {target} | why |\n" for home, target in arrows)
+        self.assertEqual(self.wrong(page), [])
+        self.assertEqual(self.wrong(page.replace("| robios → hal | why |", "| robios → hal |  |")),
+                         ["docs/architecture.md: no sentence says why robios includes hal"])
+        self.assertEqual(self.wrong(page + "| hal → gui | why |\n"), ["docs/architecture.md: hal → gui is explained, and not there"])
+        self.assertIn("the picture is not that of the includes", self.wrong(page.replace("robios[robios]", "gui[gui]"))[0])
 
 
 if __name__ == "__main__":
