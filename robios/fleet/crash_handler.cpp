@@ -45,18 +45,21 @@ void tell(const Robot& robot, int signal, const void* address) {
   __builtin_unreachable();
 }
 
+thread_local constinit bool has_crashed = false;
+
 // Nothing here takes memory or streams: the program may have locked them for ever.
 void on_crash(int signal, siginfo_t* info, void* context) {
   Robot* const robot = Robot::current();
-  if (robot == nullptr || robot == broken) {
+  if (robot == nullptr || has_crashed) {  // ours, or one while we tell of another
     ::signal(signal, SIG_DFL);
     raise(signal);
     return;
   }
   if (flow.calls == 0 && robot->signals().handle(signal, info, context)) return;
+  has_crashed = true;
   const int code = 128 + signal;
   Robot* none = nullptr;
-  if (!robot->has_ended() && broken.compare_exchange_strong(none, robot)) {
+  if (broken.compare_exchange_strong(none, robot)) {
     robot->break_off(code);
     tell(*robot, signal, info->si_addr);
   }
