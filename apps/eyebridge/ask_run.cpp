@@ -13,22 +13,22 @@
 namespace eyebridge::apps {
 namespace {
 
-/// The door of the run `wanted`, or of the only one when that is 0.
+/// The control socket of the run `wanted`, or of the only one when that is 0.
 UniqueFd find_run(const char* command, pid_t wanted) {
   if (wanted != 0) {
-    UniqueFd door = robios::knock(wanted);
-    if (door.valid()) return door;
+    UniqueFd socket = robios::connect_to_run(wanted);
+    if (socket.valid()) return socket;
     throw ConfigError({"--run"}, fmt::format("found {}, expected the process of a run in a "
                                              "simulated world",
                                              wanted));
   }
   UniqueFd found;
   std::vector<pid_t> there;
-  for (const pid_t pid : robios::doors()) {
-    UniqueFd door = robios::knock(pid);
-    if (!door.valid()) continue;
+  for (const pid_t pid : robios::controllable_runs()) {
+    UniqueFd socket = robios::connect_to_run(pid);
+    if (!socket.valid()) continue;
     there.push_back(pid);
-    found = std::move(door);
+    found = std::move(socket);
   }
   if (there.size() == 1) return found;
   if (there.empty()) {
@@ -43,13 +43,13 @@ UniqueFd find_run(const char* command, pid_t wanted) {
 }  // namespace
 
 int ask_run(const char* command, pid_t wanted, const robios::Words& words) {
-  const UniqueFd door = find_run(command, wanted);
-  if (!robios::send_words(door, words)) {
+  const UniqueFd socket = find_run(command, wanted);
+  if (!robios::send_words(socket, words)) {
     throw ConfigError({command}, fmt::format("the run could not be told: expected at most {} bytes "
                                              "of words, and a run that has not ended",
                                              robios::kLongestMessage));
   }
-  const auto answer = robios::receive_words(door);
+  const auto answer = robios::receive_words(socket);
   if (!answer || answer->size() != 2) {
     std::fprintf(stderr, "eyebridge: the run has ended\n");
     return kFailed;

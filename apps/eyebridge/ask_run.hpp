@@ -2,7 +2,7 @@
 
 #include <sys/types.h>
 
-#include "door_socket.hpp"
+#include "control_socket.hpp"
 
 namespace eyebridge::apps {
 

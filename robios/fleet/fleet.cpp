@@ -182,7 +182,7 @@ int Fleet::run() {
   the_fleet = this;
   watch_signals([](int) { the_fleet->stop(); }, [] { the_fleet->look(); });
   const std::vector<Robot*> robots_at_start = robots();
-  door_.emplace([this](const Words& words) { return answer(words); }, log_);
+  control_.emplace([this](const Words& words) { return answer(words); }, log_);
   if (windows_ != nullptr) {
     show_world(*windows_, world_->environment(), this);
   } else {
@@ -191,7 +191,7 @@ int Fleet::run() {
   const auto start = std::chrono::steady_clock::now();
   for (Robot* const robot : robots_at_start) robot->start_process();  // all interpreters at once
   scheduler_->run(*this, robots_at_start);
-  door_->finish();
+  control_->finish();
   while (is_stopped_) pause();  // a signal ends the process
   end();
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
@@ -221,7 +221,7 @@ void Fleet::stop() {
 }
 
 void Fleet::end() {
-  Door::close();
+  ControlServer::close();
   for (Robot* const robot : robots()) robot->end_session();
   for (Robot* const robot : robots()) robot->make_process_end();
   world_->end();

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "door.hpp"
+#include "control_server.hpp"
 #include "eyebridge/hal/config.hpp"
 #include "eyebridge/hal/shared_world.hpp"
 #include "log/stderr_log.hpp"
@@ -59,7 +59,7 @@ class Fleet final : public Crew {
   void add_robots(const std::vector<std::string>& words);
   /// Gives robot `index` its program and session; null for one without a program.
   Robot* add_robot(std::size_t index, RobotProgram program);
-  /// What somebody at the door wants: a robot's index, who came or went.
+  /// What somebody at the control socket wants: a robot's index, who came or went.
   Result<std::size_t> answer(const Words& words);
   /// What a newcomer runs.
   [[nodiscard]] RobotProgram program_of(const hal::Newcomer& newcomer) const;
@@ -87,7 +87,7 @@ class Fleet final : public Crew {
   std::vector<RobotProgram> newcomer_programs_;  ///< Of the scenario's newcomers that do come.
   std::size_t entries_ = 0;                      ///< How many of them have been asked in.
   bool has_refused_ = false;                     ///< One of them.
-  std::optional<Door> door_;
+  std::optional<ControlServer> control_;
   Windows* windows_ = nullptr;                  ///< Of the process; null for none.
   mutable std::mutex mutex_;                    ///< Who enters, and robots_.
   std::mutex leaving_;                          ///< One robot at a time is removed.

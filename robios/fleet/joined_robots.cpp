@@ -41,7 +41,7 @@ JoinedRobots::JoinedRobots(const hal::Config& config)
 
 void JoinedRobots::open(std::shared_ptr<hal::SharedWorld> world) {
   world_ = std::move(world);
-  door_.emplace(
+  control_.emplace(
       [this](const Words& words) -> Result<std::size_t> {
         if (words.empty() || words.front() != kRemove) return add(words);
         try {
@@ -241,7 +241,7 @@ int JoinedRobots::await_end() {
     changed_.wait(lock, [&] { return !is_busy(); });
   }
   is_closed_ = true;
-  Door::close();
+  ControlServer::close();
   changed_.wait(lock, [&] { return !is_interrupted_; });  // else a signal ends the process
   if (!robots_.empty()) world_->end();
   const auto failed =
@@ -250,7 +250,7 @@ int JoinedRobots::await_end() {
 }
 
 void JoinedRobots::end() noexcept {
-  Door::close();
+  ControlServer::close();
   {
     const std::lock_guard lock(mutex_);
     is_interrupted_ = true;

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "arrivals.hpp"
-#include "door.hpp"
+#include "control_server.hpp"
 #include "hold_up.hpp"
 #include "joining.hpp"
 #include "log/stderr_log.hpp"
@@ -75,7 +75,7 @@ class JoinedRobots final : public Joining, private hal::JoiningTurns {
   const bool is_virtual_;
   StderrLog log_;
   std::shared_ptr<hal::SharedWorld> world_;
-  std::optional<Door> door_;
+  std::optional<ControlServer> control_;
   Arrivals arrivals_;  ///< In virtual time.
 
   mutable std::mutex mutex_;

@@ -95,7 +95,7 @@ TEST_P(Add, WithoutARunOrWithSeveralItSaysSo) {
   second.wait_for("ready\n");
   EXPECT_THAT(error({"S4", "1000", "1000", "0"}),
               HasSubstr("add: found 2 runs, expected one: --run "));
-  EXPECT_EQ(second.finish(SIGKILL), 128 + SIGKILL);  // leaves its door behind
+  EXPECT_EQ(second.finish(SIGKILL), 128 + SIGKILL);  // leaves its control socket behind
   EXPECT_EQ(add({"S4", "1000", "1000", "0"}).out, "3\n");
   first.finish(SIGTERM);
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path() + "/eyebridge"));

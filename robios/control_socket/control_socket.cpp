@@ -1,4 +1,4 @@
-#include "door_socket.hpp"
+#include "control_socket.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -31,7 +31,7 @@ UniqueFd new_socket() { return UniqueFd(socket(AF_UNIX, SOCK_SEQPACKET | SOCK_CL
 
 }  // namespace
 
-fs::path door_folder() {
+fs::path control_folder() {
   const char* const run_time = std::getenv("XDG_RUNTIME_DIR");
   const fs::path folder = run_time != nullptr && *run_time == '/'
                               ? fs::path(run_time) / "eyebridge"
@@ -44,10 +44,10 @@ fs::path door_folder() {
   return is_mine ? folder : fs::path();
 }
 
-std::vector<pid_t> doors() {
+std::vector<pid_t> controllable_runs() {
   std::vector<pid_t> found;
   std::error_code error;  // a folder that is gone holds none
-  for (const auto& entry : fs::directory_iterator(door_folder(), error)) {
+  for (const auto& entry : fs::directory_iterator(control_folder(), error)) {
     const std::string name = entry.path().filename().string();
     pid_t pid = 0;
     const auto [end, bad] = std::from_chars(name.data(), name.data() + name.size(), pid);
@@ -57,38 +57,39 @@ std::vector<pid_t> doors() {
   return found;
 }
 
-fs::path door_of(pid_t pid) {
-  const fs::path folder = door_folder();
+fs::path control_socket_of(pid_t pid) {
+  const fs::path folder = control_folder();
   return folder.empty() ? folder : folder / std::to_string(pid);
 }
 
-UniqueFd open_door() {
-  const fs::path path = door_of(getpid());
+UniqueFd open_control_socket() {
+  const fs::path path = control_socket_of(getpid());
   const auto address = address_of(path);
   if (!address) return {};
   unlink(path.c_str());  // of a process with this number that was killed
-  UniqueFd door = new_socket();
+  UniqueFd listener = new_socket();
   const auto* const name = reinterpret_cast<const sockaddr*>(&*address);
-  if (bind(door.get(), name, sizeof *address) != 0 || listen(door.get(), 8) != 0) return {};
-  return door;
+  if (bind(listener.get(), name, sizeof *address) != 0 || listen(listener.get(), 8) != 0) return {};
+  return listener;
 }
 
-UniqueFd next_at(const UniqueFd& door) {
+UniqueFd accept_next(const UniqueFd& listener) {
   for (;;) {
-    const int socket = accept4(door.get(), nullptr, nullptr, SOCK_CLOEXEC);
+    const int socket = accept4(listener.get(), nullptr, nullptr, SOCK_CLOEXEC);
     if (socket >= 0 || (errno != EINTR && errno != ECONNABORTED)) return UniqueFd(socket);
   }
 }
 
-void close_door() noexcept {
+void close_control_socket() noexcept {
   try {
-    unlink(door_of(getpid()).c_str());
-  } catch (const std::exception&) {  // what is left of it is taken away by the next one who knocks
+    unlink(control_socket_of(getpid()).c_str());
+  } catch (
+      const std::exception&) {  // what is left of it is taken away by the next one who connects
   }
 }
 
-UniqueFd knock(pid_t pid) {
-  const fs::path path = door_of(pid);
+UniqueFd connect_to_run(pid_t pid) {
+  const fs::path path = control_socket_of(pid);
   const auto address = address_of(path);
   if (!address) return {};
   UniqueFd socket = new_socket();

@@ -1,4 +1,4 @@
-#include "door.hpp"
+#include "control_server.hpp"
 
 #include <charconv>
 #include <cmath>
@@ -15,8 +15,8 @@
 namespace eyebridge::robios {
 namespace {
 
-// Who knocks and says nothing must not keep others out.
-constexpr int kKnockPatience_s = 2;
+// Who connects and says nothing must not keep others out.
+constexpr int kVisitorPatience_s = 2;
 constexpr double kFarthest = 1e7;  // mm or degrees: what is more is a slip of the pen
 
 double number_in(const std::string& word, const char* what) {
@@ -56,30 +56,31 @@ std::size_t read_leaver(const Words& words) {
                                            in_quotes(words[1])));
 }
 
-Door::Door(Act act, LogSink& log) : act_(std::move(act)), door_(open_door()) {
-  if (!door_.valid()) {
+ControlServer::ControlServer(Act act, LogSink& log)
+    : act_(std::move(act)), control_(open_control_socket()) {
+  if (!control_.valid()) {
     log.write(Severity::Info,
               "no robot can be added: expected $XDG_RUNTIME_DIR/eyebridge, or a folder in /tmp, to "
               "be this user's alone");
     return;
   }
   deaf_thread([this] {
-    pthread_setname_np(pthread_self(), "eb:door");
+    pthread_setname_np(pthread_self(), "eb:control");
     answer_all();
   }).detach();
 }
 
-void Door::answer_all() {
+void ControlServer::answer_all() {
   for (;;) {
-    const UniqueFd visitor = next_at(door_);
+    const UniqueFd visitor = accept_next(control_);
     if (!visitor.valid()) return;
-    const auto words = receive_words(visitor, kKnockPatience_s);
+    const auto words = receive_words(visitor, kVisitorPatience_s);
     const std::lock_guard lock(answering_);
     if (words) send_words(visitor, answer(*words));
   }
 }
 
-Words Door::answer(const Words& words) {
+Words ControlServer::answer(const Words& words) {
   const Result<std::size_t> index = act_(words);
   if (index) return {"ok", std::to_string(*index + 1)};
   return {"error", index.error().what};

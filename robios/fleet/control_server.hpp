@@ -3,7 +3,7 @@
 #include <functional>
 #include <mutex>
 
-#include "door_socket.hpp"
+#include "control_socket.hpp"
 #include "eyebridge/base/log.hpp"
 #include "eyebridge/base/unique_fd.hpp"
 #include "eyebridge/hal/shared_world.hpp"
@@ -11,16 +11,16 @@
 namespace eyebridge::robios {
 
 /// Where other processes ask a run for one more robot, or one less (`eyebridge add`, `remove`).
-class Door {
+class ControlServer {
  public:
   /// Lets a robot in or out: its index.
   using Act = std::function<Result<std::size_t>(const Words&)>;
 
   /// Answers from a thread of its own from now on; where the system refuses, `log` is told so.
   /// What `act` has is lent for the life of the process.
-  Door(Act act, LogSink& log);
+  ControlServer(Act act, LogSink& log);
   /// Nobody finds it any more. Any thread.
-  static void close() noexcept { close_door(); }
+  static void close() noexcept { close_control_socket(); }
   /// Returns when who was let in or out, or not, has been told so. When `act` refuses all.
   void finish() { const std::lock_guard lock(answering_); }
 
@@ -29,7 +29,7 @@ class Door {
   [[nodiscard]] Words answer(const Words& words);
 
   const Act act_;
-  const UniqueFd door_;
+  const UniqueFd control_;
   std::mutex answering_;  ///< Held from a question to its answer.
 };
 
