@@ -14,11 +14,11 @@
 #include "hand/open_hand.hpp"
 #include "host/open_host.hpp"
 #include "mix/mix_backend.hpp"
+#include "remote_robot/open_remote_robot.hpp"
 #include "replay/open_replay.hpp"
 #include "replay/record_tap.hpp"
-#include "seat/open_seat_line.hpp"
 #include "shared/open_only.hpp"
-#include "shared/open_seat.hpp"
+#include "shared/open_slot.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -33,8 +33,8 @@ constexpr auto kBackends = std::to_array<BackendFactory>({
      open_can_board, true},
     {"replay", "what a robot answered in a recorded run: replay:FILE.ebrec", open_replay, false,
      true},
-    {"seat", "one of several robots, in the world of the process that started this one",
-     open_seat_line, true},
+    {"remote", "one of several robots, in the world of the process that started this one",
+     open_remote_robot, true},
 });
 
 const BackendFactory& row_of(const std::string& text, const SourceLocation& where) {
@@ -165,8 +165,8 @@ std::unique_ptr<Backend> open_backend(const BackendContext& context) {
   const Config& config = context.config;
   const ConfigValue& hal = config.value("hal");
   FaultScript script = faults_of(config);
-  auto backend = context.seat != nullptr
-                     ? open_seat(*context.seat, context)
+  auto backend = context.slot != nullptr
+                     ? open_slot(*context.slot, context)
                      : opened(find_backend(config), hal.text, hal.where, context);
   if (config.is_set("record")) check_record_is_not_read(config);
   if (config.is_set("mix")) backend = mixed(std::move(backend), context);

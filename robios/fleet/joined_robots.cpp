@@ -116,7 +116,7 @@ void JoinedRobots::start(std::size_t index, RobotProgram program) {
                                          : std::filesystem::path();
   try {
     robot->process = std::make_unique<ProgramProcess>(std::move(program), config_,
-                                                      hal::Seat{world_, index}, out);
+                                                      hal::WorldSlot{world_, index}, out);
     // Its process lives no longer than the thread that starts it.
     deaf_thread([this, robot] { run(*robot); }).detach();
   } catch (const std::exception&) {

@@ -30,7 +30,7 @@ std::map<std::string, std::string> settings_of(const hal::Config& config, std::s
     flags[std::string(setting.key)] =
         is_path ? fs::absolute(config.path(setting.key)).string() : value.text;
   }
-  flags["hal"] = fmt::format("seat:{}?robot={}", descriptor, index + 1);
+  flags["hal"] = fmt::format("remote:{}?robot={}", descriptor, index + 1);
   flags["robots"] = "1";
   flags["out"] = out.empty() ? "" : fs::absolute(out).string();
   flags["report"] = "";  // of the world

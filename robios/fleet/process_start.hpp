@@ -13,7 +13,7 @@ namespace eyebridge::robios {
 std::vector<std::string> command_of(const std::filesystem::path& program,
                                     const std::vector<std::string>& arguments);
 
-/// The variables of a process that runs the program of robot `index`, whose line to its seat is
+/// The variables of a process that runs the program of robot `index`, whose line to its server is
 /// `descriptor` there: this process's, with the settings `config` as they count here, but for those
 /// of one robot alone. Its results go to `out`; "" for none.
 std::vector<std::string> environment_of(const hal::Config& config, std::size_t index,

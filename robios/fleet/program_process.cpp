@@ -13,7 +13,7 @@
 #include <sys/wait.h>
 
 #include "eyebridge/hal/registry.hpp"
-#include "eyebridge/hal/seat_desk.hpp"
+#include "eyebridge/hal/robot_server.hpp"
 #include "process_start.hpp"
 #include "session_parts.hpp"
 
@@ -24,9 +24,9 @@ constexpr double kEndPatience_s = 2.0;
 
 /// The robot as it is: faults are put in front of it where its program is.
 std::unique_ptr<hal::Backend> open_robot(const hal::Config& config, LogSink& log,
-                                         const hal::Seat& seat) {
+                                         const hal::WorldSlot& slot) {
   const hal::Config faultless = config.with("faults", {"", config.value("faults").where});
-  return hal::open_backend({faultless, log, &seat});
+  return hal::open_backend({faultless, log, &slot});
 }
 
 /// While it lives, all wait for `process`.
@@ -48,13 +48,13 @@ class Awaiting {
 }  // namespace
 
 ProgramProcess::ProgramProcess(RobotProgram program, const hal::Config& config,
-                               const hal::Seat& seat, std::filesystem::path out)
+                               const hal::WorldSlot& slot, std::filesystem::path out)
     : program_(std::move(program)),
       config_(config),
-      index_(seat.robot),
+      index_(slot.robot),
       out_(std::move(out)),
-      log_(lowest_severity(config), fmt::format("robot {}", seat.robot + 1)),
-      robot_(open_robot(config, log_, seat)) {}
+      log_(lowest_severity(config), fmt::format("robot {}", slot.robot + 1)),
+      robot_(open_robot(config, log_, slot)) {}
 
 ProgramProcess::~ProgramProcess() = default;
 
@@ -99,7 +99,7 @@ ProgramProcess::End ProgramProcess::run(const std::function<void()>& arrive, con
 
 std::string ProgramProcess::serve(const std::function<void()>& arrive, const Time* limit,
                                   AwaitedProcess* awaited) {
-  hal::SeatDesk desk(*robot_, limit, line_.get(), arrive);
+  hal::RobotServer desk(*robot_, limit, line_.get(), arrive);
   const auto next = [&] {
     const Awaiting all_wait(awaited, this);
     return desk.receive();

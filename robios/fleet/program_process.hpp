@@ -23,7 +23,7 @@ using AwaitedProcess = std::atomic<ProgramProcess*>;
 
 /// A robot's program in a process of its own, for what this one cannot load: Python programs,
 /// scripts, programs with thread_local variables. There it is a robot that is alone, whose backend
-/// is `seat:`; its robot in the world is here.
+/// is `remote:`; its robot in the world is here.
 class ProgramProcess {
  public:
   /// How it ended: its exit code, or 128 + signal; why, in words, when it did not end by itself.
@@ -33,7 +33,7 @@ class ProgramProcess {
   };
 
   /// Opens the robot, whose results go to `out`. Throws ConfigError.
-  ProgramProcess(RobotProgram program, const hal::Config& config, const hal::Seat& seat,
+  ProgramProcess(RobotProgram program, const hal::Config& config, const hal::WorldSlot& slot,
                  std::filesystem::path out);
   ~ProgramProcess();
 
@@ -41,7 +41,7 @@ class ProgramProcess {
   /// ConfigError when the system refuses.
   void start();
   /// Lets it drive its robot until its end; `arrive` is called when it makes its first call.
-  /// `limit` as SeatDesk takes it. `awaited`, when not null, is this while the process is waited
+  /// `limit` as RobotServer takes it. `awaited`, when not null, is this while the process is waited
   /// for.
   End run(const std::function<void()>& arrive, const Time* limit, AwaitedProcess* awaited);
 

@@ -14,15 +14,15 @@ namespace eyebridge::robios {
 Robot::Robot(std::size_t index, RobotProgram program)
     : index_(index), program_(std::move(program)), process_id_(getpid()) {}
 
-void Robot::begin(const hal::Config& config, const hal::Seat& seat,
+void Robot::begin(const hal::Config& config, const hal::WorldSlot& slot,
                   const std::filesystem::path& out) {
   const std::filesystem::path own_out =
       out.empty() ? out : out / fmt::format("robot-{}", index_ + 1);
   if (needs_process(program_.file, config)) {
-    process_ = std::make_unique<ProgramProcess>(program_, config, seat, own_out);
+    process_ = std::make_unique<ProgramProcess>(program_, config, slot, own_out);
     return;
   }
-  session_ = Session::begin({config, seat, this, fmt::format("robot {}", index_ + 1), own_out});
+  session_ = Session::begin({config, slot, this, fmt::format("robot {}", index_ + 1), own_out});
 }
 
 void Robot::start_process() {

@@ -28,7 +28,8 @@ class Robot : public Runner {
   Robot& operator=(const Robot&) = delete;
 
   /// Begins the session; before run(). Throws ConfigError.
-  void begin(const hal::Config& config, const hal::Seat& seat, const std::filesystem::path& out);
+  void begin(const hal::Config& config, const hal::WorldSlot& slot,
+             const std::filesystem::path& out);
   /// True once begin() has been successful.
   [[nodiscard]] bool has_begun() const { return session_ != nullptr || process_ != nullptr; }
   /// Starts the program's process, if it needs one, before run() would. Twice does nothing.

@@ -49,7 +49,7 @@ Wanted wanted() {
   try {
     const hal::Config config = hal::Config::from_process(program_file());
     const std::string hal = config.text("hal");
-    const bool is_simulated = hal == "sim" || hal.starts_with("seat:");
+    const bool is_simulated = hal == "sim" || hal.starts_with("remote:");
     return {hal::programs_wanted(config) > 1, is_simulated && config.boolean("fast")};
   } catch (const ConfigError&) {
     return {};  // the first RoBIOS call reports it

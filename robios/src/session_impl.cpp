@@ -24,7 +24,7 @@ std::unique_ptr<Joining> joining_of(const hal::Config& config, const SessionStar
 
 hal::BackendContext context_of(const hal::Config& config, LogSink& log, const SessionStart* start,
                                Joining* joining) {
-  return {config, log, start != nullptr ? &start->seat : nullptr,
+  return {config, log, start != nullptr ? &start->slot : nullptr,
           joining != nullptr ? &joining->turns() : nullptr};
 }
 

@@ -15,7 +15,7 @@ std::string name_among_several(const hal::Config& config) {
   const hal::ConfigValue& value = config.value("hal");
   const hal::BackendUrl url = hal::parse_backend_url(value.text, value.where);
   const auto robot = url.options.find("robot");
-  return url.scheme == "seat" && robot != url.options.end() ? "robot " + robot->second : "";
+  return url.scheme == "remote" && robot != url.options.end() ? "robot " + robot->second : "";
 }
 
 std::string text_of(const Screen& screen) {

@@ -27,7 +27,7 @@ class Runner {
 /// How the session of one of several robots begins.
 struct SessionStart {
   hal::Config config;
-  hal::Seat seat;
+  hal::WorldSlot slot;
   Runner* runner = nullptr;        ///< Lent.
   std::string name;                ///< Before its messages: "robot 2".
   std::filesystem::path out = {};  ///< Of its results; empty when none are wanted.

@@ -19,7 +19,7 @@ SKIPPED = {"build", "out", ".git", "__pycache__", ".cache"}
 
 GRIDS = ["core/mapping", "core/planning", "core/localisation"]
 CORE = ["core/base", "core/world", "core/robot", "core/files", "core/episode", *GRIDS]
-BACKENDS = ["hal/sim", "hal/shared", "hal/seat", "hal/board", "hal/replay", "hal/hand", "hal/host"]
+BACKENDS = ["hal/sim", "hal/shared", "hal/remote_robot", "hal/board", "hal/replay", "hal/hand", "hal/host"]
 FIRMWARE = ["firmware-stubs/board", "firmware-stubs/rover", "firmware-stubs/ports", "firmware-stubs/pins",
             "firmware-stubs/mps2"]
 EVERYTHING = [*CORE, "hal", *BACKENDS, "camera", "robios", "bridges", *FIRMWARE, "apps", "gui", "tests"]
@@ -40,7 +40,7 @@ ALLOWED = {
     "hal/registry": [*CORE, "hal", "camera:view.hpp", *BACKENDS],
     "hal/sim": [*CORE, "hal", "camera"],
     "hal/shared": [*CORE, "hal", "hal/sim", "hal/host"],
-    "hal/seat": [*CORE, "hal", "hal/sim", "camera:view.hpp"],
+    "hal/remote_robot": [*CORE, "hal", "hal/sim", "camera:view.hpp"],
     "hal/replay": [*CORE, "hal", "camera"],
     "hal/hand": [*CORE, "hal", "camera"],
     "hal/host": [*CORE, "hal", "bridges"],

@@ -16,7 +16,7 @@
 #include "map_entry.hpp"
 #include "plant_link_entry.hpp"
 #include "program_entry.hpp"
-#include "seat_entry.hpp"
+#include "remote_entry.hpp"
 #include "sweep_entry.hpp"
 
 namespace eyebridge::fuzz {
@@ -50,7 +50,7 @@ constexpr Target kTargets[] = {{"world", world},
                                {"message", message},
                                {"radio", radio},
                                {"radio_datagram", radio_datagram},
-                               {"seat_message", seat_message},
+                               {"remote_message", remote_message},
                                {"serial_devices", serial_devices},
                                {"sound", sound},
                                {"sample", sample},

@@ -205,7 +205,7 @@ TEST(BoardOpen, RefusesWrongOptions) {
 
 TEST(BoardOpen, IsNotDoneForACheck) {
   for (const BackendFactory& row : backend_table()) {
-    // A seat, too: it waits for all robots.
+    // A remote robot, too: it waits for all robots.
     const bool has_effects = row.scheme != "sim" && row.scheme != "replay";
     EXPECT_EQ(row.has_effects, has_effects) << row.scheme;
   }

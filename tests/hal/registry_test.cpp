@@ -79,7 +79,7 @@ TEST_F(Registry, RunsInRealTimeUnlessToldOtherwise) {
 
 TEST_F(Registry, NamesTheKnownBackendsForAnUnknownOne) {
   EXPECT_EQ(complaint({{"hal", "smi"}}),
-            "--hal: unknown backend 'smi', expected one of: sim, serial, tcp, can, replay, seat");
+            "--hal: unknown backend 'smi', expected one of: sim, serial, tcp, can, replay, remote");
   EXPECT_THAT(complaint({{"hal", "usb:/dev/ttyACM0"}}), HasSubstr("unknown backend 'usb'"));
 }
 

@@ -172,8 +172,8 @@ TEST(SharedEnvironment, IsOneForAllRobots) {
   environment.look(look);
   EXPECT_EQ(look.robots.size(), 2U);
   for (const std::size_t robot : {0U, 1U}) {
-    const Seat seat{world, robot};
-    const auto backend = open_backend({config, log, &seat});
+    const WorldSlot slot{world, robot};
+    const auto backend = open_backend({config, log, &slot});
     EXPECT_EQ(backend->environment(), &environment);
   }
   environment.time().pause();

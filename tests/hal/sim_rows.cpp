@@ -3,8 +3,8 @@
 #include "fault/fault_tap.hpp"
 #include "host/host_backend.hpp"
 #include "mix/mix_backend.hpp"
+#include "remote_rig.hpp"
 #include "rigs.hpp"
-#include "seat_rig.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -55,17 +55,17 @@ Rig mixed_rig(const Pose& start) {
 }
 
 /// Nor does a line to another process, here to another thread.
-Rig seated_rig(const Pose& start, const std::map<std::string, std::string>& flags) {
-  SeatRig both = seat_rig(start, flags);
+Rig remote_robot_rig(const Pose& start, const std::map<std::string, std::string>& flags) {
+  RemoteRig both = remote_rig(start, flags);
   Rig rig;
   rig.log = std::make_unique<KeepingLog>();
-  rig.other_end = std::shared_ptr<Seated>(std::move(both.seat));
+  rig.other_end = std::shared_ptr<ServedRobot>(std::move(both.server));
   rig.backend = std::move(both.robot);
   rig.truth = truth_of(*rig.backend);
   return rig;
 }
-Rig virtual_seat_rig(const Pose& start) { return seated_rig(start, {{"fast", "true"}}); }
-Rig real_seat_rig(const Pose& start) { return seated_rig(start, real_time()); }
+Rig virtual_remote_rig(const Pose& start) { return remote_robot_rig(start, {{"fast", "true"}}); }
+Rig real_remote_rig(const Pose& start) { return remote_robot_rig(start, real_time()); }
 
 }  // namespace
 
@@ -79,8 +79,8 @@ std::vector<RigCase> contract_rows() {
           {"OnHost", hosted_rig, kSimulated},
           {"MixOther", mixed_rig, mixed},
           {"Noted", noted_rig, kSimulated},
-          {"Seat", virtual_seat_rig, kSimulated},
-          {"SeatRealTime", real_seat_rig, kSimulated},
+          {"WorldSlot", virtual_remote_rig, kSimulated},
+          {"RemoteRealTime", real_remote_rig, kSimulated},
           {"Replay", lockstep_rig, kReplayed, true}};
 }
 

@@ -16,13 +16,13 @@ constexpr Time kMostLate = std::chrono::milliseconds(500);
 
 }  // namespace
 
-struct BoardWorld::Seat {
+struct BoardWorld::PlacedBoard {
   robot::RobotIndex robot = 0;
   eb_board board{};
   Time next_scan{};
 };
 
-struct BoardWorld::RoverSeat {
+struct BoardWorld::PlacedRover {
   robot::RobotIndex robot = 0;
   rv_rover rover{};
 };
@@ -43,23 +43,25 @@ std::size_t BoardWorld::robots() const { return simulation_.robot_count(); }
 
 eb_board& BoardWorld::add_board(robot::RobotIndex index, const eb_config& config) {
   if (index >= robots()) throw std::out_of_range("no such robot");
-  const auto old = std::ranges::find(seats_, index, [](const auto& seat) { return seat->robot; });
-  Seat& seat = old != seats_.end() ? **old : *seats_.emplace_back(std::make_unique<Seat>());
-  seat.robot = index;
+  const auto old =
+      std::ranges::find(boards_, index, [](const auto& placed) { return placed->robot; });
+  PlacedBoard& placed =
+      old != boards_.end() ? **old : *boards_.emplace_back(std::make_unique<PlacedBoard>());
+  placed.robot = index;
   eb_config complete = config;
   complete.drive = drive_config(simulation_.model(index).drive, config.drive.stall_timeout_us);
   complete.psd_mm = psd_table().data();
   complete.lidar = simulation_.model(index).lidar.has_value();
-  read_pins(simulation_, seat.robot, seat.board.pins);
-  const eb_pins pins = seat.board.pins;
-  eb_board_init(&seat.board, &complete, &pins);
-  return seat.board;
+  read_pins(simulation_, placed.robot, placed.board.pins);
+  const eb_pins pins = placed.board.pins;
+  eb_board_init(&placed.board, &complete, &pins);
+  return placed.board;
 }
 
 rv_rover& BoardWorld::add_rover(robot::RobotIndex index) {
   if (index >= robots()) throw std::out_of_range("no such robot");
-  RoverSeat& seat = *rovers_.emplace_back(std::make_unique<RoverSeat>());
-  seat.robot = index;
+  PlacedRover& placed = *rovers_.emplace_back(std::make_unique<PlacedRover>());
+  placed.robot = index;
   const robot::DriveModel& drive = simulation_.model(index).drive;
   rv_config config{};
   config.ticks_per_turn = static_cast<std::uint32_t>(std::lround(drive.ticks_per_revolution));
@@ -67,15 +69,15 @@ rv_rover& BoardWorld::add_rover(robot::RobotIndex index) {
   config.psd_mm = psd_table().data();
   eb_pins pins{};
   read_pins(simulation_, index, pins);
-  rv_rover_init(&seat.rover, &config, &pins);
-  return seat.rover;
+  rv_rover_init(&placed.rover, &config, &pins);
+  return placed.rover;
 }
 
-void BoardWorld::offer_scan(Seat& seat) {
-  const auto& lidar = simulation_.model(seat.robot).lidar;
-  if (!lidar || seat.board.node.id == 0 || from_seconds(simulation_.time()) < seat.next_scan)
+void BoardWorld::offer_scan(PlacedBoard& placed) {
+  const auto& lidar = simulation_.model(placed.robot).lidar;
+  if (!lidar || placed.board.node.id == 0 || from_seconds(simulation_.time()) < placed.next_scan)
     return;
-  seat.next_scan = from_seconds(simulation_.time()) + kScanPeriod;
+  placed.next_scan = from_seconds(simulation_.time()) + kScanPeriod;
   eb_scan scan{};
   scan.points = static_cast<std::uint16_t>(std::clamp(lidar->points, 1, EB_LIDAR_POINTS));
   scan.range_deg = static_cast<std::uint16_t>(
@@ -83,26 +85,26 @@ void BoardWorld::offer_scan(Seat& seat) {
   scan.tilt_deg =
       static_cast<std::int8_t>(std::clamp(std::lround(rad_to_deg(lidar->tilt)), -90L, 90L));
   std::vector<double> ranges(scan.points);
-  simulation_.read_lidar(seat.robot, lidar->field_of_view, ranges);
+  simulation_.read_lidar(placed.robot, lidar->field_of_view, ranges);
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     scan.range_mm[i] =
         static_cast<std::uint16_t>(std::clamp(std::lround(m_to_mm(ranges[i])), 0L, 9999L));
   }
-  eb_board_lidar(&seat.board, &scan);
+  eb_board_lidar(&placed.board, &scan);
 }
 
 void BoardWorld::step() {
   const auto elapsed = std::chrono::duration_cast<std::chrono::microseconds>(step_);
-  for (const auto& seat : seats_) {
-    read_pins(simulation_, seat->robot, seat->board.pins);
-    offer_scan(*seat);
-    eb_board_process(&seat->board, static_cast<std::uint32_t>(elapsed.count()));
-    obey_pins(seat->board.pins, simulation_, seat->robot);
+  for (const auto& placed : boards_) {
+    read_pins(simulation_, placed->robot, placed->board.pins);
+    offer_scan(*placed);
+    eb_board_process(&placed->board, static_cast<std::uint32_t>(elapsed.count()));
+    obey_pins(placed->board.pins, simulation_, placed->robot);
   }
-  for (const auto& seat : rovers_) {
-    read_pins(simulation_, seat->robot, seat->rover.pins);
-    rv_rover_process(&seat->rover, static_cast<std::uint32_t>(elapsed.count()));
-    obey_pins(seat->rover.pins, simulation_, seat->robot);
+  for (const auto& placed : rovers_) {
+    read_pins(simulation_, placed->robot, placed->rover.pins);
+    rv_rover_process(&placed->rover, static_cast<std::uint32_t>(elapsed.count()));
+    obey_pins(placed->rover.pins, simulation_, placed->robot);
   }
   simulation_.step();
 }

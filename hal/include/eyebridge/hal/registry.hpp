@@ -14,13 +14,13 @@
 namespace eyebridge::hal {
 
 class JoiningTurns;
-struct Seat;
+struct WorldSlot;
 
 /// What a backend is opened with; lent for the call, but for `log`, which outlives the backend.
 struct BackendContext {
   const Config& config;
   LogSink& log;
-  const Seat* seat = nullptr;  ///< In a world that is open already; null: in one of its own.
+  const WorldSlot* slot = nullptr;  ///< In a world that is open already; null: in one of its own.
   /// For robots that join a simulated world later, in virtual time. It outlives the backend. Null
   /// where none can join.
   JoiningTurns* joining = nullptr;

@@ -98,7 +98,7 @@ std::size_t programs_wanted(const Config& config);
 void check_can_join(const Config& config);
 
 /// A robot's place in a world that it shares: open_backend() gives that robot.
-struct Seat {
+struct WorldSlot {
   std::shared_ptr<SharedWorld> world;
   std::size_t robot = 0;  ///< Its index.
 };

@@ -23,8 +23,8 @@ ControlWorld::ControlWorld(const std::filesystem::path& file)
       program_(file.filename().string()),
       world_(hal::open_shared_world(config_, log_, &turns_)) {
   for (std::size_t i = 0; i < world_->robots().size(); ++i) {
-    const hal::Seat seat{world_, i};
-    robots_.push_back(hal::open_backend({config_, log_, &seat}));
+    const hal::WorldSlot slot{world_, i};
+    robots_.push_back(hal::open_backend({config_, log_, &slot}));
   }
   hal::Environment& environment = world_->environment();
   environment.look(first_look_);

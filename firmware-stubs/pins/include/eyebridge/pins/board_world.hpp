@@ -45,13 +45,13 @@ class BoardWorld {
   [[nodiscard]] robot::Simulation& simulation() { return simulation_; }
 
  private:
-  struct Seat;       // a robot and its board
-  struct RoverSeat;  // a robot and its rover
-  void offer_scan(Seat& seat);
+  struct PlacedBoard;  // a robot and its board
+  struct PlacedRover;  // a robot and its rover
+  void offer_scan(PlacedBoard& placed);
 
   robot::Simulation simulation_;
-  std::vector<std::unique_ptr<Seat>> seats_;
-  std::vector<std::unique_ptr<RoverSeat>> rovers_;
+  std::vector<std::unique_ptr<PlacedBoard>> boards_;
+  std::vector<std::unique_ptr<PlacedRover>> rovers_;
   Time step_;
   Time due_{};
 };

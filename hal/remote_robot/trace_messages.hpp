@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "eyebridge/hal/trace.hpp"
-#include "seat/bytes.hpp"
-#include "seat/message.hpp"
+#include "remote_robot/bytes.hpp"
+#include "remote_robot/message.hpp"
 
 namespace eyebridge::hal {
 

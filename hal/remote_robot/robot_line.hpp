@@ -8,25 +8,25 @@
 #include "eyebridge/base/clock.hpp"
 #include "eyebridge/base/unique_fd.hpp"
 #include "eyebridge/hal/trace.hpp"
-#include "seat/message.hpp"
-#include "seat/message_stream.hpp"
+#include "remote_robot/message.hpp"
+#include "remote_robot/message_stream.hpp"
 #include "tap/tap.hpp"
 
 namespace eyebridge::hal {
 
-/// The program's end of the line to its robot's seat: one question at a time, and the robot's time,
-/// which the answers bring along. Any thread.
+/// The program's end of the line to its robot's server: one question at a time, and the robot's
+/// time, which the answers bring along. Any thread.
 ///
 /// Once the other end is gone every question fails with Disconnected, and virtual time passes
 /// without it, so that nobody waits for ever.
-class SeatLine {
+class RobotLine {
  public:
-  explicit SeatLine(UniqueFd socket) : socket_(std::move(socket)), stream_(socket_.get()) {}
+  explicit RobotLine(UniqueFd socket) : socket_(std::move(socket)), stream_(socket_.get()) {}
 
   /// The first question. In real time it returns when all robots are there. Fails with
-  /// Disconnected, Corrupt, and as the seat says.
-  Result<SeatWelcome> hello();
-  /// Asks the seat. Fails as the device does there, with Disconnected, and with Corrupt for an
+  /// Disconnected, Corrupt, and as the server says.
+  Result<RobotWelcome> hello();
+  /// Asks the server. Fails as the device does there, with Disconnected, and with Corrupt for an
   /// answer that is none.
   Result<Values> ask(const Call& call);
 

@@ -1,4 +1,4 @@
-#include "seat/seat_view.hpp"
+#include "remote_robot/remote_view.hpp"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ Rgb colour_of(const double* v) {
   return {channel(v[0]), channel(v[1]), channel(v[2])};
 }
 
-Result<Values> look(SeatLine& line, const char* what) {
+Result<Values> look(RobotLine& line, const char* what) {
   return line.ask({"view", 1, what, false, {}});
 }
 
@@ -94,7 +94,7 @@ Values pack_noise(const camera::ImageNoise& noise) {
           static_cast<double>(noise.seed & 0xFFFFFFFFU)};
 }
 
-world::Scene SeatView::scene() const {
+world::Scene RemoteView::scene() const {
   const Result<Values> bodies = look(line_, "scene");
   const std::lock_guard lock(mutex_);
   if (last_.model == nullptr) last_.model = load_();
@@ -102,14 +102,14 @@ world::Scene SeatView::scene() const {
   return last_;
 }
 
-camera::Eye SeatView::eye() const {
+camera::Eye RemoteView::eye() const {
   const Result<Values> v = look(line_, "eye");
   const std::lock_guard lock(mutex_);
   if (v && v->size() == 6) last_eye_ = {(*v)[0], (*v)[1], (*v)[2], (*v)[3], (*v)[4], (*v)[5]};
   return last_eye_;
 }
 
-camera::ImageNoise SeatView::noise() const {
+camera::ImageNoise RemoteView::noise() const {
   const Result<Values> v = look(line_, "noise");
   const std::lock_guard lock(mutex_);
   if (!v || v->size() != 8) return last_noise_;

@@ -1,5 +1,7 @@
 // The two ends of a line to a robot that another process has: what they say, and what they make of
 // an end that says nonsense or nothing.
+#include "remote_robot/remote_robot.hpp"
+
 #include <array>
 #include <thread>
 
@@ -11,44 +13,43 @@
 
 #include "eyebridge/camera/view.hpp"
 #include "eyebridge/hal/registry.hpp"
-#include "seat/message.hpp"
-#include "seat/message_stream.hpp"
-#include "seat/seat_robot.hpp"
-#include "seat/trace_messages.hpp"
-#include "seat_rig.hpp"
+#include "remote_rig.hpp"
+#include "remote_robot/message.hpp"
+#include "remote_robot/message_stream.hpp"
+#include "remote_robot/trace_messages.hpp"
 
 namespace eyebridge::hal {
 namespace {
 
 using testing::HasSubstr;
 
-/// What the program's end makes of a seat that answers its hello with `answer`.
+/// What the program's end makes of a server that answers its hello with `answer`.
 std::string complaint_about(const Message& answer) {
   auto [ours, theirs] = socket_pair();
   EXPECT_TRUE(MessageStream(theirs.get()).send(answer));
   try {
-    make_seat_robot(std::move(ours), no_world, 1.0);
+    make_remote_robot(std::move(ours), no_world, 1.0);
     return "";
   } catch (const ConfigError& error) {
     return error.text();
   }
 }
 
-TEST(Seat, WhatIsNoAnswerIsRefused) {
+TEST(WorldSlot, WhatIsNoAnswerIsRefused) {
   EXPECT_THAT(complaint_about({'x', 1, 2}), HasSubstr("no answer"));
   EXPECT_THAT(complaint_about({'w'}), HasSubstr("no answer"));
-  EXPECT_THAT(complaint_about(encode(SeatReply{})), HasSubstr("no answer"));
-  EXPECT_EQ(complaint_about(encode(SeatReply{{}, {}, fail(Errc::Unsupported, "go away")})),
+  EXPECT_THAT(complaint_about(encode(RobotReply{})), HasSubstr("no answer"));
+  EXPECT_EQ(complaint_about(encode(RobotReply{{}, {}, fail(Errc::Unsupported, "go away")})),
             "go away");
 }
 
-TEST(Seat, AWelcomeWithADeviceThatThereIsNotIsRefused) {
-  SeatWelcome welcome;
+TEST(WorldSlot, AWelcomeWithADeviceThatThereIsNotIsRefused) {
+  RobotWelcome welcome;
   welcome.devices.push_back({"wing", 1, {}});
   EXPECT_EQ(complaint_about(encode(welcome)), "unknown device 'wing'");
 }
 
-TEST(Seat, ALengthThatNoMessageHasEndsTheLine) {
+TEST(WorldSlot, ALengthThatNoMessageHasEndsTheLine) {
   for (const std::uint32_t length : {0U, MessageStream::kLongest + 1, 0xFFFFFFFFU}) {
     const auto [one, other] = socket_pair();
     ASSERT_EQ(write(one.get(), &length, sizeof length), static_cast<ssize_t>(sizeof length));
@@ -58,7 +59,7 @@ TEST(Seat, ALengthThatNoMessageHasEndsTheLine) {
   }
 }
 
-TEST(Seat, AMessageThatIsCutOffIsALostLine) {
+TEST(WorldSlot, AMessageThatIsCutOffIsALostLine) {
   auto [one, other] = socket_pair();
   const std::uint32_t length = 100;
   ASSERT_EQ(write(one.get(), &length, sizeof length), static_cast<ssize_t>(sizeof length));
@@ -66,10 +67,10 @@ TEST(Seat, AMessageThatIsCutOffIsALostLine) {
   EXPECT_EQ(MessageStream(other.get()).receive().error().code, Errc::Disconnected);
 }
 
-TEST(Seat, TheDeskRefusesWhatIsNoQuestion) {
+TEST(WorldSlot, TheDeskRefusesWhatIsNoQuestion) {
   const Rig rig = lockstep_rig(facing(0.5));
-  const auto [program, seat] = socket_pair();
-  SeatDesk desk(*rig.backend, nullptr, seat.get());
+  const auto [program, server] = socket_pair();
+  RobotServer desk(*rig.backend, nullptr, server.get());
   MessageStream stream(program.get());
   ASSERT_TRUE(stream.send(Message{'q', 0, 0}));
   const auto received = desk.receive();
@@ -78,12 +79,12 @@ TEST(Seat, TheDeskRefusesWhatIsNoQuestion) {
   EXPECT_THAT(received.error().what, HasSubstr("found 3 bytes that are no question"));
 }
 
-TEST(Seat, TheDeskRefusesAProgramOfAnotherVersion) {
+TEST(WorldSlot, TheDeskRefusesAProgramOfAnotherVersion) {
   const Rig rig = lockstep_rig(facing(0.5));
-  const auto [program, seat] = socket_pair();
-  SeatDesk desk(*rig.backend, nullptr, seat.get());
+  const auto [program, server] = socket_pair();
+  RobotServer desk(*rig.backend, nullptr, server.get());
   MessageStream stream(program.get());
-  ASSERT_TRUE(stream.send(encode(SeatRequest{{}, "seat", 1, "hello", false, {99.0}})));
+  ASSERT_TRUE(stream.send(encode(RobotRequest{{}, "robot", 1, "hello", false, {99.0}})));
   ASSERT_TRUE(desk.receive() && desk.answer());
   const auto reply = decode_reply(must(stream.receive()));
   ASSERT_TRUE(reply);
@@ -93,10 +94,10 @@ TEST(Seat, TheDeskRefusesAProgramOfAnotherVersion) {
 /// What a desk answers to a call that no tap would make.
 Error error_of(const Call& call) {
   const Rig rig = lockstep_rig(facing(0.5));
-  const auto [program, seat] = socket_pair();
-  SeatDesk desk(*rig.backend, nullptr, seat.get());
+  const auto [program, server] = socket_pair();
+  RobotServer desk(*rig.backend, nullptr, server.get());
   MessageStream stream(program.get());
-  const SeatRequest request{
+  const RobotRequest request{
       {}, std::string(call.device), call.id, std::string(call.name), call.is_command, call.request};
   EXPECT_TRUE(stream.send(encode(request)));
   EXPECT_TRUE(desk.receive() && desk.answer());
@@ -105,7 +106,7 @@ Error error_of(const Call& call) {
   return reply->values.error();
 }
 
-TEST(Seat, CallsThatThereAreNotAreErrorsOfThatCallAlone) {
+TEST(WorldSlot, CallsThatThereAreNotAreErrorsOfThatCallAlone) {
   EXPECT_EQ(error_of({"psd", 9, "read", false, {}}).what, "this robot has no psd 9 read");
   EXPECT_EQ(error_of({"psd", 1, "fly", false, {}}).what, "this robot has no psd 1 fly");
   EXPECT_EQ(error_of({"wing", 1, "read", false, {}}).code, Errc::Unsupported);
@@ -115,11 +116,11 @@ TEST(Seat, CallsThatThereAreNotAreErrorsOfThatCallAlone) {
   EXPECT_EQ(error_of({"world", 0, "set_robot_pose", true, {1.0}}).code, Errc::Corrupt);
   EXPECT_EQ(error_of({"world", 0, "set_robot_altitude", true, {}}).code, Errc::Corrupt);
   EXPECT_EQ(error_of({"view", 1, "smell", false, {}}).code, Errc::Unsupported);
-  EXPECT_EQ(error_of({"seat", 1, "bend", false, {}}).code, Errc::Unsupported);
+  EXPECT_EQ(error_of({"remote", 1, "bend", false, {}}).code, Errc::Unsupported);
 }
 
-TEST(Seat, ALostSeatIsAnErrorNotAReading) {
-  SeatRig rig = seat_rig(facing(0.5));
+TEST(WorldSlot, ALostRemoteRobotIsAnErrorNotAReading) {
+  RemoteRig rig = remote_rig(facing(0.5));
   ASSERT_TRUE(rig.robot->range_sensor(1)->read());
   camera::View& view = *rig.robot->camera_view();
   const double eye = view.eye().x;
@@ -138,20 +139,20 @@ TEST(Seat, ALostSeatIsAnErrorNotAReading) {
   rig.robot->stop();
 }
 
-TEST(Seat, TheClockRunsByItselfOnlyUpToItsLimit) {
+TEST(WorldSlot, TheClockRunsByItselfOnlyUpToItsLimit) {
   auto [ours, theirs] = socket_pair();
   MessageStream stream(theirs.get());
-  SeatWelcome welcome;
+  RobotWelcome welcome;
   welcome.is_virtual = true;
   welcome.limit = from_seconds(1.0);
   ASSERT_TRUE(stream.send(encode(welcome)));
-  const auto robot = make_seat_robot(std::move(ours), no_world, 1.0);
+  const auto robot = make_remote_robot(std::move(ours), no_world, 1.0);
   ASSERT_EQ(decode_request(must(stream.receive()))->name, "hello");
   robot->clock().spend(from_seconds(0.25));
   robot->clock().wait_until(from_seconds(0.999));
   EXPECT_EQ(robot->clock().now(), from_seconds(0.999));
   // The answer lies ready: what is asked is read afterwards.
-  ASSERT_TRUE(stream.send(encode(SeatReply{from_seconds(1.5), from_seconds(2.0), Values{}})));
+  ASSERT_TRUE(stream.send(encode(RobotReply{from_seconds(1.5), from_seconds(2.0), Values{}})));
   robot->clock().wait_until(from_seconds(1.5));
   const auto asked = decode_request(must(stream.receive()));
   ASSERT_TRUE(asked);
@@ -162,7 +163,7 @@ TEST(Seat, TheClockRunsByItselfOnlyUpToItsLimit) {
   theirs.reset();
 }
 
-TEST(Seat, ALongTraceComesInSeveralMessages) {
+TEST(WorldSlot, ALongTraceComesInSeveralMessages) {
   TraceMessages messages;
   const std::array<double, 8> ranges{1, 2, 3, 4, 5, 6, 7, 8};
   constexpr int kPoints = 20'000;
@@ -192,7 +193,7 @@ TEST(Seat, ALongTraceComesInSeveralMessages) {
   EXPECT_TRUE(messages.take().empty());
 }
 
-TEST(Seat, AnythingElseThanASeatIsRefusedAsHal) {
+TEST(WorldSlot, AnythingElseThanARemoteRobotIsRefusedAsHal) {
   KeepingLog log;
   const auto complaint = [&](const std::string& hal) {
     const Config config = rig_config({{"hal", hal}});
@@ -203,10 +204,10 @@ TEST(Seat, AnythingElseThanASeatIsRefusedAsHal) {
     }
     return std::string();
   };
-  EXPECT_THAT(complaint("seat:"), HasSubstr("expected a seat that this process was given"));
-  EXPECT_THAT(complaint("seat:1"), HasSubstr("expected a seat that this process was given"));
-  EXPECT_THAT(complaint("seat:9999"), HasSubstr("expected a seat that this process was given"));
-  EXPECT_THAT(complaint("seat:7?colour=red"), HasSubstr("found 'colour=red', expected robot=N"));
+  EXPECT_THAT(complaint("remote:"), HasSubstr("expected a robot that this process was given"));
+  EXPECT_THAT(complaint("remote:1"), HasSubstr("expected a robot that this process was given"));
+  EXPECT_THAT(complaint("remote:9999"), HasSubstr("expected a robot that this process was given"));
+  EXPECT_THAT(complaint("remote:7?colour=red"), HasSubstr("found 'colour=red', expected robot=N"));
 }
 
 }  // namespace

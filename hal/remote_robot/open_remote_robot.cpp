@@ -1,4 +1,4 @@
-#include "seat/open_seat_line.hpp"
+#include "remote_robot/open_remote_robot.hpp"
 
 #include <charconv>
 
@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <sys/socket.h>
 
-#include "seat/seat_robot.hpp"
+#include "remote_robot/remote_robot.hpp"
 #include "sim/open_sim.hpp"
 
 namespace eyebridge::hal {
@@ -29,7 +29,7 @@ UniqueFd inherited(const std::string& text) {
 
 }  // namespace
 
-std::unique_ptr<Backend> open_seat_line(const BackendUrl& url, const BackendContext& context) {
+std::unique_ptr<Backend> open_remote_robot(const BackendUrl& url, const BackendContext& context) {
   const SourceLocation& where = context.config.value("hal").where;
   for (const auto& [key, value] : url.options) {
     if (key != "robot") {
@@ -38,15 +38,16 @@ std::unique_ptr<Backend> open_seat_line(const BackendUrl& url, const BackendCont
   }
   UniqueFd socket = inherited(url.rest);
   if (!socket.valid()) {
-    throw ConfigError(where, fmt::format("found '{}', expected a seat that this process was given: "
-                                         "--robots starts programs with theirs",
-                                         context.config.text("hal")));
+    throw ConfigError(where,
+                      fmt::format("found '{}', expected a robot that this process was given: "
+                                  "--robots starts programs with theirs",
+                                  context.config.text("hal")));
   }
   const auto world = [config = context.config] {
     return std::make_shared<const world::WorldModel>(named_scenario(config).world);
   };
   try {
-    return make_seat_robot(std::move(socket), world, context.config.number("factor"));
+    return make_remote_robot(std::move(socket), world, context.config.number("factor"));
   } catch (const ConfigError& error) {
     throw ConfigError(where, error.text());
   }

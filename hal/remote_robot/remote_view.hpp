@@ -4,17 +4,17 @@
 #include <string>
 
 #include "eyebridge/camera/view.hpp"
-#include "seat/seat_line.hpp"
-#include "seat/seat_robot.hpp"
+#include "remote_robot/remote_robot.hpp"
+#include "remote_robot/robot_line.hpp"
 
 namespace eyebridge::hal {
 
-/// What the camera of a robot looks at, as its seat tells: pictures are made where the program is.
-/// What stands in the world is known here, too; what moves is asked. Once the seat is gone, nothing
-/// moves. Any thread.
-class SeatView final : public camera::View {
+/// What the camera of a robot looks at, as its server tells: pictures are made where the program
+/// is. What stands in the world is known here, too; what moves is asked. Once the server is gone,
+/// nothing moves. Any thread.
+class RemoteView final : public camera::View {
  public:
-  SeatView(SeatLine& line, WorldLoader world, std::uint32_t carrier, std::string textures)
+  RemoteView(RobotLine& line, WorldLoader world, std::uint32_t carrier, std::string textures)
       : line_(line), load_(std::move(world)), carrier_(carrier), textures_(std::move(textures)) {}
 
   [[nodiscard]] world::Scene scene() const override;
@@ -24,7 +24,7 @@ class SeatView final : public camera::View {
   [[nodiscard]] std::string texture_directory() const override { return textures_; }
 
  private:
-  SeatLine& line_;
+  RobotLine& line_;
   const WorldLoader load_;
   const std::uint32_t carrier_;
   const std::string textures_;
@@ -34,7 +34,7 @@ class SeatView final : public camera::View {
   mutable camera::ImageNoise last_noise_;
 };
 
-// How they are told: what a seat's "view" answers.
+// How they are told: what a server's "view" answers.
 
 Values pack_scene(const world::Scene& scene);
 /// Its bodies and time; false when these are not the numbers of a scene.

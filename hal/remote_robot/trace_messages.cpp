@@ -1,4 +1,4 @@
-#include "seat/trace_messages.hpp"
+#include "remote_robot/trace_messages.hpp"
 
 #include <string>
 #include <utility>

@@ -4,15 +4,15 @@
 
 #include "eyebridge/files/readers.hpp"
 #include "eyebridge/hal/world_control.hpp"
-#include "seat/seat_line.hpp"
+#include "remote_robot/robot_line.hpp"
 #include "tap/values.hpp"
 
 namespace eyebridge::hal {
 
-/// The hand of God through a robot's line to its seat, which is lent.
-class SeatWorld final : public WorldControl {
+/// The hand of God through a robot's line to its server, which is lent.
+class RemoteWorld final : public WorldControl {
  public:
-  explicit SeatWorld(SeatLine& line) : line_(line) {}
+  explicit RemoteWorld(RobotLine& line) : line_(line) {}
 
   [[nodiscard]] int robot_count() const override { return count("robot_count"); }
   [[nodiscard]] int object_count() const override { return count("object_count"); }
@@ -55,7 +55,7 @@ class SeatWorld final : public WorldControl {
   }
 
  private:
-  /// 0 once the seat is gone.
+  /// 0 once the server is gone.
   [[nodiscard]] int count(std::string_view name) const {
     const Call call{"world", 0, name, false, {}};
     return reply_as<int>(call, line_.ask(call)).value_or(0);
@@ -68,7 +68,7 @@ class SeatWorld final : public WorldControl {
     return line_.ask({"world", id, name, true, std::move(request)}).map([](const Values&) {});
   }
 
-  SeatLine& line_;
+  RobotLine& line_;
 };
 
 }  // namespace eyebridge::hal

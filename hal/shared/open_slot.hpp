@@ -7,8 +7,8 @@
 
 namespace eyebridge::hal {
 
-/// The robot at `seat`, with what the computer adds to it. It keeps its last command when its
+/// The robot at `slot`, with what the computer adds to it. It keeps its last command when its
 /// program has ended. Throws ConfigError as with_host_devices().
-std::unique_ptr<Backend> open_seat(const Seat& seat, const BackendContext& context);
+std::unique_ptr<Backend> open_slot(const WorldSlot& slot, const BackendContext& context);
 
 }  // namespace eyebridge::hal

@@ -6,10 +6,10 @@
 
 namespace eyebridge::hal {
 
-class SeatLine;
+class RobotLine;
 
 /// The robot's time at the program's end of its line, which is lent and has been welcomed: virtual,
 /// or real and `factor` times as fast as the wall clock.
-std::unique_ptr<Clock> make_seat_clock(SeatLine& line, bool is_virtual, double factor);
+std::unique_ptr<Clock> make_remote_clock(RobotLine& line, bool is_virtual, double factor);
 
 }  // namespace eyebridge::hal

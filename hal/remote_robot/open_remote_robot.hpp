@@ -6,8 +6,8 @@
 
 namespace eyebridge::hal {
 
-/// The row "seat" of the table of backends: one of several robots, whose seat the process that
+/// The row "remote" of the table of backends: one of several robots, which the process that
 /// started this one has, at the other end of the descriptor that the URL names. Throws ConfigError.
-std::unique_ptr<Backend> open_seat_line(const BackendUrl& url, const BackendContext& context);
+std::unique_ptr<Backend> open_remote_robot(const BackendUrl& url, const BackendContext& context);
 
 }  // namespace eyebridge::hal

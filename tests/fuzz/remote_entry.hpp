@@ -6,15 +6,15 @@
 #include <span>
 #include <string_view>
 
-#include "seat/message.hpp"
-#include "seat/seat_view.hpp"
-#include "seat/trace_messages.hpp"
+#include "remote_robot/message.hpp"
+#include "remote_robot/remote_view.hpp"
+#include "remote_robot/trace_messages.hpp"
 
 // As entry.hpp, for what the two ends of a line to a robot of another process say.
 namespace eyebridge::fuzz {
 
 /// What is accepted has the bytes that it was read from.
-inline void seat_message(std::string_view text) {
+inline void remote_message(std::string_view text) {
   const std::span bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
   const auto check = [&](const hal::Message& again) {
     if (!std::equal(again.begin(), again.end(), bytes.begin(), bytes.end())) std::abort();

@@ -1,4 +1,4 @@
-#include "eyebridge/hal/seat_desk.hpp"
+#include "eyebridge/hal/robot_server.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 
 #include "eyebridge/camera/view.hpp"
-#include "seat/answer.hpp"
-#include "seat/message.hpp"
-#include "seat/message_stream.hpp"
-#include "seat/trace_messages.hpp"
+#include "remote_robot/answer.hpp"
+#include "remote_robot/message.hpp"
+#include "remote_robot/message_stream.hpp"
+#include "remote_robot/trace_messages.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -49,7 +49,7 @@ class KeptTrace final : public TraceSink {
 
 }  // namespace
 
-struct SeatDesk::Impl {
+struct RobotServer::Impl {
   Impl(Backend& given, const Time* limit, int socket, std::function<void()> to_arrive)
       : robot(given), limit_of_clock(limit), arrive(std::move(to_arrive)), stream(socket) {}
 
@@ -63,11 +63,11 @@ struct SeatDesk::Impl {
   const std::function<void()> arrive;
   KeptTrace trace;
   MessageStream stream;
-  SeatRequest request;
+  RobotRequest request;
 };
 
-Message SeatDesk::Impl::welcome() const {
-  SeatWelcome welcome;
+Message RobotServer::Impl::welcome() const {
+  RobotWelcome welcome;
   welcome.now = now();
   welcome.limit = limit();
   welcome.is_virtual = robot.clock().is_virtual();
@@ -85,8 +85,8 @@ Message SeatDesk::Impl::welcome() const {
   return encode(welcome);
 }
 
-Result<Values> SeatDesk::Impl::carry_out() {
-  if (request.device != "seat") {
+Result<Values> RobotServer::Impl::carry_out() {
+  if (request.device != "robot") {
     return hal::answer(
         robot, {request.device, request.id, request.name, request.is_command, request.request});
   }
@@ -97,20 +97,21 @@ Result<Values> SeatDesk::Impl::carry_out() {
   } else if (request.name == "arrive") {
     if (arrive) arrive();
   } else if (request.name != "now") {
-    return fail(Errc::Unsupported, fmt::format("a seat has no {}", request.name));
+    return fail(Errc::Unsupported, fmt::format("a robot has no {}", request.name));
   }
   return Values{};
 }
 
-SeatDesk::SeatDesk(Backend& robot, const Time* limit, int socket, std::function<void()> arrive)
+RobotServer::RobotServer(Backend& robot, const Time* limit, int socket,
+                         std::function<void()> arrive)
     : impl_(std::make_unique<Impl>(robot, limit, socket, std::move(arrive))) {}
 
-SeatDesk::~SeatDesk() { impl_->robot.trace_to(nullptr); }
+RobotServer::~RobotServer() { impl_->robot.trace_to(nullptr); }
 
-Result<void> SeatDesk::receive() {
+Result<void> RobotServer::receive() {
   const Result<Message> message = impl_->stream.receive();
   if (!message) return tl::unexpected(message.error());
-  std::optional<SeatRequest> request = decode_request(*message);
+  std::optional<RobotRequest> request = decode_request(*message);
   if (!request) {
     return fail(Errc::Corrupt, fmt::format("found {} bytes that are no question of a robot's "
                                            "program; expected one of the same version",
@@ -120,14 +121,14 @@ Result<void> SeatDesk::receive() {
   return {};
 }
 
-Result<void> SeatDesk::answer() {
+Result<void> RobotServer::answer() {
   Impl& me = *impl_;
-  const SeatRequest& request = me.request;
+  const RobotRequest& request = me.request;
   if (me.robot.clock().is_virtual()) me.robot.clock().wait_until(request.time);
   Result<Values> values = Values{};
-  if (request.device == "seat" && request.name == "hello") {
+  if (request.device == "robot" && request.name == "hello") {
     if (me.arrive && !me.robot.clock().is_virtual()) me.arrive();
-    if (request.request == Values{kSeatVersion}) return me.stream.send(me.welcome());
+    if (request.request == Values{kRobotLineVersion}) return me.stream.send(me.welcome());
     values = fail(Errc::Unsupported,
                   "the program has libeyebridge of another version than the robots' world");
   } else {
@@ -136,7 +137,7 @@ Result<void> SeatDesk::answer() {
   for (const Message& part : me.trace.take()) {
     if (Result<void> sent = me.stream.send(part); !sent) return sent;
   }
-  return me.stream.send(encode(SeatReply{me.now(), me.limit(), std::move(values)}));
+  return me.stream.send(encode(RobotReply{me.now(), me.limit(), std::move(values)}));
 }
 
 }  // namespace eyebridge::hal

@@ -1,4 +1,4 @@
-#include "seat/message.hpp"
+#include "remote_robot/message.hpp"
 
 #include <utility>
 
@@ -69,7 +69,7 @@ std::optional<MessageKind> kind_of(std::span<const std::uint8_t> message) {
   return std::nullopt;
 }
 
-Message encode(const SeatRequest& request) {
+Message encode(const RobotRequest& request) {
   ByteWriter writer;
   begin(writer, MessageKind::Request);
   write(writer, request.time);
@@ -81,9 +81,9 @@ Message encode(const SeatRequest& request) {
   return writer.take();
 }
 
-std::optional<SeatRequest> decode_request(std::span<const std::uint8_t> message) {
+std::optional<RobotRequest> decode_request(std::span<const std::uint8_t> message) {
   ByteReader reader = opened(message, MessageKind::Request);
-  SeatRequest request;
+  RobotRequest request;
   request.time = read_time(reader);
   request.device = reader.text();
   request.id = reader.number<std::int32_t>();
@@ -93,7 +93,7 @@ std::optional<SeatRequest> decode_request(std::span<const std::uint8_t> message)
   return whole_only(reader, std::move(request));
 }
 
-Message encode(const SeatReply& reply) {
+Message encode(const RobotReply& reply) {
   ByteWriter writer;
   begin(writer, MessageKind::Reply);
   write(writer, reply.now);
@@ -108,9 +108,9 @@ Message encode(const SeatReply& reply) {
   return writer.take();
 }
 
-std::optional<SeatReply> decode_reply(std::span<const std::uint8_t> message) {
+std::optional<RobotReply> decode_reply(std::span<const std::uint8_t> message) {
   ByteReader reader = opened(message, MessageKind::Reply);
-  SeatReply reply;
+  RobotReply reply;
   reply.now = read_time(reader);
   reply.limit = read_time(reader);
   if (reader.flag()) {
@@ -123,7 +123,7 @@ std::optional<SeatReply> decode_reply(std::span<const std::uint8_t> message) {
   return whole_only(reader, std::move(reply));
 }
 
-Message encode(const SeatWelcome& welcome) {
+Message encode(const RobotWelcome& welcome) {
   ByteWriter writer;
   begin(writer, MessageKind::Welcome);
   write(writer, welcome.now);
@@ -150,9 +150,9 @@ Message encode(const SeatWelcome& welcome) {
   return writer.take();
 }
 
-std::optional<SeatWelcome> decode_welcome(std::span<const std::uint8_t> message) {
+std::optional<RobotWelcome> decode_welcome(std::span<const std::uint8_t> message) {
   ByteReader reader = opened(message, MessageKind::Welcome);
-  SeatWelcome welcome;
+  RobotWelcome welcome;
   welcome.now = read_time(reader);
   welcome.limit = read_time(reader);
   welcome.is_virtual = reader.flag();

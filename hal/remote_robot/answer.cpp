@@ -1,4 +1,4 @@
-#include "seat/answer.hpp"
+#include "remote_robot/answer.hpp"
 
 #include <string>
 #include <utility>
@@ -7,7 +7,7 @@
 
 #include "eyebridge/camera/view.hpp"
 #include "eyebridge/files/readers.hpp"
-#include "seat/seat_view.hpp"
+#include "remote_robot/remote_view.hpp"
 #include "tap/carry_out.hpp"
 #include "tap/values.hpp"
 

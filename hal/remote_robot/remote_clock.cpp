@@ -1,19 +1,19 @@
-#include "seat/seat_clock.hpp"
+#include "remote_robot/remote_clock.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
 
-#include "seat/seat_line.hpp"
+#include "remote_robot/robot_line.hpp"
 
 namespace eyebridge::hal {
 namespace {
 
-/// Runs by itself up to the limit that the seat gave; beyond, the seat lets it go on.
-class VirtualSeatClock final : public Clock {
+/// Runs by itself up to the limit that the server gave; beyond, the server lets it go on.
+class VirtualRemoteClock final : public Clock {
  public:
-  explicit VirtualSeatClock(SeatLine& line) : line_(line) {}
+  explicit VirtualRemoteClock(RobotLine& line) : line_(line) {}
 
   [[nodiscard]] Time now() const override { return line_.now(); }
   void wait_until(Time deadline) override { line_.advance_to(deadline); }
@@ -21,14 +21,14 @@ class VirtualSeatClock final : public Clock {
   [[nodiscard]] bool is_virtual() const override { return true; }
 
  private:
-  SeatLine& line_;
+  RobotLine& line_;
 };
 
 /// Asks what time it is: the world's may slip, and stands still at first. Who waits sleeps here, so
 /// that other threads can ask meanwhile.
-class RealSeatClock final : public Clock {
+class RealRemoteClock final : public Clock {
  public:
-  RealSeatClock(SeatLine& line, double factor) : line_(line), factor_(factor) {}
+  RealRemoteClock(RobotLine& line, double factor) : line_(line), factor_(factor) {}
 
   [[nodiscard]] Time now() const override { return line_.ask_now(); }
   [[nodiscard]] Time at(Time moment) const override {
@@ -50,15 +50,15 @@ class RealSeatClock final : public Clock {
   [[nodiscard]] bool is_virtual() const override { return false; }
 
  private:
-  SeatLine& line_;
+  RobotLine& line_;
   const double factor_;
 };
 
 }  // namespace
 
-std::unique_ptr<Clock> make_seat_clock(SeatLine& line, bool is_virtual, double factor) {
-  if (is_virtual) return std::make_unique<VirtualSeatClock>(line);
-  return std::make_unique<RealSeatClock>(line, factor);
+std::unique_ptr<Clock> make_remote_clock(RobotLine& line, bool is_virtual, double factor) {
+  if (is_virtual) return std::make_unique<VirtualRemoteClock>(line);
+  return std::make_unique<RealRemoteClock>(line, factor);
 }
 
 }  // namespace eyebridge::hal

@@ -1,4 +1,4 @@
-#include "seat/message_stream.hpp"
+#include "remote_robot/message_stream.hpp"
 
 #include <algorithm>
 #include <cerrno>

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "eyebridge/base/result.hpp"
-#include "seat/message.hpp"
+#include "remote_robot/message.hpp"
 
 namespace eyebridge::hal {
 

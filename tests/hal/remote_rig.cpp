@@ -1,4 +1,4 @@
-#include "seat_rig.hpp"
+#include "remote_rig.hpp"
 
 #include <array>
 #include <stdexcept>
@@ -17,31 +17,31 @@ std::pair<UniqueFd, UniqueFd> socket_pair() {
 
 std::shared_ptr<const world::WorldModel> no_world() { return nullptr; }
 
-Seated::Seated(Rig rig, UniqueFd line)
+ServedRobot::ServedRobot(Rig rig, UniqueFd line)
     : rig_(std::move(rig)), line_(std::move(line)), thread_([this] {
-        SeatDesk desk(*rig_.backend, nullptr, line_.get());
+        RobotServer desk(*rig_.backend, nullptr, line_.get());
         while (desk.receive() && desk.answer()) {
         }
       }) {}
 
-Seated::~Seated() { end(); }
+ServedRobot::~ServedRobot() { end(); }
 
-void Seated::end() {
+void ServedRobot::end() {
   if (!thread_.joinable()) return;
   shutdown(line_.get(), SHUT_RDWR);
   thread_.join();
 }
 
-SeatRig seat_rig(const Pose& start, const std::map<std::string, std::string>& flags) {
-  auto [program, seat] = socket_pair();
-  SeatRig rig;
-  rig.seat = std::make_unique<Seated>(sim_rig(start, flags), std::move(seat));
+RemoteRig remote_rig(const Pose& start, const std::map<std::string, std::string>& flags) {
+  auto [program, server] = socket_pair();
+  RemoteRig rig;
+  rig.server = std::make_unique<ServedRobot>(sim_rig(start, flags), std::move(server));
   const auto world = [model = rig_scenario(start).world] {
     return std::make_shared<const world::WorldModel>(model);
   };
   const auto factor = flags.find("factor");
-  rig.robot = make_seat_robot(std::move(program), world,
-                              factor == flags.end() ? 1.0 : std::stod(factor->second));
+  rig.robot = make_remote_robot(std::move(program), world,
+                                factor == flags.end() ? 1.0 : std::stod(factor->second));
   return rig;
 }
 

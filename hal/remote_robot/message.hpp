@@ -10,17 +10,17 @@
 #include "eyebridge/base/clock.hpp"
 #include "eyebridge/hal/device_facts.hpp"
 #include "eyebridge/hal/radio.hpp"
-#include "seat/bytes.hpp"
+#include "remote_robot/bytes.hpp"
 #include "tap/device_list.hpp"
 #include "tap/tap.hpp"
 
 namespace eyebridge::hal {
 
-// What the program of a robot, in a process of its own, and its seat in the world say to each
+// What the program of a robot, in a process of its own, and its server in the world say to each
 // other.
 //
-//   program                 seat
-//   request "seat hello" →  ← welcome
+//   program                 server
+//   request "robot hello" →  ← welcome
 //   request              →  ← traces, if it wants them, then the reply
 //
 // Each message is its kind, one byte, and the fields of its struct in their order (bytes.hpp). Both
@@ -30,12 +30,12 @@ using Message = std::vector<std::uint8_t>;
 
 enum class MessageKind : std::uint8_t { Request = 'q', Reply = 'r', Welcome = 'w', Trace = 't' };
 
-inline constexpr int kSeatVersion = 4;
+inline constexpr int kRobotLineVersion = 4;
 
-/// A call of one of the robot's devices; of its "view" and its "world"; or of its "seat": "hello",
-/// "arrive" (Backend::arrive()), "now", which only lets time pass, "trace" (1: from now on, 0: no
-/// more) and "stop".
-struct SeatRequest {
+/// A call of one of the robot's devices; of its "view" and its "world"; or of "robot" itself:
+/// "hello", "arrive" (Backend::arrive()), "now", which only lets time pass, "trace" (1: from now
+/// on, 0: no more) and "stop".
+struct RobotRequest {
   Time time{0};  ///< In virtual time: where the program's clock is, or wants to be.
   std::string device;
   int id = 1;
@@ -45,14 +45,14 @@ struct SeatRequest {
 };
 
 /// What came of it.
-struct SeatReply {
+struct RobotReply {
   Time now{0};    ///< On the robot's clock.
   Time limit{0};  ///< In virtual time: before this the program's clock may move by itself.
   Result<Values> values;
 };
 
 /// What the program has to know of its robot.
-struct SeatWelcome {
+struct RobotWelcome {
   Time now{0};
   Time limit{0};
   bool is_virtual = false;
@@ -69,14 +69,14 @@ struct SeatWelcome {
 /// The kind of a message; nothing when it is none.
 std::optional<MessageKind> kind_of(std::span<const std::uint8_t> message);
 
-Message encode(const SeatRequest& request);
-Message encode(const SeatReply& reply);
-Message encode(const SeatWelcome& welcome);
+Message encode(const RobotRequest& request);
+Message encode(const RobotReply& reply);
+Message encode(const RobotWelcome& welcome);
 
 // Nothing when the bytes are not exactly one message of that kind. No bytes can do harm.
-std::optional<SeatRequest> decode_request(std::span<const std::uint8_t> message);
-std::optional<SeatReply> decode_reply(std::span<const std::uint8_t> message);
-std::optional<SeatWelcome> decode_welcome(std::span<const std::uint8_t> message);
+std::optional<RobotRequest> decode_request(std::span<const std::uint8_t> message);
+std::optional<RobotReply> decode_reply(std::span<const std::uint8_t> message);
+std::optional<RobotWelcome> decode_welcome(std::span<const std::uint8_t> message);
 
 /// Begins a message.
 void begin(ByteWriter& writer, MessageKind kind);

@@ -1,4 +1,4 @@
-#include "seat/seat_robot.hpp"
+#include "remote_robot/remote_robot.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -6,19 +6,19 @@
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/hal/passing_backend.hpp"
-#include "seat/seat_clock.hpp"
-#include "seat/seat_line.hpp"
-#include "seat/seat_view.hpp"
-#include "seat/seat_world.hpp"
+#include "remote_robot/remote_clock.hpp"
+#include "remote_robot/remote_view.hpp"
+#include "remote_robot/remote_world.hpp"
+#include "remote_robot/robot_line.hpp"
 #include "tap/absent_robot.hpp"
 
 namespace eyebridge::hal {
 namespace {
 
-/// Asks the seat in every call of a device.
-class SeatTap final : public Tap {
+/// Asks the server in every call of a device.
+class RemoteTap final : public Tap {
  public:
-  explicit SeatTap(SeatLine& line) : line_(line) {}
+  explicit RemoteTap(RobotLine& line) : line_(line) {}
   Result<Values> exchange(const Call& call,
                           const std::function<Result<Values>()>& device) override {
     if (call.device == "lidar" && !call.is_command) {
@@ -32,17 +32,18 @@ class SeatTap final : public Tap {
   }
 
  private:
-  SeatLine& line_;
+  RobotLine& line_;
 };
 
-class SeatRobot final : public PassingBackend {
+class RemoteRobot final : public PassingBackend {
  public:
-  SeatRobot(std::unique_ptr<SeatLine> line, SeatWelcome welcome, WorldLoader world, double factor)
+  RemoteRobot(std::unique_ptr<RobotLine> line, RobotWelcome welcome, WorldLoader world,
+              double factor)
       : PassingBackend(make_tapped(make_absent_robot(welcome.devices),
-                                   [&](Backend&) { return std::make_unique<SeatTap>(*line); })),
+                                   [&](Backend&) { return std::make_unique<RemoteTap>(*line); })),
         line_(std::move(line)),
         welcome_(std::move(welcome)),
-        clock_(make_seat_clock(*line_, welcome_.is_virtual, factor)),
+        clock_(make_remote_clock(*line_, welcome_.is_virtual, factor)),
         world_(*line_) {
     if (welcome_.has_view) {
       view_.emplace(*line_, std::move(world), welcome_.carrier, welcome_.texture_directory);
@@ -51,8 +52,8 @@ class SeatRobot final : public PassingBackend {
 
   Clock& clock() override { return *clock_; }
   void arrive() override {
-    // In real time the seat did not welcome it before.
-    if (welcome_.is_virtual) static_cast<void>(line_->ask({"seat", 1, "arrive", true, {}}));
+    // In real time the server did not welcome it before.
+    if (welcome_.is_virtual) static_cast<void>(line_->ask({"robot", 1, "arrive", true, {}}));
   }
   [[nodiscard]] int robot_id() const override { return welcome_.robot_id; }
   [[nodiscard]] RadioConditions radio_conditions() const override { return welcome_.radio; }
@@ -65,27 +66,27 @@ class SeatRobot final : public PassingBackend {
   }
   void trace_to(TraceSink* sink) override { line_->trace_to(sink); }
   Result<void> stop() noexcept override {
-    // Where the seat is gone, who has it stops the robot, a simulated one.
-    static_cast<void>(line_->ask({"seat", 1, "stop", true, {}}));
+    // Where the server is gone, who has it stops the robot, a simulated one.
+    static_cast<void>(line_->ask({"robot", 1, "stop", true, {}}));
     return {};
   }
 
  private:
-  std::unique_ptr<SeatLine> line_;
-  const SeatWelcome welcome_;
+  std::unique_ptr<RobotLine> line_;
+  const RobotWelcome welcome_;
   std::unique_ptr<Clock> clock_;
-  SeatWorld world_;
-  std::optional<SeatView> view_;
+  RemoteWorld world_;
+  std::optional<RemoteView> view_;
 };
 
 }  // namespace
 
-std::unique_ptr<Backend> make_seat_robot(UniqueFd socket, WorldLoader world, double factor) {
-  auto line = std::make_unique<SeatLine>(std::move(socket));
-  Result<SeatWelcome> welcome = line->hello();
+std::unique_ptr<Backend> make_remote_robot(UniqueFd socket, WorldLoader world, double factor) {
+  auto line = std::make_unique<RobotLine>(std::move(socket));
+  Result<RobotWelcome> welcome = line->hello();
   if (!welcome) throw ConfigError({}, welcome.error().what);
-  return std::make_unique<SeatRobot>(std::move(line), std::move(*welcome), std::move(world),
-                                     factor);
+  return std::make_unique<RemoteRobot>(std::move(line), std::move(*welcome), std::move(world),
+                                       factor);
 }
 
 }  // namespace eyebridge::hal
