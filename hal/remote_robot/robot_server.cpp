@@ -26,7 +26,7 @@ bool is_of_host(const ListedDevice& device) {
   return device.kind == "serial" || device.kind == "sound";
 }
 
-/// Takes a trace in the thread that steps the world, gives it away in the desk's.
+/// Takes a trace in the thread that steps the world, gives it away in the server's.
 class KeptTrace final : public TraceSink {
  public:
   void point(const TracePoint& point) noexcept override {

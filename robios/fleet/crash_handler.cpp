@@ -28,14 +28,14 @@ void tell(const Robot& robot, int signal, const void* address) {
   std::array<char, 256> text{};
   std::snprintf(text.data(), text.size(),
                 "eyebridge: robot %zu: error: the program crashed%s: %s%s; all robots end (with "
-                "--isolate it alone would)\n",
+                "--isolate only this one would)\n",
                 robot.index() + 1, flow.calls > 0 ? " inside a RoBIOS call" : "",
                 sigdescr_np(signal), where.data());
   // A message that cannot be written is lost.
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), std::strlen(text.data()));
 }
 
-/// Until whoever ends the run has ended the process, too.
+/// Waits here while another thread ends the run and the process.
 [[noreturn]] void await_end(int code) {
   timespec left{8, 0};  // the other has less
   // Not sleep() and its kin: those are the robots', who would go on.

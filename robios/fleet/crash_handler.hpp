@@ -8,8 +8,9 @@ namespace eyebridge::robios {
 class Robot;
 
 /// From now on a crash of a robot's program (bad memory access, illegal instruction, division by
-/// zero, a heap that it spoilt) is told of, and ends the run: what it had locked or overwritten is
-/// the others', too. A program's own handler of the signal comes first.
+/// zero, a corrupt heap) ends the run, with a message: the other robots share its memory and its
+/// locks, so they cannot go on. If the program has a handler for the signal, that is called
+/// instead.
 void handle_crashes();
 
 /// The robot whose program has crashed: the run is to be ended, before the process is soon. Null

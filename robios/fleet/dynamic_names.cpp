@@ -13,7 +13,12 @@ namespace {
 /// A file, by its offsets and by the addresses at which it is loaded.
 class Image {
  public:
-  explicit Image(std::span<const char> file) : file_(file) {}
+  explicit Image(std::span<const char> file) : file_(file) {
+    const auto header = read<ElfW(Ehdr)>(0);
+    for (unsigned i = 0; i < header.e_phnum; ++i) {
+      segments_.push_back(read<ElfW(Phdr)>(header.e_phoff, i));
+    }
+  }
 
   /// Value number `index` from `offset` on; all zeros outside of the file.
   template <class Value>
@@ -26,12 +31,6 @@ class Image {
     return value;
   }
   [[nodiscard]] std::span<const ElfW(Phdr)> segments() const { return segments_; }
-  void find_segments() {
-    const auto header = read<ElfW(Ehdr)>(0);
-    for (unsigned i = 0; i < header.e_phnum; ++i) {
-      segments_.push_back(read<ElfW(Phdr)>(header.e_phoff, i));
-    }
-  }
   /// Where in the file `address` is; behind its end when nowhere.
   [[nodiscard]] std::uint64_t offset_of(std::uint64_t address) const {
     for (const ElfW(Phdr) & segment : segments_) {
@@ -118,12 +117,11 @@ std::uint64_t symbol_count(const Image& image, const Tables& tables) {
 }  // namespace
 
 std::optional<DynamicNames> dynamic_names(std::span<const char> file) {
-  Image image(file);
+  const Image image(file);
   const auto header = image.read<ElfW(Ehdr)>(0);
   if (std::memcmp(header.e_ident, ELFMAG, SELFMAG) != 0 || header.e_ident[EI_CLASS] != ELFCLASS64) {
     return std::nullopt;
   }
-  image.find_segments();
   Tables tables;
   bool is_dynamic = false;
   for (const ElfW(Phdr) & segment : image.segments()) {

@@ -233,7 +233,8 @@ void Fleet::look() {
 }
 
 void Fleet::end_without(Robot& broken) {
-  // Whoever comes to what the broken one has locked stays there; the next may not come to it.
+  // Each step may need a lock that the broken program holds: it has a thread and a limit of its
+  // own.
   static std::counting_semaphore<> done(0);
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(3);
   bool have_ended = true;

@@ -119,8 +119,8 @@ struct Fleet::InLockstep final : Scheduler {
       if (robot->index() != lockstep.whose_turn()) continue;
       const std::string call = present_wait().call;
       fmt::print(stderr,
-                 "eyebridge: robot {}: error: the program has made no call for too long{}: all "
-                 "robots end (with --isolate it alone would)\n",
+                 "eyebridge: robot {}: error: the program has made no call for too long{}, by "
+                 "--hang-limit: all robots end (with --isolate only this one would)\n",
                  robot->index() + 1, call.empty() ? "" : ", and waits in " + call);
       robot->break_off(124);
       running.load()->end_without(*robot);

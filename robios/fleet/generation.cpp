@@ -9,7 +9,6 @@
 
 #include <unistd.h>
 
-#include "dynamic_names.hpp"
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/own_place.hpp"
 
@@ -22,14 +21,18 @@ bool this_is_classic() {
 
 }  // namespace
 
+bool is_of_other_generation(const DynamicNames& names) {
+  const char* const other = this_is_classic() ? "libeyebridge.so" : "libeyebridge_classic.so";
+  return std::ranges::any_of(names.libraries, [&](const std::string& library) {
+    return library.starts_with(other);  // a version may follow
+  });
+}
+
 bool is_of_other_generation(const std::filesystem::path& program) {
   std::ifstream stream(program, std::ios::binary);
   const std::string file{std::istreambuf_iterator<char>(stream), {}};
   const auto names = dynamic_names(file);
-  const char* const other = this_is_classic() ? "libeyebridge.so" : "libeyebridge_classic.so";
-  return names && std::ranges::any_of(names->libraries, [&](const std::string& library) {
-           return library.starts_with(other);  // a version may follow
-         });
+  return names && is_of_other_generation(*names);
 }
 
 void become_launcher(bool other_generation, std::vector<std::string> words) {

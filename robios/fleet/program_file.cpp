@@ -16,7 +16,6 @@
 #include <elf.h>
 #include <link.h>
 
-#include "dynamic_names.hpp"
 #include "generation.hpp"
 
 namespace eyebridge::robios {
@@ -140,6 +139,11 @@ std::string own_library(const fs::path& program, const DynamicNames& names) {
 void prepare(const fs::path& program, ProgramFile& file) {
   Bytes& bytes = file.bytes;
   const auto names = dynamic_names(bytes);
+  if (names && is_of_other_generation(*names)) {
+    refuse(program,
+           "found a program for another generation of RoBIOS than the first robot's; expected all "
+           "programs of a world to be of one");
+  }
   const auto* header = at<ElfW(Ehdr)>(bytes, 0);
   if (header == nullptr || std::memcmp(header->e_ident, ELFMAG, SELFMAG) != 0) {
     refuse(program,
@@ -183,11 +187,6 @@ const ProgramFile& ProgramFile::of(const fs::path& program) {
   const std::lock_guard lock(mutex);
   const auto found = known->find(program);
   if (found != known->end()) return found->second;
-  if (is_of_other_generation(program)) {
-    refuse(program,
-           "found a program for another generation of RoBIOS than the first robot's; expected all "
-           "programs of a world to be of one");
-  }
   std::ifstream stream(program, std::ios::binary);
   ProgramFile file;
   file.bytes.assign(std::istreambuf_iterator<char>(stream), {});

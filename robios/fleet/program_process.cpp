@@ -99,14 +99,14 @@ ProgramProcess::End ProgramProcess::run(const std::function<void()>& arrive, con
 
 std::string ProgramProcess::serve(const std::function<void()>& arrive, const Time* limit,
                                   AwaitedProcess* awaited) {
-  hal::RobotServer desk(*robot_, limit, line_.get(), arrive);
+  hal::RobotServer server(*robot_, limit, line_.get(), arrive);
   const auto next = [&] {
     const Awaiting all_wait(awaited, this);
-    return desk.receive();
+    return server.receive();
   };
   for (;;) {
     Result<void> done = next();
-    if (done) done = desk.answer();
+    if (done) done = server.answer();
     if (done) continue;
     const Error& error = done.error();
     if (error.code == Errc::Corrupt) return error.what + "; its program is ended, the others go on";

@@ -9,8 +9,8 @@ namespace eyebridge::robios {
 
 /// The signal handlers that one robot's program has set. Any thread.
 ///
-/// What ends the run (Ctrl-C) never gets past here; of other signals from outside of the process
-/// the handler that was set last counts, whoever's it is.
+/// What ends the run (Ctrl-C) never gets past here. For other signals from outside the process, the
+/// handler that was set last is called, whichever robot set it.
 class ProgramSignals {
  public:
   /// As sigaction(): true when the signal is the robot's alone.

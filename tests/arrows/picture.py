@@ -12,7 +12,7 @@ import sys
 from check_arrows import ALLOWED, CODE, INCLUDE, files_in, room_of, target_of
 
 PAGE = "docs/architecture.md"
-# Whoever may include everything says nothing about the rooms.
+# They may include everything: that says nothing about the rooms.
 OUTSIDE = {"tests", "bench"}
 BEGIN, END = "<!-- picture.py draws from here -->\n", "<!-- to here -->\n"
 SENTENCE = re.compile(r"^\| (\S+) → (\S+) \| (.*\S.*) \|$", re.MULTILINE)
@@ -52,7 +52,7 @@ def can_reach(arrows: dict[str, set[str]], start: str, end: str) -> bool:
 
 
 def shown(arrows: dict[str, set[str]]) -> list[tuple[str, str]]:
-    """Without those that a longer way says, too: whoever includes hal may include what hal does."""
+    """Without arrows that follow from others: with robios → hal and hal → core/base, robios → core/base is left out."""
     return sorted((home, target) for home in arrows for target in arrows[home] if not can_reach(arrows, home, target))
 
 

@@ -19,8 +19,8 @@ std::shared_ptr<const world::WorldModel> no_world() { return nullptr; }
 
 ServedRobot::ServedRobot(Rig rig, UniqueFd line)
     : rig_(std::move(rig)), line_(std::move(line)), thread_([this] {
-        RobotServer desk(*rig_.backend, nullptr, line_.get());
-        while (desk.receive() && desk.answer()) {
+        RobotServer server(*rig_.backend, nullptr, line_.get());
+        while (server.receive() && server.answer()) {
         }
       }) {}
 

@@ -69,11 +69,11 @@ TEST(WorldSlot, AMessageThatIsCutOffIsALostLine) {
 
 TEST(WorldSlot, TheDeskRefusesWhatIsNoQuestion) {
   const Rig rig = lockstep_rig(facing(0.5));
-  const auto [program, server] = socket_pair();
-  RobotServer desk(*rig.backend, nullptr, server.get());
+  const auto [program, socket] = socket_pair();
+  RobotServer server(*rig.backend, nullptr, socket.get());
   MessageStream stream(program.get());
   ASSERT_TRUE(stream.send(Message{'q', 0, 0}));
-  const auto received = desk.receive();
+  const auto received = server.receive();
   ASSERT_FALSE(received);
   EXPECT_EQ(received.error().code, Errc::Corrupt);
   EXPECT_THAT(received.error().what, HasSubstr("found 3 bytes that are no question"));
@@ -81,26 +81,26 @@ TEST(WorldSlot, TheDeskRefusesWhatIsNoQuestion) {
 
 TEST(WorldSlot, TheDeskRefusesAProgramOfAnotherVersion) {
   const Rig rig = lockstep_rig(facing(0.5));
-  const auto [program, server] = socket_pair();
-  RobotServer desk(*rig.backend, nullptr, server.get());
+  const auto [program, socket] = socket_pair();
+  RobotServer server(*rig.backend, nullptr, socket.get());
   MessageStream stream(program.get());
   ASSERT_TRUE(stream.send(encode(RobotRequest{{}, "robot", 1, "hello", false, {99.0}})));
-  ASSERT_TRUE(desk.receive() && desk.answer());
+  ASSERT_TRUE(server.receive() && server.answer());
   const auto reply = decode_reply(must(stream.receive()));
   ASSERT_TRUE(reply);
   EXPECT_THAT(reply->values.error().what, HasSubstr("another version"));
 }
 
-/// What a desk answers to a call that no tap would make.
+/// What a server answers to a call that no tap would make.
 Error error_of(const Call& call) {
   const Rig rig = lockstep_rig(facing(0.5));
-  const auto [program, server] = socket_pair();
-  RobotServer desk(*rig.backend, nullptr, server.get());
+  const auto [program, socket] = socket_pair();
+  RobotServer server(*rig.backend, nullptr, socket.get());
   MessageStream stream(program.get());
   const RobotRequest request{
       {}, std::string(call.device), call.id, std::string(call.name), call.is_command, call.request};
   EXPECT_TRUE(stream.send(encode(request)));
-  EXPECT_TRUE(desk.receive() && desk.answer());
+  EXPECT_TRUE(server.receive() && server.answer());
   const auto reply = decode_reply(must(stream.receive()));
   if (!reply || reply->values) return {Errc::Timeout, "no error"};
   return reply->values.error();

@@ -53,7 +53,7 @@ TEST(RobotsThatStop, ACrashEndsTheRunAndTheResultsAreWritten) {
       const ProgramRun r = run_stopping(how, settings);
       EXPECT_EQ(r.exit_code, 139) << how << r.err;
       EXPECT_THAT(r.err, AllOf(HasSubstr("robot 2: error: the program " + what),
-                               HasSubstr("; all robots end (with --isolate it alone would)\n"),
+                               HasSubstr("; all robots end (with --isolate only this one would)\n"),
                                HasSubstr("error: the run is ended; results are ")))
           << how;
       if (clock.at("EYEBRIDGE_FAST") == "true") {
@@ -71,7 +71,7 @@ TEST(RobotsThatStop, AHeapThatIsSpoiltEndsTheRunWithAMessage) {
     const ProgramRun r = run_stopping("spoils its heap", clock);
     EXPECT_EQ(r.exit_code, 134) << r.err;
     EXPECT_THAT(r.err, AllOf(HasSubstr("robot 2: error: the program crashed: Aborted; all robots "
-                                       "end (with --isolate it alone would)\n"),
+                                       "end (with --isolate only this one would)\n"),
                              HasSubstr("error: the run is ended; ")));
   }
 }
@@ -87,7 +87,7 @@ TEST(RobotsThatStop, AHangIsToldOfAndEndsTheRun) {
     EXPECT_EQ(r.exit_code, 124) << how << r.err;
     EXPECT_THAT(r.err, AllOf(HasSubstr("robot 2: warning: the program has " + what),
                              HasSubstr("robot 2: error: the program has made no call for too long"),
-                             HasSubstr("all robots end (with --isolate it alone would)"),
+                             HasSubstr("all robots end (with --isolate only this one would)"),
                              HasSubstr("error: the run is ended; ")));
   }
 }

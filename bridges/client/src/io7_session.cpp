@@ -16,11 +16,11 @@ using State = io7::ReplyParser::State;
 // attempt fails. A silent one is given up sooner.
 constexpr int kResyncAttempts = 8;
 constexpr int kSilentAttempts = 3;
-// A board that is silent is asked often: who asked while it was deaf waits in vain. Only then long.
+// A silent board is asked often at first: a question that it did not hear is never answered.
 constexpr Time kAskedOften = std::chrono::milliseconds(400);
-constexpr Time kSilence = std::chrono::milliseconds(600);
-constexpr int kAttempts = 2;       // of an exchange
-constexpr int kNoisyAttempts = 3;  // on a line that is known to spoil bytes
+constexpr Time kSilence = std::chrono::milliseconds(600);  // until it is given up
+constexpr int kAttempts = 2;                               // of an exchange
+constexpr int kNoisyAttempts = 3;                          // on a line that is known to spoil bytes
 constexpr int kQuickAttempts = 5;  // to find back there, before silence counts for a board's
 constexpr int kSpoiltMode = 2;  // after so many of them a spoiled byte may have made replies text
 

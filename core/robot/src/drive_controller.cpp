@@ -13,8 +13,9 @@ constexpr double kRounding = 1.0 + 1e-9;
 // turned the robot by hand.
 constexpr double kMostOwed = 10.0;
 constexpr double kPlannedBraking = 0.7;  // of what the robot can, where speeds may come late
-// Of what is left, in one step, where that is only believed: what a step brought is not known yet,
-// and boards differ in when they obey. Who drove all of it would answer his own error, to and fro.
+// Of what is left, in one step, over a slow line. What the steps before brought is only predicted,
+// and boards differ in when they obey: a whole share would correct the prediction's own error, and
+// the robot would go to and fro.
 constexpr double kBlindShare = 0.5;
 
 /// Narrows [low, high] to the factors f for which f * amount is one step of speed from `speed`.
