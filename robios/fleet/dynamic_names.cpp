@@ -31,21 +31,20 @@ class Image {
     return value;
   }
   [[nodiscard]] std::span<const ElfW(Phdr)> segments() const { return segments_; }
-  /// Where in the file `address` is; behind its end when nowhere.
+  /// Where in the file `address` is; its end when nowhere.
   [[nodiscard]] std::uint64_t offset_of(std::uint64_t address) const {
     for (const ElfW(Phdr) & segment : segments_) {
       if (segment.p_type != PT_LOAD || address < segment.p_vaddr ||
           address - segment.p_vaddr >= segment.p_filesz) {
         continue;
       }
-      return address - segment.p_vaddr + segment.p_offset;
+      return std::min<std::uint64_t>(address - segment.p_vaddr + segment.p_offset, file_.size());
     }
     return file_.size();
   }
-  [[nodiscard]] std::string text(std::uint64_t address) const {
-    const std::uint64_t start = offset_of(address);
-    if (start >= file_.size()) return "";
-    return {file_.data() + start, strnlen(file_.data() + start, file_.size() - start)};
+  [[nodiscard]] std::string_view text(std::uint64_t address) const {
+    const std::span<const char> rest = file_.subspan(offset_of(address));
+    return {rest.data(), strnlen(rest.data(), rest.size())};
   }
   [[nodiscard]] std::size_t size() const { return file_.size(); }
 
@@ -60,8 +59,9 @@ struct Tables {
   std::uint64_t symbols = 0;
   std::uint64_t hash = 0;
   std::uint64_t gnu_hash = 0;
-  std::vector<std::uint64_t> libraries;  ///< Places in `names`.
-  std::vector<std::uint64_t> folders;
+  std::vector<std::uint64_t> libraries;  ///< Places in `names`, as these two.
+  std::optional<std::uint64_t> rpath;
+  std::optional<std::uint64_t> runpath;
 
   void take(const ElfW(Dyn) & entry) {
     switch (entry.d_tag) {
@@ -81,8 +81,10 @@ struct Tables {
         libraries.push_back(entry.d_un.d_val);
         break;
       case DT_RPATH:
+        rpath = entry.d_un.d_val;
+        break;
       case DT_RUNPATH:
-        folders.push_back(entry.d_un.d_val);
+        runpath = entry.d_un.d_val;
         break;
       default:
         break;
@@ -125,7 +127,7 @@ std::optional<DynamicNames> dynamic_names(std::span<const char> file) {
   Tables tables;
   bool is_dynamic = false;
   for (const ElfW(Phdr) & segment : image.segments()) {
-    if (segment.p_type != PT_DYNAMIC) continue;
+    if (segment.p_type != PT_DYNAMIC || is_dynamic) continue;
     is_dynamic = true;
     for (std::uint64_t i = 0; i < segment.p_filesz / sizeof(ElfW(Dyn)); ++i) {
       const auto entry = image.read<ElfW(Dyn)>(segment.p_offset, i);
@@ -139,8 +141,9 @@ std::optional<DynamicNames> dynamic_names(std::span<const char> file) {
   for (const std::uint64_t name : tables.libraries) {
     out.libraries.push_back(image.text(tables.names + name));
   }
-  for (const std::uint64_t list : tables.folders)
-    out.folders += image.text(tables.names + list) + ":";
+  if (const auto list = tables.runpath ? tables.runpath : tables.rpath) {
+    out.folders = image.text(tables.names + *list);
+  }
   const std::uint64_t symbols = image.offset_of(tables.symbols);
   const std::uint64_t most = (image.size() - symbols) / sizeof(ElfW(Sym));
   const std::uint64_t count = std::min(symbol_count(image, tables), most);

@@ -23,7 +23,7 @@ bool this_is_classic() {
 
 bool is_of_other_generation(const DynamicNames& names) {
   const char* const other = this_is_classic() ? "libeyebridge.so" : "libeyebridge_classic.so";
-  return std::ranges::any_of(names.libraries, [&](const std::string& library) {
+  return std::ranges::any_of(names.libraries, [&](std::string_view library) {
     return library.starts_with(other);  // a version may follow
   });
 }

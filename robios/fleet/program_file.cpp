@@ -124,7 +124,8 @@ std::string own_library(const fs::path& program, const DynamicNames& names) {
   std::ranges::copy(first_folders(program, path != nullptr ? path : ""),
                     std::back_inserter(folders));
   std::erase_if(folders, is_systems);
-  for (const std::string& library : names.libraries) {
+  for (const std::string_view name : names.libraries) {
+    const std::string library(name);
     if (is_loaded(library)) continue;
     const bool has_folder = library.find('/') != std::string::npos;
     std::error_code ignored;  // a folder that may not be searched holds nothing for us

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdlib>
-#include <string>
 #include <string_view>
 
 #include "dynamic_names.hpp"
@@ -9,13 +8,14 @@
 // As entry.hpp, for the files of robots' programs.
 namespace eyebridge::fuzz {
 
-/// Whatever the file: names are of the file, and end where a text does.
+/// Whatever the file: names are of the file, and no more of them than it can hold.
 inline void program_names(std::string_view file) {
   const auto names = robios::dynamic_names(file);
   if (!names) return;
+  if (names->libraries.size() + names->wanted.size() > file.size()) std::abort();
   for (const auto* list : {&names->libraries, &names->wanted}) {
-    for (const std::string& name : *list) {
-      if (file.find(name) == std::string_view::npos) std::abort();
+    for (const std::string_view name : *list) {
+      if (name.data() < file.data() || name.end() > file.end()) std::abort();
     }
   }
 }

@@ -39,7 +39,8 @@ TEST(DynamicNames, WantedNamesAreThoseOfNm) {
   for (const char* program :
        {"several", "several_options", "several_last_words", "several_crowd"}) {
     const std::string file = kPrograms + "/" + program;
-    const auto names = dynamic_names(bytes_of(file));
+    const std::string bytes = bytes_of(file);
+    const auto names = dynamic_names(bytes);
     ASSERT_TRUE(names) << file;
     const std::set<std::string> wanted(names->wanted.begin(), names->wanted.end());
     EXPECT_EQ(wanted, undefined_by_nm(file));
@@ -54,7 +55,7 @@ TEST(DynamicNames, WhatIsCutOffAnywhereIsReadAsFarAsItGoes) {
     const std::string_view part = std::string_view(file).substr(0, size);
     const auto names = dynamic_names(part);
     if (!names) continue;
-    for (const std::string& name : names->wanted) EXPECT_NE(part.find(name), part.npos) << size;
+    for (const std::string_view name : names->wanted) EXPECT_NE(part.find(name), part.npos) << size;
   }
   EXPECT_FALSE(dynamic_names("#!/usr/bin/python3"));
   EXPECT_FALSE(dynamic_names(""));
