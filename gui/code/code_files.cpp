@@ -6,8 +6,8 @@
 #include <QPointer>
 
 #include "code/code_window.hpp"
-#include "parts/ask_for_file.hpp"
-#include "parts/recent_files.hpp"
+#include "widgets/ask_for_file.hpp"
+#include "widgets/recent_files.hpp"
 
 namespace eyebridge::gui {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "code/code_window.hpp"
 #include "code/examples.hpp"
-#include "parts/recent_files.hpp"
+#include "widgets/recent_files.hpp"
 
 namespace eyebridge::gui {
 

@@ -16,7 +16,7 @@
 #include "code/run_bar.hpp"
 #include "code/runner.hpp"
 #include "code/templates.hpp"
-#include "parts/disk_watch.hpp"
+#include "widgets/disk_watch.hpp"
 
 namespace eyebridge::gui {
 

@@ -8,7 +8,7 @@
 #include "code/editor.hpp"
 #include "code/recovery.hpp"
 #include "code/text_file.hpp"
-#include "parts/notice_bar.hpp"
+#include "widgets/notice_bar.hpp"
 
 namespace eyebridge::gui {
 

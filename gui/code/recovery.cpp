@@ -7,7 +7,7 @@
 #include <QJsonObject>
 #include <QUuid>
 
-#include "parts/process_lock.hpp"
+#include "widgets/process_lock.hpp"
 
 namespace eyebridge::gui {
 namespace {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <memory>
 
-#include "parts/file_keeper.hpp"
+#include "widgets/file_keeper.hpp"
 
 namespace eyebridge::gui {
 

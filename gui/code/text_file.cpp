@@ -6,7 +6,7 @@
 #include <QStringDecoder>
 #include <QStringEncoder>
 
-#include "parts/whole_file.hpp"
+#include "widgets/whole_file.hpp"
 
 namespace eyebridge::gui {
 namespace {

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "parts/process_lock.hpp"
+#include "widgets/process_lock.hpp"
 
 namespace eyebridge::gui {
 namespace {

@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "editor/plan.hpp"
-#include "parts/file_keeper.hpp"
+#include "widgets/file_keeper.hpp"
 
 namespace eyebridge::gui {
 

@@ -11,7 +11,7 @@
 #include "editor/editor_window.hpp"
 #include "editor/import_dialog.hpp"
 #include "eyebridge/files/load.hpp"
-#include "parts/ask_for_file.hpp"
+#include "widgets/ask_for_file.hpp"
 
 namespace eyebridge::gui {
 

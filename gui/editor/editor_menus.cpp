@@ -15,7 +15,7 @@
 #include "editor/editor_window.hpp"
 #include "editor/edits.hpp"
 #include "eyebridge/base/units.hpp"
-#include "parts/recent_files.hpp"
+#include "widgets/recent_files.hpp"
 
 namespace eyebridge::gui {
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "eyebridge/base/units.hpp"
-#include "parts/recent_files.hpp"
+#include "widgets/recent_files.hpp"
 
 namespace eyebridge::gui {
 namespace {

@@ -14,8 +14,8 @@
 #include "editor/floor_plan.hpp"
 #include "editor/plan_files.hpp"
 #include "editor/property_panel.hpp"
-#include "parts/disk_watch.hpp"
-#include "parts/notice_bar.hpp"
+#include "widgets/disk_watch.hpp"
+#include "widgets/notice_bar.hpp"
 
 class QActionGroup;
 class QComboBox;

@@ -11,7 +11,7 @@
 #include <QSpinBox>
 
 #include "eyebridge/base/units.hpp"
-#include "parts/ask_for_file.hpp"
+#include "widgets/ask_for_file.hpp"
 
 namespace eyebridge::gui {
 

@@ -9,7 +9,7 @@
 #include "editor/catalogue.hpp"
 #include "editor/maze_fit.hpp"
 #include "eyebridge/files/search.hpp"
-#include "parts/whole_file.hpp"
+#include "widgets/whole_file.hpp"
 
 namespace eyebridge::gui {
 namespace {

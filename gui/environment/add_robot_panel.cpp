@@ -12,7 +12,7 @@
 
 #include "editor/catalogue.hpp"
 #include "eyebridge/base/units.hpp"
-#include "parts/ask_for_file.hpp"
+#include "widgets/ask_for_file.hpp"
 
 namespace eyebridge::gui {
 

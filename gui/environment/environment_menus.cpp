@@ -9,9 +9,9 @@
 #include <exception>
 
 #include "environment/environment_window.hpp"
-#include "parts/ask_for_file.hpp"
-#include "parts/recent_files.hpp"
-#include "parts/save_picture.hpp"
+#include "widgets/ask_for_file.hpp"
+#include "widgets/recent_files.hpp"
+#include "widgets/save_picture.hpp"
 
 namespace eyebridge::gui {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "eyebridge/base/config_error.hpp"
-#include "parts/frame_image.hpp"
+#include "widgets/frame_image.hpp"
 #include "plan/viewport.hpp"
 
 namespace eyebridge::gui {

@@ -10,7 +10,7 @@
 #include <QStatusBar>
 
 #include "hand/uncertainty.hpp"
-#include "parts/save_picture.hpp"
+#include "widgets/save_picture.hpp"
 
 namespace eyebridge::gui {
 namespace {

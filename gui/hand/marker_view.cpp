@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <QPolygonF>
 
-#include "parts/frame_image.hpp"
+#include "widgets/frame_image.hpp"
 
 namespace eyebridge::gui {
 

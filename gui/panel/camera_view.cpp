@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "panel/pixel_fit.hpp"
-#include "parts/frame_image.hpp"
+#include "widgets/frame_image.hpp"
 
 namespace eyebridge::gui {
 

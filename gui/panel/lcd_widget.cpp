@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "panel/pixel_fit.hpp"
-#include "parts/frame_image.hpp"
+#include "widgets/frame_image.hpp"
 
 namespace eyebridge::gui {
 namespace {

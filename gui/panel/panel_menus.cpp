@@ -6,7 +6,7 @@
 #include <QMenuBar>
 
 #include "panel/panel_window.hpp"
-#include "parts/save_picture.hpp"
+#include "widgets/save_picture.hpp"
 
 namespace eyebridge::gui {
 

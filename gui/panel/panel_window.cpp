@@ -11,8 +11,8 @@
 #include <algorithm>
 
 #include "keys.hpp"
-#include "parts/frame_image.hpp"
-#include "parts/save_picture.hpp"
+#include "widgets/frame_image.hpp"
+#include "widgets/save_picture.hpp"
 
 namespace eyebridge::gui {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "eyebridge/hal/device_notes.hpp"
 #include "panel/stamp_times.hpp"
-#include "parts/worker.hpp"
+#include "widgets/worker.hpp"
 
 namespace eyebridge::gui {
 

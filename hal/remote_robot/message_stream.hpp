@@ -15,6 +15,11 @@ class MessageStream {
   /// Longer than any message that makes sense: a hundred thousand bodies in view are ten megabytes.
   static constexpr std::uint32_t kLongest = 64U << 20U;
 
+  enum class Wait {
+    Asleep,
+    Awake,  ///< Looks for some 30 µs first: to be woken up takes as long, most answers less.
+  };
+
   /// `socket` is lent.
   explicit MessageStream(int socket);
 
@@ -22,10 +27,10 @@ class MessageStream {
   Result<void> send(std::span<const std::uint8_t> message);
   /// The next message. Disconnected when the other end is gone, Corrupt for a length that no
   /// message has; Timeout when none has begun within the socket's SO_RCVTIMEO.
-  Result<Message> receive();
+  Result<Message> receive(Wait wait = Wait::Asleep);
 
  private:
-  Result<void> fetch(std::size_t wanted);
+  Result<void> fetch(std::size_t wanted, Wait wait);
 
   const int socket_;
   std::vector<std::uint8_t> out_;

@@ -9,6 +9,8 @@
 namespace eyebridge::hal {
 namespace {
 
+using Wait = MessageStream::Wait;
+
 constexpr std::string_view kServer = "robot";
 
 tl::unexpected<Error> no_answer() {
@@ -20,7 +22,8 @@ tl::unexpected<Error> no_answer() {
 Result<RobotWelcome> RobotLine::hello() {
   const std::lock_guard lock(mutex_);
   const Call call{kServer, 1, "hello", false, {static_cast<double>(kRobotLineVersion)}};
-  const Result<Message> message = exchange(Time{0}, call, MessageKind::Welcome);
+  const Result<Message> message =
+      exchange(Time{0}, call, MessageKind::Welcome, MessageStream::Wait::Asleep);
   if (!message) return tl::unexpected(message.error());
   std::optional<RobotWelcome> welcome = decode_welcome(*message);
   if (!welcome) return lose(no_answer().value());
@@ -53,7 +56,7 @@ void RobotLine::spend(Time cost) {
 void RobotLine::move_to(Time time) {
   if (time <= now()) return;
   if (time >= limit_ && !is_lost_) {
-    static_cast<void>(ask_at(time, {kServer, 1, "now", false, {}}));
+    static_cast<void>(ask_at(time, {kServer, 1, "now", false, {}}, Wait::Asleep));
     if (!is_lost_) return;
   }
   now_.store(time.count(), std::memory_order_release);
@@ -67,8 +70,8 @@ void RobotLine::trace_to(TraceSink* sink) {
   sink_ = sink;
 }
 
-Result<Values> RobotLine::ask_at(Time time, const Call& call) {
-  const Result<Message> message = exchange(time, call, MessageKind::Reply);
+Result<Values> RobotLine::ask_at(Time time, const Call& call, Wait wait) {
+  const Result<Message> message = exchange(time, call, MessageKind::Reply, wait);
   if (!message) return tl::unexpected(message.error());
   std::optional<RobotReply> reply = decode_reply(*message);
   if (!reply) return lose(no_answer().value());
@@ -76,7 +79,7 @@ Result<Values> RobotLine::ask_at(Time time, const Call& call) {
   return std::move(reply->values);
 }
 
-Result<Message> RobotLine::exchange(Time time, const Call& call, MessageKind expected) {
+Result<Message> RobotLine::exchange(Time time, const Call& call, MessageKind expected, Wait wait) {
   if (is_lost_) return fail(Errc::Disconnected, "the robot's server is gone");
   const RobotRequest request{
       time,        std::string(call.device), call.id, std::string(call.name), call.is_command,
@@ -85,7 +88,7 @@ Result<Message> RobotLine::exchange(Time time, const Call& call, MessageKind exp
   const Result<void> sent = stream_.send(encode(request));
   if (!sent) return lose(sent.error());
   for (;;) {
-    Result<Message> message = stream_.receive();
+    Result<Message> message = stream_.receive(wait);
     if (!message) return lose(message.error());
     const auto kind = kind_of(*message);
     if (kind == expected) return message;

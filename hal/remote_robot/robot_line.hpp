@@ -44,8 +44,10 @@ class RobotLine {
 
  private:
   // mutex_ is held.
-  Result<Message> exchange(Time time, const Call& call, MessageKind expected);
-  Result<Values> ask_at(Time time, const Call& call);
+  Result<Message> exchange(Time time, const Call& call, MessageKind expected,
+                           MessageStream::Wait wait);
+  Result<Values> ask_at(Time time, const Call& call,
+                        MessageStream::Wait wait = MessageStream::Wait::Awake);
   void move_to(Time time);
   void take_time(Time now, Time limit);
   tl::unexpected<Error> lose(Error why);

@@ -109,7 +109,7 @@ RobotServer::RobotServer(Backend& robot, const Time* limit, int socket,
 RobotServer::~RobotServer() { impl_->robot.trace_to(nullptr); }
 
 Result<void> RobotServer::receive() {
-  const Result<Message> message = impl_->stream.receive();
+  const Result<Message> message = impl_->stream.receive(MessageStream::Wait::Awake);
   if (!message) return tl::unexpected(message.error());
   std::optional<RobotRequest> request = decode_request(*message);
   if (!request) {

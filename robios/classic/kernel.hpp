@@ -24,8 +24,8 @@ struct TaskEnded {};
 /// In virtual time who runs next depends on the robot's clock only. In real time a task that makes
 /// no call for two slices computes on beside the next one, and waits for its turn at its next call:
 /// so a loop that waits for a variable to change does not wait for ever.
-/// Where tasks wait for each other they are out of the call (OutOfCall): so of several robots in
-/// virtual time they are strands of theirs (robios/fleet), which take turns there.
+/// Where tasks wait for each other they are out of the call (OutOfCall): so they take turns in
+/// virtual time (robios/threads).
 /// Any thread; what gives way must be called by a task that is not in a timer's function, and fails
 /// with Unsupported otherwise.
 class Kernel {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
@@ -23,7 +24,8 @@ std::atomic<Robot*> broken = nullptr;
 void tell(const Robot& robot, int signal, const void* address) {
   std::array<char, 40> where{};
   if (signal == SIGSEGV || signal == SIGBUS) {
-    std::snprintf(where.data(), where.size(), " at address %p", address);
+    std::snprintf(where.data(), where.size(), " at address 0x%zx",
+                  reinterpret_cast<std::uintptr_t>(address));
   }
   std::array<char, 256> text{};
   std::snprintf(text.data(), text.size(),

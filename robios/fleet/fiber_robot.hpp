@@ -4,24 +4,19 @@
 
 #include "lockstep.hpp"
 #include "robot.hpp"
-#include "strands.hpp"
 
 namespace eyebridge::robios {
 
-/// A robot in virtual time: its flows are strands of a Lockstep.
+/// A robot in virtual time: a fiber of a Lockstep.
 class FiberRobot final : public Robot {
  public:
-  FiberRobot(std::size_t index, RobotProgram program, Lockstep& lockstep, Strands& strands,
-             AwaitedProcess& awaited)
-      : Robot(index, std::move(program)),
-        lockstep_(lockstep),
-        strands_(strands),
-        awaited_(awaited) {}
+  FiberRobot(std::size_t index, RobotProgram program, Lockstep& lockstep, AwaitedProcess& awaited)
+      : Robot(index, std::move(program)), lockstep_(lockstep), awaited_(awaited) {}
 
   /// It comes when others run already, and nobody waits for it.
   void be_late() { has_come_ = true; }
 
-  [[noreturn]] void hold_thread() override { lockstep_.drop_strand(); }
+  [[noreturn]] void hold_thread() override { lockstep_.drop_robot(); }
   void arrive() override {
     come();
     clock().wait_until(lockstep_.meet());
@@ -31,14 +26,12 @@ class FiberRobot final : public Robot {
   [[noreturn]] void drop(int code) override {
     end(code);
     come();
-    strands_.forget(index());
     lockstep_.drop_robot();
   }
   [[nodiscard]] const Time* limit() const override { return &lockstep_.limit_of(index()); }
   AwaitedProcess* awaited() override { return &awaited_; }
   void forget() override {
     come();
-    strands_.forget(index());
     lockstep_.drop(index());
   }
 
@@ -48,7 +41,6 @@ class FiberRobot final : public Robot {
   }
 
   Lockstep& lockstep_;
-  Strands& strands_;
   AwaitedProcess& awaited_;
   bool has_come_ = false;  ///< To where all wait for each other.
 };

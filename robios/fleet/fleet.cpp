@@ -43,7 +43,7 @@ Fleet::Fleet(hal::Config config, const std::vector<std::string>& words,
         "programs in processes of their own cannot share variables; leave out isolate "
         "or shared_globals");
   }
-  calls = robot_calls(scheduler_->strands());
+  calls = robot_calls();
   windows_ = open_session_windows(config_, log_);
   world_ = hal::open_shared_world(config_, log_, scheduler_->turns());
   add_robots(words);

@@ -12,9 +12,9 @@
 #include "control_server.hpp"
 #include "eyebridge/hal/config.hpp"
 #include "eyebridge/hal/shared_world.hpp"
+#include "launcher_calls.h"
 #include "log/stderr_log.hpp"
 #include "robot.hpp"
-#include "threads/turn_calls.h"
 #include "windows/windows.hpp"
 
 namespace eyebridge::robios {

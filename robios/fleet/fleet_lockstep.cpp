@@ -29,7 +29,6 @@ struct Fleet::InLockstep final : Scheduler {
                 hang_limit) {}
 
   hal::Turns* turns() override { return &lockstep; }
-  Strands* strands() override { return &threads; }
   void expect(std::size_t programs, std::size_t newcomers) override {
     programs_at_start = programs;
     lockstep.gather(programs);
@@ -37,7 +36,7 @@ struct Fleet::InLockstep final : Scheduler {
   }
   std::unique_ptr<Robot> make(std::size_t index, RobotProgram program,
                               hal::SharedWorld& /*world*/) override {
-    return std::make_unique<FiberRobot>(index, std::move(program), lockstep, threads, awaited);
+    return std::make_unique<FiberRobot>(index, std::move(program), lockstep, awaited);
   }
   void add(Robot* robot, Time start) override {
     lockstep.add(
@@ -56,7 +55,6 @@ struct Fleet::InLockstep final : Scheduler {
     lockstep.run(fleet.world_->step_length(), [this, &fleet] { between_rounds(fleet); });
     running = nullptr;  // who waits for a person from now on holds up nobody
     arrivals.close();
-    for (Robot* const robot : fleet.robots()) robot->end_stuck();
   }
   void between_rounds(Fleet& fleet) {
     fleet.world_->step();
@@ -147,7 +145,6 @@ struct Fleet::InLockstep final : Scheduler {
   }
 
   Lockstep lockstep;
-  Strands threads{lockstep};
   Arrivals arrivals;
   std::atomic<std::uint64_t> rounds = 0;  ///< While all sleep, or are still to come.
   AwaitedProcess awaited = nullptr;

@@ -21,7 +21,6 @@ struct Fleet::InRealTime final : Scheduler {
   explicit InRealTime(double limit_s) : hang_limit(limit_s) {}
 
   hal::Turns* turns() override { return nullptr; }
-  Strands* strands() override { return nullptr; }
   void expect(std::size_t programs, std::size_t newcomers) override {
     barrier = std::make_unique<Barrier>(programs, newcomers);
   }

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "fleet.hpp"
-#include "strands.hpp"
 
 namespace eyebridge::robios {
 
@@ -14,8 +13,6 @@ struct Fleet::Scheduler {
   virtual ~Scheduler() = default;
   /// For the world; null in real time.
   virtual hal::Turns* turns() = 0;
-  /// What programs' threads wait for each other with; null in real time.
-  virtual Strands* strands() = 0;
   /// So many robots will have a program, and so many will enter later: before the first one.
   virtual void expect(std::size_t programs, std::size_t newcomers) = 0;
   virtual std::unique_ptr<Robot> make(std::size_t index, RobotProgram program,

@@ -6,18 +6,20 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "launcher_calls.h"
 #include "next.h"
 
 EXPORTED void exit(int code) {
   NEXT(void, exit, (int));
-  if (CALLS.leave != NULL) CALLS.leave(code, EYEBRIDGE_EXIT);
+  if (eyebridge_calls.leave != NULL) eyebridge_calls.leave(code, EYEBRIDGE_EXIT);
   next_exit(code);
   for (;;) pause(); /* the C library's does not return */
 }
 
 /* Libraries end their forked children so: only programs' calls are meant. */
 static void leave_without_exit(int code, int how, const void* caller) {
-  if (CALLS.is_program != NULL && CALLS.is_program(caller)) CALLS.leave(code, how);
+  if (eyebridge_calls.is_program != NULL && eyebridge_calls.is_program(caller))
+    eyebridge_calls.leave(code, how);
 }
 
 EXPORTED void _exit(int code) {
@@ -43,13 +45,14 @@ EXPORTED void quick_exit(int code) {
 
 EXPORTED void abort(void) {
   NEXT(void, abort, (void));
-  if (CALLS.abort != NULL) CALLS.abort();
+  if (eyebridge_calls.abort != NULL) eyebridge_calls.abort();
   next_abort();
   for (;;) pause();
 }
 
 static int keep(int when, void* function, void* argument, const void* program) {
-  return CALLS.at_exit != NULL && CALLS.at_exit(when, function, argument, program);
+  return eyebridge_calls.at_exit != NULL &&
+         eyebridge_calls.at_exit(when, function, argument, program);
 }
 
 /* NOLINTBEGIN(readability-identifier-naming) */

@@ -4,14 +4,15 @@
 #include <signal.h>
 #include <stddef.h>
 
+#include "launcher_calls.h"
 #include "next.h"
 
 /* The functions here are called by libraries, too, for the whole process. */
 static int is_programs(const void* caller, const struct sigaction* action) {
-  if (CALLS.is_program == NULL || CALLS.set_signal == NULL) return 0;
+  if (eyebridge_calls.is_program == NULL || eyebridge_calls.set_signal == NULL) return 0;
   /* A last call of a function leaves no trace of where it came from. */
-  return CALLS.is_program(caller) ||
-         (action != NULL && CALLS.is_program(*(void* const*)&action->sa_handler));
+  return eyebridge_calls.is_program(caller) ||
+         (action != NULL && eyebridge_calls.is_program(*(void* const*)&action->sa_handler));
 }
 
 static int set(int signal, const struct sigaction* action, struct sigaction* before,
@@ -20,7 +21,7 @@ static int set(int signal, const struct sigaction* action, struct sigaction* bef
   if (signal < 1 || signal >= NSIG || !is_programs(caller, action)) {
     return next_sigaction(signal, action, before);
   }
-  if (CALLS.set_signal(signal, action, before)) return 0;
+  if (eyebridge_calls.set_signal(signal, action, before)) return 0;
   return action != NULL ? next_sigaction(signal, action, NULL) : 0;
 }
 
@@ -55,14 +56,14 @@ EXPORTED sighandler_t __sysv_signal(int number, sighandler_t handler) {
 
 EXPORTED int raise(int number) {
   NEXT(int, raise, (int));
-  if (is_programs(__builtin_return_address(0), NULL) && CALLS.raise(number)) return 0;
+  if (is_programs(__builtin_return_address(0), NULL) && eyebridge_calls.raise(number)) return 0;
   return next_raise(number);
 }
 
 EXPORTED int kill(pid_t process, int number) {
   NEXT(int, kill, (pid_t, int));
   if (process == getpid() && is_programs(__builtin_return_address(0), NULL) && number > 0 &&
-      CALLS.raise(number)) {
+      eyebridge_calls.raise(number)) {
     return 0;
   }
   return next_kill(process, number);

@@ -1,6 +1,7 @@
 #include "program_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -77,13 +78,23 @@ void change(ElfW(Dyn) & entry, ProgramFile& file) {
   }
 }
 
-/// The C library keeps where these are in a program's words, once for all who call them; and of
-/// optarg and optind each robot would have a copy of its own that they do not know.
+/// How the names begin of what several robots cannot call in one process.
+constexpr std::array<std::string_view, 15> kRefused = {
+    // The C library keeps where this is in a program's words, once for all who call it; and of
+    // optarg and optind each robot would have a copy of its own that it does not know.
+    "getopt",
+    // Threads of POSIX, C and C++, of OpenMP, of parallel algorithms, of classic RoBIOS, and what
+    // they wait for each other with: in virtual time all robots run in one thread.
+    "pthread_", "sem_", "thrd_", "mtx_", "cnd_", "_ZNSt6thread", "_ZNSt18condition_variable",
+    "_ZNSt3_V222condition_variable_any", "_ZNSt28__atomic_futex", "syscall", "GOMP_", "_ZN3tbb",
+    "sched_yield", "OSSpawn"};
+
 void check_calls(const fs::path& program, const DynamicNames& names) {
-  for (const char* const call : {"getopt", "getopt_long", "getopt_long_only"}) {
-    if (std::ranges::find(names.wanted, call) == names.wanted.end()) continue;
+  for (const std::string_view name : names.wanted) {
+    const auto begins = [name](std::string_view start) { return name.starts_with(start); };
+    if (std::ranges::none_of(kRefused, begins)) continue;
     refuse(program,
-           "found " + std::string(call) + "(), which several robots cannot call in one process");
+           "found " + std::string(name) + "(), which several robots cannot call in one process");
   }
 }
 

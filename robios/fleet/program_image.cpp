@@ -82,14 +82,6 @@ std::unique_ptr<ProgramImage> ProgramImage::load(const std::filesystem::path& pr
   return image;
 }
 
-bool ProgramImage::can_load(const std::filesystem::path& program, bool is_shared) {
-  try {
-    return ProgramFile::of(program).own_library.empty() || is_shared;
-  } catch (const ConfigError&) {
-    return false;
-  }
-}
-
 std::shared_ptr<ProgramImage> ProgramImage::load_shared(const std::filesystem::path& program) {
   static std::mutex mutex;
   static auto* const known = new std::map<std::filesystem::path, std::shared_ptr<ProgramImage>>;

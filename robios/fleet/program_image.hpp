@@ -27,8 +27,6 @@ class ProgramImage {
   /// Throws ConfigError, at `program`, for what ProgramFile refuses, for a program with libraries
   /// of its own, and for one without a main that is visible.
   static std::unique_ptr<ProgramImage> load(const std::filesystem::path& program);
-  /// True when load(), or load_shared(), would find nothing wrong with the file.
-  static bool can_load(const std::filesystem::path& program, bool is_shared);
   /// The same, but one for all who ask for this program: EyeSim's robots share their variables. It
   /// may have libraries of its own.
   static std::shared_ptr<ProgramImage> load_shared(const std::filesystem::path& program);

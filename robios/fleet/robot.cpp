@@ -7,8 +7,8 @@
 #include <unistd.h>
 
 #include "flow.hpp"
+#include "launcher_calls.h"
 #include "robot_programs.hpp"
-#include "threads/turn_calls.h"
 
 namespace eyebridge::robios {
 Robot::Robot(std::size_t index, RobotProgram program)
@@ -109,10 +109,6 @@ void Robot::finish_image(bool is_quick, int code) {
   if (finishes_image_) image_->finish(is_quick, code);
 }
 
-void Robot::drop_thread() {
-  if (--threads_ == 0) exit(0, EYEBRIDGE_EXIT);
-}
-
 void* Robot::state(std::size_t size) {
   std::call_once(has_state_, [&] { state_ = std::make_unique<std::byte[]>(size); });
   return state_.get();
@@ -154,14 +150,6 @@ void Robot::fail(const std::string& how, int code) {
 
 void Robot::break_off(int code) {
   if (!ended_.exchange(true)) exit_code_ = code;
-}
-
-void Robot::end_stuck() {
-  if (ended_) return;
-  log().write(Severity::Error,
-              "all threads of the program wait for each other, and nobody else can wake one of "
-              "them; it ends");
-  end(1);
 }
 
 void Robot::remove(int code, const std::string& why) {

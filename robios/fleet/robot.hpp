@@ -43,11 +43,8 @@ class Robot : public Runner {
   /// has ended. Outside of any call: as exit().
   [[noreturn]] void leave(int code) final;
   /// Its program ends by itself: calls its exit handlers, as EYEBRIDGE_EXIT and the others say
-  /// (threads/turn_calls.h), tells of an exit code that is not 0, and leaves. In the robot's flow.
+  /// (launcher_calls.h), tells of an exit code that is not 0, and leaves. In the robot's flow.
   [[noreturn]] void exit(int code, int how);
-  /// In real time: one more thread of the program; and one less: the robot exits with its last one.
-  void add_thread() { ++threads_; }
-  void drop_thread();
   /// `size` bytes, always the same, that are zero at first. Any thread.
   void* state(std::size_t size);
   [[nodiscard]] ProgramSignals& signals() { return signals_; }
@@ -57,9 +54,7 @@ class Robot : public Runner {
   [[noreturn]] void fail(const std::string& how, int code);
   /// Its program crashed or hangs, and ends no session: that is what it ends with. Any thread.
   void break_off(int code);
-  /// All flows of the robot wait for ever: tells so and ends it, from outside of them.
-  void end_stuck();
-  /// Ends it from outside of its flows, which go no further: a person takes it out of the run, or,
+  /// Ends it from outside of its flow, which goes no further: a person takes it out of the run, or,
   /// with `why`, told as a warning, it has to end. Returns when its process has ended, too, if it
   /// has one.
   void remove(int code = 0, const std::string& why = "");
@@ -111,7 +106,6 @@ class Robot : public Runner {
   std::atomic<bool> uses_image_ = false;
   std::atomic<bool> finishes_image_ = false;  ///< It is, or was, the last one to use it.
   std::atomic<bool> has_told_ = false;        ///< Of its exit code.
-  std::atomic<int> threads_ = 1;              ///< Of the program, in real time.
   std::once_flag has_state_;
   std::unique_ptr<std::byte[]> state_;
   ProgramSignals signals_;

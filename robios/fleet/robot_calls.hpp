@@ -1,12 +1,10 @@
 #pragma once
 
-#include "strands.hpp"
-#include "threads/turn_calls.h"
+#include "launcher_calls.h"
 
 namespace eyebridge::robios {
 
-/// What the launcher's functions in the C library's place do; `strands` (lent for ever) null in
-/// real time. Once a process.
-eyebridge_robot_calls robot_calls(Strands* strands);
+/// What the launcher's functions in the C library's place do. Once a process.
+eyebridge_robot_calls robot_calls();
 
 }  // namespace eyebridge::robios

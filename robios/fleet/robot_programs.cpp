@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "eyebridge/base/text.hpp"
-#include "program_image.hpp"
+#include "program_file.hpp"
 
 namespace eyebridge::robios {
 namespace {
@@ -55,8 +55,15 @@ bool is_script(const fs::path& program) { return is_python(program) || begins_wi
 
 bool needs_process(const fs::path& program, const hal::Config& config) {
   if (config.boolean("isolate") || is_script(program)) return true;
-  return begins_with(program, "\177ELF") &&
-         !ProgramImage::can_load(program, config.boolean("shared_globals"));
+  if (!begins_with(program, "\177ELF")) return false;
+  try {
+    return !ProgramFile::of(program).own_library.empty() && !config.boolean("shared_globals");
+  } catch (const ConfigError& error) {
+    if (!config.boolean("shared_globals")) return true;
+    throw ConfigError(error.where(), error.text() +
+                                         ", so that they cannot share variables; leave out "
+                                         "shared_globals, and each has a process of its own");
+  }
 }
 
 std::vector<RobotProgram> programs_of(const std::vector<hal::SharedRobot>& robots,

@@ -21,7 +21,8 @@ std::vector<RobotProgram> programs_of(const std::vector<hal::SharedRobot>& robot
 bool is_script(const std::filesystem::path& program);
 
 /// True for a program that runs in a process of its own: each where `config` says so (isolate), a
-/// script, or a binary that ProgramImage refuses.
+/// script, or a binary that ProgramFile refuses, or that has libraries of its own. Throws
+/// ConfigError when a binary is to share its variables and cannot.
 bool needs_process(const std::filesystem::path& program, const hal::Config& config);
 
 /// Why `program` cannot be run, in words; "" when nothing speaks against it.

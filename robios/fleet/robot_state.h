@@ -4,7 +4,7 @@
 
 #include <stdlib.h>
 
-#include "next.h"
+#include "launcher_calls.h"
 
 /* All zero at first. */
 struct eyebridge_robot_state {
@@ -18,7 +18,8 @@ struct eyebridge_robot_state {
 
 /* The caller's robot's; null when it is none's. */
 static inline struct eyebridge_robot_state* robot_state(void) {
-  return CALLS.state != NULL ? CALLS.state(sizeof(struct eyebridge_robot_state)) : NULL;
+  return eyebridge_calls.state != NULL ? eyebridge_calls.state(sizeof(struct eyebridge_robot_state))
+                                       : NULL;
 }
 
 #endif

@@ -11,12 +11,13 @@
 
 #include "eyebridge/camera/prepare_process.hpp"
 #include "fleet.hpp"
-#include "threads/turn_calls.h"
+#include "program_threads.hpp"
 
 __attribute__((visibility("default"))) int EYEBRIDGERobotsMain(int argc, char** argv,
                                                                eyebridge_robot_calls* calls) {
   using eyebridge::robios::Fleet;
   try {
+    eyebridge::robios::leave_program_threads();
     eyebridge::camera::prepare_process();
     std::vector<std::string> words(argv, argv + argc);
     // Never destroyed: threads of programs may still run when the process ends.

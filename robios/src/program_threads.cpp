@@ -13,7 +13,6 @@
 #include "library_threads.hpp"
 #include "program_threads.h"
 #include "session.hpp"
-#include "turn_calls.h"
 
 namespace eyebridge::robios {
 namespace {
@@ -91,11 +90,6 @@ struct Leaving {
 
 bool is_time_virtual = false;
 
-int process_turns() {
-  if (!eyebridge_is_in_program() || !program_threads().have_begun()) return EYEBRIDGE_NO_TURNS;
-  return Session::with_own_time() != nullptr ? EYEBRIDGE_IN_PROGRAM : EYEBRIDGE_NO_TURNS;
-}
-
 Time moment(long long deadline) { return deadline < 0 ? ThreadTurns::kNever : Time(deadline); }
 long long nanoseconds(Time time) { return time / std::chrono::nanoseconds(1); }
 
@@ -111,6 +105,11 @@ void join_program_threads() {
   be(&program_threads().adopt(gettid()));
 }
 
+void leave_program_threads() {
+  if (Member* const member = flow.member) program_threads().leave(*member);
+  be(nullptr);
+}
+
 void expect_virtual_time() { is_time_virtual = true; }
 
 }  // namespace eyebridge::robios
@@ -119,38 +118,51 @@ using namespace eyebridge::robios;
 
 extern "C" {
 
-/// What locks.c and clocks.c of the library ask.
-__attribute__((visibility("hidden"))) eyebridge_robot_calls eyebridge_own_calls = [] {
-  eyebridge_robot_calls calls{};
-  calls.turns = process_turns;
-  calls.now = [] { return nanoseconds(program_threads().now()); };
-  calls.read_clock = []() -> long long {
-    if (eyebridge_is_in_program() == 0) return -1;
-    if (Session* const session = Session::has_begun() ? Session::with_own_time() : nullptr) {
-      return program_threads().have_begun() ? nanoseconds(session->look_at_clock()) : -1;
-    }
-    if (!is_time_virtual || Session::has_begun()) return -1;
-    flow.looked += kLookCost;
-    return nanoseconds(flow.looked);
-  };
-  calls.park = [](const void* what, long long deadline) {
-    if (!program_threads().park(*flow.member, what, moment(deadline))) return 0;
-    const InCall in_call;
-    if (Session* const session = Session::with_own_time()) session->check_limit();
-    return 1;
-  };
-  calls.park_unless = [](const void* what, long long deadline, int (*is_free)(const void*, long),
-                         long value, int is_watched) {
-    const ThreadTurns::Unless unless{is_free, value, is_watched != 0};
-    return program_threads().park(*flow.member, what, moment(deadline), unless) ? 1 : 0;
-  };
-  calls.wake = [](const void* what, int all) { program_threads().wake(what, all != 0); };
-  return calls;
-}();
-
 int eyebridge_is_in_program(void) {
   return flow.member != nullptr && flow.calls == 0 && flow.session == nullptr ? 1 : 0;
 }
+
+int eyebridge_takes_turns(void) {
+  return eyebridge_is_in_program() != 0 && program_threads().have_begun() &&
+                 Session::with_own_time() != nullptr
+             ? 1
+             : 0;
+}
+
+long long eyebridge_now(void) { return nanoseconds(program_threads().now()); }
+
+long long eyebridge_read_clock(void) {
+  if (flow.calls > 0) return -1;
+  if (flow.session != nullptr) {
+    Session* const session = Session::with_own_time();
+    return session != nullptr && session->clock().is_virtual()
+               ? nanoseconds(session->look_at_clock())
+               : -1;
+  }
+  if (eyebridge_is_in_program() == 0) return -1;
+  if (Session* const session = Session::has_begun() ? Session::with_own_time() : nullptr) {
+    return program_threads().have_begun() ? nanoseconds(session->look_at_clock()) : -1;
+  }
+  if (!is_time_virtual || Session::has_begun()) return -1;
+  flow.looked += kLookCost;
+  return nanoseconds(flow.looked);
+}
+
+int eyebridge_park(const void* what, long long deadline) {
+  if (!program_threads().park(*flow.member, what, moment(deadline))) return 0;
+  const InCall in_call;
+  if (Session* const session = Session::with_own_time()) session->check_limit();
+  return 1;
+}
+
+int eyebridge_park_unless(const void* what, long long deadline, int (*is_free)(const void*, long),
+                          long value, int else_may) {
+  const ThreadTurns::Unless unless{is_free, value, else_may != EYEBRIDGE_NOBODY,
+                                   else_may == EYEBRIDGE_ANYBODY};
+  return program_threads().park(*flow.member, what, moment(deadline), unless) ? 1 : 0;
+}
+
+void eyebridge_wake(const void* what, int all) { program_threads().wake(what, all != 0); }
 
 void eyebridge_begin_time(void) {
   if (is_time_virtual && eyebridge_is_in_program() != 0) (void)Session::instance();

@@ -16,6 +16,9 @@ ThreadTurns& program_threads();
 /// not known yet (an interpreter's) and is none of ours.
 void join_program_threads();
 
+/// The calling thread runs no program: it is the launcher's.
+void leave_program_threads();
+
 /// The session will be in virtual time: the program's time is the robot's from its start, so that
 /// runs repeat (`srand(time(NULL))`), and its first sleep begins the session as a call would. (A
 /// look does not: what counts memory may look at any time.)

@@ -109,6 +109,7 @@ void Session::look_around() {
   if (impl_->joining) impl_->joining->look();
   if (!impl_->is_running()) return;
   if (impl_->clock.is_virtual()) {
+    end_stuck();
     // Of several robots others tell what hangs.
     if (impl_->name.empty() && !(impl_->joining && impl_->joining->is_awaited())) {
       go_on_without_calls();
@@ -117,6 +118,18 @@ void Session::look_around() {
     check_limit();
   }
   if (only_library_threads_left() && impl_->claim_end()) std::exit(0);
+}
+
+// Nobody can wake one of its threads; a library that has a lock may still give it back.
+void Session::end_stuck() {
+  constexpr int kPatience_looks = 20;  // 2 s
+  const bool is_stuck = impl_->turn_clock && program_threads().are_stuck();
+  impl_->looks_stuck = is_stuck ? impl_->looks_stuck + 1 : 0;
+  if (impl_->looks_stuck < kPatience_looks || !impl_->claim_end()) return;
+  impl_->log.write(Severity::Error,
+                   "all threads of the program wait for each other, and nobody else can wake one "
+                   "of them; it ends");
+  leave(1);
 }
 
 // A program that computes on makes no call with which virtual time would pass.

@@ -165,6 +165,7 @@ class Session {
   void tell_of_overruns();
   void confirm(const Result<void>& stopped);
   int await_joined();
+  void end_stuck();
   void go_on_without_calls();
   void run_timers_of_waiting(std::uint64_t calls);
   void end_hanging(double computed_s);

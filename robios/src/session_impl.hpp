@@ -91,6 +91,7 @@ struct Session::Impl {
   std::uint64_t calls_seen = 0;
   Time time_seen{};
   std::clock_t processor_seen = 0;
+  int looks_stuck = 0;  ///< So often one after the other all threads waited for each other.
   bool has_told_of_hang = false;
 
   std::mutex own_mutex;

@@ -56,24 +56,12 @@ EXPORTED int thrd_join(thrd_t thread, int* result) {
   return result_of(error);
 }
 
-EXPORTED int thrd_detach(thrd_t thread) { return result_of(pthread_detach(thread)); }
-EXPORTED thrd_t thrd_current(void) { return pthread_self(); }
-EXPORTED __attribute__((noreturn)) void thrd_exit(int result) {
-  pthread_exit((void*)(intptr_t)result); /* NOLINT(performance-no-int-to-ptr) */
-}
 EXPORTED void thrd_yield(void) { sched_yield(); }
 
 EXPORTED int thrd_sleep(const struct timespec* wanted, struct timespec* left) {
   if (nanosleep(wanted, left) == 0) return 0;
   return errno == EINTR ? -1 : -2;
 }
-
-EXPORTED int tss_create(tss_t* key, tss_dtor_t destroy) {
-  return result_of(pthread_key_create(key, destroy));
-}
-EXPORTED void tss_delete(tss_t key) { pthread_key_delete(key); }
-EXPORTED void* tss_get(tss_t key) { return pthread_getspecific(key); }
-EXPORTED int tss_set(tss_t key, void* value) { return result_of(pthread_setspecific(key, value)); }
 
 EXPORTED int mtx_lock(mtx_t* mutex) { return result_of(pthread_mutex_lock(posix_mutex(mutex))); }
 EXPORTED int mtx_unlock(mtx_t* mutex) {

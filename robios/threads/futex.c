@@ -8,6 +8,7 @@
 #include <sys/syscall.h>
 
 #include "next.h"
+#include "program_threads.h"
 #include "robot_time.h"
 
 /* -1: none. */
@@ -15,7 +16,7 @@ static long long end_of(int operation, const struct timespec* timeout) {
   if (timeout == NULL) return NO_DEADLINE;
   if ((operation & FUTEX_CMD_MASK) == FUTEX_WAIT) {
     const long long wait = deadline_of(CLOCK_MONOTONIC, timeout); /* which begins at 0 */
-    return wait < 0 ? wait : CALLS.now() + wait;
+    return wait < 0 ? wait : eyebridge_now() + wait;
   }
   const int is_day = (operation & FUTEX_CLOCK_REALTIME) != 0;
   return deadline_of(is_day ? CLOCK_REALTIME : CLOCK_MONOTONIC, timeout);
@@ -34,7 +35,7 @@ static long wait_while(const uint32_t* word, uint32_t value, long long deadline)
     errno = EINVAL;
     return -1;
   }
-  if (!eyebridge_park(word, deadline, has_changed, (long)value, 0)) return 0;
+  if (!eyebridge_park_unless(word, deadline, has_changed, (long)value, EYEBRIDGE_NOBODY)) return 0;
   errno = ETIMEDOUT;
   return -1;
 }
@@ -50,7 +51,8 @@ EXPORTED long syscall(long number, ...) {
   const long e = va_arg(arguments, long);
   const long f = va_arg(arguments, long);
   va_end(arguments);
-  if (number != SYS_futex || !TAKES_TURNS()) return next_syscall(number, a, b, c, d, e, f);
+  if (number != SYS_futex || !eyebridge_takes_turns())
+    return next_syscall(number, a, b, c, d, e, f);
   /* NOLINTBEGIN(performance-no-int-to-ptr): so the kernel has them, too */
   const int operation = (int)b;
   switch (operation & FUTEX_CMD_MASK) {
@@ -60,8 +62,8 @@ EXPORTED long syscall(long number, ...) {
                         end_of(operation, (const struct timespec*)d));
     case FUTEX_WAKE:
     case FUTEX_WAKE_BITSET:
-      for (long i = 0; c != INT_MAX && i < c; ++i) CALLS.wake((const void*)a, 0);
-      if (c == INT_MAX) CALLS.wake((const void*)a, 1);
+      for (long i = 0; c != INT_MAX && i < c; ++i) eyebridge_wake((const void*)a, 0);
+      if (c == INT_MAX) eyebridge_wake((const void*)a, 1);
       return next_syscall(number, a, b, c, d, e, f);
     default:
       return next_syscall(number, a, b, c, d, e, f);

@@ -1,24 +1,15 @@
 /* What threads of robots' programs wait for each other with, in virtual time: mutexes, conditions,
-   semaphores. All keep their state where the C library has it, but for a mutex that knows its owner
-   where threads are strands (robios/fleet): the C library would take all flows of a thread for one.
- */
+   semaphores. All keep their state where the C library has it. */
 #include <errno.h>
 #include <pthread.h>
 #include <semaphore.h>
 
 #include "next.h"
+#include "program_threads.h"
 #include "robot_time.h"
-
-static int is_recursive(const pthread_mutex_t* mutex) {
-  return (mutex->__data.__kind & 3) == PTHREAD_MUTEX_RECURSIVE;
-}
 
 static int is_checked(const pthread_mutex_t* mutex) {
   return (mutex->__data.__kind & 3) == PTHREAD_MUTEX_ERRORCHECK;
-}
-
-static int knows_owner(const pthread_mutex_t* mutex) {
-  return !ARE_THREADS() && (is_recursive(mutex) || is_checked(mutex));
 }
 
 static int is_free(const void* mutex, long unused) {
@@ -40,10 +31,8 @@ static clockid_t clock_of(const pthread_cond_t* condition) {
 /* 0, EBUSY or EDEADLK. */
 static int try_lock(pthread_mutex_t* mutex) {
   NEXT(int, pthread_mutex_trylock, (pthread_mutex_t*));
-  if (ARE_THREADS() && is_checked(mutex) && mutex->__data.__owner == gettid()) return EDEADLK;
-  if (!knows_owner(mutex)) return next_pthread_mutex_trylock(mutex);
-  if (!is_recursive(mutex) && CALLS.owns(mutex)) return EDEADLK;
-  return CALLS.own(mutex) ? 0 : EBUSY;
+  if (is_checked(mutex) && mutex->__data.__owner == gettid()) return EDEADLK;
+  return next_pthread_mutex_trylock(mutex);
 }
 
 static int lock_until(pthread_mutex_t* mutex, long long deadline) {
@@ -51,79 +40,46 @@ static int lock_until(pthread_mutex_t* mutex, long long deadline) {
     const int error = try_lock(mutex);
     if (error != EBUSY) return error;
     if (deadline == NO_TIME) return EINVAL;
-    if (eyebridge_park(mutex, deadline, is_free, 0, 1)) return ETIMEDOUT;
-  }
-}
-
-/* A library's lock: who has it may be a strand or a thread of the process, which wakes nobody. */
-static int lock_in_library(pthread_mutex_t* mutex) {
-  NEXT(int, pthread_mutex_trylock, (pthread_mutex_t*));
-  for (;;) {
-    const int error = next_pthread_mutex_trylock(mutex);
-    if (error != EBUSY) return error;
-    CALLS.park(mutex, CALLS.now() + 100000);
+    if (eyebridge_park_unless(mutex, deadline, is_free, 0, EYEBRIDGE_LIBRARIES)) return ETIMEDOUT;
   }
 }
 
 EXPORTED int pthread_mutex_lock(pthread_mutex_t* mutex) {
   NEXT(int, pthread_mutex_lock, (pthread_mutex_t*));
-  switch (TURNS()) {
-    case EYEBRIDGE_IN_PROGRAM:
-      return lock_until(mutex, -1);
-    case EYEBRIDGE_IN_LIBRARY:
-      return lock_in_library(mutex);
-    default:
-      return next_pthread_mutex_lock(mutex);
-  }
+  return eyebridge_takes_turns() ? lock_until(mutex, -1) : next_pthread_mutex_lock(mutex);
 }
 
 EXPORTED int pthread_mutex_trylock(pthread_mutex_t* mutex) {
   NEXT(int, pthread_mutex_trylock, (pthread_mutex_t*));
-  if (!TAKES_TURNS()) return next_pthread_mutex_trylock(mutex);
+  if (!eyebridge_takes_turns()) return next_pthread_mutex_trylock(mutex);
   const int error = try_lock(mutex);
   return error == EDEADLK ? EBUSY : error;
 }
 
 EXPORTED int pthread_mutex_timedlock(pthread_mutex_t* mutex, const struct timespec* until) {
   NEXT(int, pthread_mutex_timedlock, (pthread_mutex_t*, const struct timespec*));
-  if (!TAKES_TURNS()) return next_pthread_mutex_timedlock(mutex, until);
+  if (!eyebridge_takes_turns()) return next_pthread_mutex_timedlock(mutex, until);
   return lock_until(mutex, deadline_of(CLOCK_REALTIME, until));
 }
 
 EXPORTED int pthread_mutex_clocklock(pthread_mutex_t* mutex, clockid_t clock,
                                      const struct timespec* until) {
   NEXT(int, pthread_mutex_clocklock, (pthread_mutex_t*, clockid_t, const struct timespec*));
-  if (!TAKES_TURNS()) return next_pthread_mutex_clocklock(mutex, clock, until);
+  if (!eyebridge_takes_turns()) return next_pthread_mutex_clocklock(mutex, clock, until);
   return lock_until(mutex, deadline_of(clock, until));
 }
 
+/* Not by the function's name, behind which a sanitizer may stand. */
 static int unlock(pthread_mutex_t* mutex) {
   NEXT(int, pthread_mutex_unlock, (pthread_mutex_t*));
-  if (knows_owner(mutex)) {
-    const int left = CALLS.disown(mutex);
-    if (left < 0) return EPERM;
-    if (left > 0) return 0;
-  } else {
-    const int error = next_pthread_mutex_unlock(mutex);
-    if (error != 0) return error;
-  }
-  CALLS.wake(mutex, 0);
-  return 0;
+  const int error = next_pthread_mutex_unlock(mutex);
+  if (error == 0) eyebridge_wake(mutex, 0);
+  return error;
 }
 
 EXPORTED int pthread_mutex_unlock(pthread_mutex_t* mutex) {
   NEXT(int, pthread_mutex_unlock, (pthread_mutex_t*));
-  switch (TURNS()) {
-    case EYEBRIDGE_IN_PROGRAM:
-      return unlock(mutex);
-    case EYEBRIDGE_IN_LIBRARY: {
-      const int error = next_pthread_mutex_unlock(mutex);
-      CALLS.wake(mutex, 0);
-      return error;
-    }
-    default:
-      return next_pthread_mutex_unlock(mutex);
-  }
+  return eyebridge_takes_turns() ? unlock(mutex) : next_pthread_mutex_unlock(mutex);
 }
 
 /* How often conditions were signalled: who runs beside the others, as it came back from a pipe, may
@@ -135,12 +91,12 @@ static int was_signalled(const void* condition, long before) {
   return __atomic_load_n(&signals, __ATOMIC_SEQ_CST) != before;
 }
 
-/* Not by the functions' names, behind which a sanitizer may stand. */
 static int wait_for(pthread_cond_t* condition, pthread_mutex_t* mutex, long long deadline) {
   if (deadline == NO_TIME) return EINVAL;
   const long before = __atomic_load_n(&signals, __ATOMIC_SEQ_CST);
   unlock(mutex);
-  const int is_late = eyebridge_park(condition, deadline, was_signalled, before, 0);
+  const int is_late =
+      eyebridge_park_unless(condition, deadline, was_signalled, before, EYEBRIDGE_NOBODY);
   const int error = lock_until(mutex, -1);
   pthread_testcancel(); /* with the mutex */
   return error != 0 ? error : is_late ? ETIMEDOUT : 0;
@@ -148,13 +104,14 @@ static int wait_for(pthread_cond_t* condition, pthread_mutex_t* mutex, long long
 
 EXPORTED int pthread_cond_wait(pthread_cond_t* condition, pthread_mutex_t* mutex) {
   NEXT(int, pthread_cond_wait, (pthread_cond_t*, pthread_mutex_t*));
-  return TAKES_TURNS() ? wait_for(condition, mutex, -1) : next_pthread_cond_wait(condition, mutex);
+  return eyebridge_takes_turns() ? wait_for(condition, mutex, -1)
+                                 : next_pthread_cond_wait(condition, mutex);
 }
 
 EXPORTED int pthread_cond_timedwait(pthread_cond_t* condition, pthread_mutex_t* mutex,
                                     const struct timespec* until) {
   NEXT(int, pthread_cond_timedwait, (pthread_cond_t*, pthread_mutex_t*, const struct timespec*));
-  if (!TAKES_TURNS()) return next_pthread_cond_timedwait(condition, mutex, until);
+  if (!eyebridge_takes_turns()) return next_pthread_cond_timedwait(condition, mutex, until);
   return wait_for(condition, mutex, deadline_of(clock_of(condition), until));
 }
 
@@ -162,24 +119,24 @@ EXPORTED int pthread_cond_clockwait(pthread_cond_t* condition, pthread_mutex_t* 
                                     clockid_t clock, const struct timespec* until) {
   NEXT(int, pthread_cond_clockwait,
        (pthread_cond_t*, pthread_mutex_t*, clockid_t, const struct timespec*));
-  if (!TAKES_TURNS()) return next_pthread_cond_clockwait(condition, mutex, clock, until);
+  if (!eyebridge_takes_turns()) return next_pthread_cond_clockwait(condition, mutex, clock, until);
   return wait_for(condition, mutex, deadline_of(clock, until));
 }
 
 EXPORTED int pthread_cond_signal(pthread_cond_t* condition) {
   NEXT(int, pthread_cond_signal, (pthread_cond_t*));
-  if (TAKES_TURNS()) {
+  if (eyebridge_takes_turns()) {
     __atomic_add_fetch(&signals, 1, __ATOMIC_SEQ_CST);
-    CALLS.wake(condition, 0);
+    eyebridge_wake(condition, 0);
   }
   return next_pthread_cond_signal(condition);
 }
 
 EXPORTED int pthread_cond_broadcast(pthread_cond_t* condition) {
   NEXT(int, pthread_cond_broadcast, (pthread_cond_t*));
-  if (TAKES_TURNS()) {
+  if (eyebridge_takes_turns()) {
     __atomic_add_fetch(&signals, 1, __ATOMIC_SEQ_CST);
-    CALLS.wake(condition, 1);
+    eyebridge_wake(condition, 1);
   }
   return next_pthread_cond_broadcast(condition);
 }
@@ -191,7 +148,7 @@ static int take_until(sem_t* semaphore, long long deadline) {
       errno = EINVAL;
       return -1;
     }
-    const int is_late = eyebridge_park(semaphore, deadline, has_value, 0, 1);
+    const int is_late = eyebridge_park_unless(semaphore, deadline, has_value, 0, EYEBRIDGE_ANYBODY);
     pthread_testcancel();
     if (is_late) {
       errno = ETIMEDOUT;
@@ -203,24 +160,24 @@ static int take_until(sem_t* semaphore, long long deadline) {
 
 EXPORTED int sem_wait(sem_t* semaphore) {
   NEXT(int, sem_wait, (sem_t*));
-  return TAKES_TURNS() ? take_until(semaphore, -1) : next_sem_wait(semaphore);
+  return eyebridge_takes_turns() ? take_until(semaphore, -1) : next_sem_wait(semaphore);
 }
 
 EXPORTED int sem_timedwait(sem_t* semaphore, const struct timespec* until) {
   NEXT(int, sem_timedwait, (sem_t*, const struct timespec*));
-  if (!TAKES_TURNS()) return next_sem_timedwait(semaphore, until);
+  if (!eyebridge_takes_turns()) return next_sem_timedwait(semaphore, until);
   return take_until(semaphore, deadline_of(CLOCK_REALTIME, until));
 }
 
 EXPORTED int sem_clockwait(sem_t* semaphore, clockid_t clock, const struct timespec* until) {
   NEXT(int, sem_clockwait, (sem_t*, clockid_t, const struct timespec*));
-  if (!TAKES_TURNS()) return next_sem_clockwait(semaphore, clock, until);
+  if (!eyebridge_takes_turns()) return next_sem_clockwait(semaphore, clock, until);
   return take_until(semaphore, deadline_of(clock, until));
 }
 
 EXPORTED int sem_post(sem_t* semaphore) {
   NEXT(int, sem_post, (sem_t*));
   const int result = next_sem_post(semaphore);
-  if (result == 0 && TAKES_TURNS()) CALLS.wake(semaphore, 0);
+  if (result == 0 && eyebridge_takes_turns()) eyebridge_wake(semaphore, 0);
   return result;
 }

@@ -6,8 +6,6 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#include "turn_calls.h"
-
 #define EXPORTED __attribute__((visibility("default")))
 
 static inline void* eyebridge_next(const char* name, void** known) {
@@ -29,26 +27,5 @@ static inline void* eyebridge_next(const char* name, void** known) {
   RESULT(*next_##NAME) ARGUMENTS;     \
   *(void**)&next_##NAME = eyebridge_next(#NAME, &known_##NAME)
 /* NOLINTEND(bugprone-macro-parentheses) */
-
-/* Whom these functions ask: the launcher's struct, or the library's own. */
-#ifndef EYEBRIDGE_CALLS
-#define EYEBRIDGE_CALLS eyebridge_calls
-#endif
-extern struct eyebridge_robot_calls EYEBRIDGE_CALLS;
-#define CALLS EYEBRIDGE_CALLS
-
-/* Threads of the system; else strands, which the C library takes for one. */
-#define ARE_THREADS() (CALLS.own == NULL)
-
-/* Unless is_free(what, value) says at the start, or, when it `is_watched`, later that it need not.
- */
-static inline int eyebridge_park(const void* what, long long deadline,
-                                 int (*is_free)(const void*, long), long value, int is_watched) {
-  return CALLS.park_unless != NULL ? CALLS.park_unless(what, deadline, is_free, value, is_watched)
-                                   : CALLS.park(what, deadline);
-}
-
-#define TURNS() (CALLS.turns != NULL ? CALLS.turns() : EYEBRIDGE_NO_TURNS)
-#define TAKES_TURNS() (TURNS() == EYEBRIDGE_IN_PROGRAM)
 
 #endif

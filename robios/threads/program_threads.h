@@ -1,5 +1,6 @@
-/* Which threads are the program's of the process's only robot. A thread that one of them makes is
-   one, too, unless a call of the library makes it. C and C++. */
+/* What stands in the C library's place here asks of the library: which threads are the program's of
+   the process's only robot, and how they take turns. A thread that one of them makes is one, too,
+   unless a call of the library makes it. C and C++. */
 #ifndef EYEBRIDGE_THREADS_PROGRAM_THREADS_H
 #define EYEBRIDGE_THREADS_PROGRAM_THREADS_H
 
@@ -10,6 +11,28 @@ extern "C" {
 /* NOLINTBEGIN(readability-identifier-naming): the names of C */
 /* 1 when the caller is one of them, outside of calls. */
 int eyebridge_is_in_program(void);
+/* The same, and its threads take turns, in virtual time: eyebridge_now(), …_park() and …_wake() are
+   called then only. */
+int eyebridge_takes_turns(void);
+/* Nanoseconds on the robot's clock. */
+long long eyebridge_now(void);
+/* The same for a program that looks at it, which takes time: so a loop that waits by looking ends.
+   -1 when the caller's time is the computer's. Also for programs of several robots. */
+long long eyebridge_read_clock(void);
+/* Lays the caller down until somebody wakes `what`, or until `deadline` (ns on the robot's clock;
+   -1: none). 1 when that came first; then the robot's time limit may end the program. */
+int eyebridge_park(const void* what, long long deadline);
+/* Who may end a wait but for threads of the program, which wake() it. */
+enum {
+  EYEBRIDGE_NOBODY = 0,
+  EYEBRIDGE_LIBRARIES = 1, /* a thread of a library */
+  EYEBRIDGE_ANYBODY = 2    /* a signal's handler, another process, too: at any time */
+};
+/* The same but for the time limit, and unless is_free(what, value) says at the start, or, where
+   somebody `else_may` end it, later that it need not. */
+int eyebridge_park_unless(const void* what, long long deadline,
+                          int (*is_free)(const void* what, long value), long value, int else_may);
+void eyebridge_wake(const void* what, int all);
 /* Before the caller sleeps, or makes a thread: begins the session where time will be virtual. */
 void eyebridge_begin_time(void);
 /* One that is about to be started by the caller; what the following take. */

@@ -132,6 +132,7 @@ bool ThreadTurns::park_in(Member& me, Lock& lock, const void* what, Time deadlin
     me.is_free = unless.is_free;
     me.value = unless.value;
     me.is_watched = unless.is_watched;
+    me.is_from_outside = unless.is_from_outside;
     me.deadline = std::max(deadline, now() + Time(1));
     me.arrival = ++arrivals_;
     me.was_woken = false;
@@ -293,6 +294,16 @@ std::shared_ptr<WakeUp> ThreadTurns::pass_on() {
 /// Nobody sleeps somewhere else, or computes on.
 bool ThreadTurns::all_wait() const {
   return std::ranges::all_of(members_, [](const Member& m) { return m.stage == Stage::Waiting; });
+}
+
+bool ThreadTurns::are_stuck() {
+  const InCall in_call;
+  const Lock lock(mutex_);
+  return have_begun() && !members_.empty() &&
+         std::ranges::all_of(members_, [](const Member& member) {
+           return member.stage == Stage::Waiting && member.deadline == kNever &&
+                  !member.was_woken && !member.is_from_outside;
+         });
 }
 
 void ThreadTurns::forget_gone() {

@@ -93,7 +93,8 @@ class ThreadTurns {
   struct Unless {
     IsFree is_free = nullptr;
     long value = 0;
-    bool is_watched = false;  ///< Asked later, too: who is no member may change it.
+    bool is_watched = false;       ///< Asked later, too: who is no member may change it.
+    bool is_from_outside = false;  ///< Also a signal's handler, or another process, at any time.
   };
   /// The same, or when somebody wakes `what`; true when the deadline came first. Not at all when
   /// `unless` says so: nobody can wake it between that look and the wait.
@@ -108,6 +109,9 @@ class ThreadTurns {
 
   /// The one with this name is cancelled: it waits no longer.
   void cancel(unsigned long thread);
+
+  /// All wait for ever, for each other. Any thread.
+  [[nodiscard]] bool are_stuck();
 
   enum class Ended { Yes, Late, Unknown };
   /// For join(): parks until the member with this name has left, once, or until `deadline` (Late).
@@ -161,10 +165,11 @@ struct TurnMember {
   std::atomic<Stage> stage = Stage::Out;
   Time deadline = ThreadTurns::kNever;  ///< While it waits.
   ThreadTurns::IsFree is_free = nullptr;
-  long value = 0;              ///< For is_free.
-  bool is_watched = false;     ///< is_free is asked later, too.
-  const void* what = nullptr;  ///< At which it parked.
-  std::optional<Time> event;   ///< It is its turn for what happens then; it goes on waiting.
+  long value = 0;                ///< For is_free.
+  bool is_watched = false;       ///< is_free is asked later, too.
+  bool is_from_outside = false;  ///< Who is no thread of the program may wake it.
+  const void* what = nullptr;    ///< At which it parked.
+  std::optional<Time> event;     ///< It is its turn for what happens then; it goes on waiting.
   std::uint64_t arrival = 0;
   bool was_woken = false;
   bool was_passed = false;               ///< Others went on while it slept somewhere else.

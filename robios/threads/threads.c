@@ -51,8 +51,8 @@ EXPORTED int pthread_create(pthread_t* thread, const pthread_attr_t* attributes,
 static int join_other_until(pthread_t thread, void** result, long long deadline) {
   int error = 0;
   while ((error = pthread_tryjoin_np(thread, result)) == EBUSY) {
-    if (CALLS.now() >= deadline) return ETIMEDOUT;
-    CALLS.park(NULL, CALLS.now() + NANOSECONDS / 1000);
+    if (eyebridge_now() >= deadline) return ETIMEDOUT;
+    eyebridge_park(NULL, eyebridge_now() + NANOSECONDS / 1000);
   }
   return error;
 }
@@ -72,7 +72,7 @@ static int join_until(pthread_t thread, void** result, long long deadline, join_
 }
 
 static int is_awaited_in_turn(pthread_t thread) {
-  return TAKES_TURNS() && !pthread_equal(thread, pthread_self());
+  return eyebridge_takes_turns() && !pthread_equal(thread, pthread_self());
 }
 
 EXPORTED int pthread_join(pthread_t thread, void** result) {
@@ -97,20 +97,20 @@ EXPORTED int pthread_timedjoin_np(pthread_t thread, void** result, const struct 
 EXPORTED int pthread_cancel(pthread_t thread) {
   NEXT(int, pthread_cancel, (pthread_t));
   const int error = next_pthread_cancel(thread);
-  if (error == 0 && TAKES_TURNS()) eyebridge_thread_cancelled(thread);
+  if (error == 0 && eyebridge_takes_turns()) eyebridge_thread_cancelled(thread);
   return error;
 }
 
 EXPORTED int pthread_barrier_wait(pthread_barrier_t* barrier) {
   NEXT(int, pthread_barrier_wait, (pthread_barrier_t*));
   const int result = next_pthread_barrier_wait(barrier);
-  if (TAKES_TURNS()) CALLS.park(NULL, 0); /* whoever came last goes on first */
+  if (eyebridge_takes_turns()) eyebridge_park(NULL, 0); /* whoever came last goes on first */
   return result;
 }
 
 EXPORTED int sched_yield(void) {
   NEXT(int, sched_yield, (void));
-  if (!TAKES_TURNS()) return next_sched_yield();
-  CALLS.park(NULL, CALLS.now() + 1000); /* somebody else's turn, a microsecond long */
+  if (!eyebridge_takes_turns()) return next_sched_yield();
+  eyebridge_park(NULL, eyebridge_now() + 1000); /* somebody else's turn, a microsecond long */
   return 0;
 }

@@ -9,7 +9,7 @@
 #include "editor/editor_window.hpp"
 #include "environment_fixture.hpp"
 #include "eyebridge/hal/hand_guide.hpp"
-#include "parts/recent_files.hpp"
+#include "widgets/recent_files.hpp"
 
 namespace eyebridge::gui {
 namespace {

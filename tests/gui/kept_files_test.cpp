@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "disk_spy.hpp"
-#include "parts/file_keeper.hpp"
-#include "parts/save_picture.hpp"
-#include "parts/whole_file.hpp"
+#include "widgets/file_keeper.hpp"
+#include "widgets/save_picture.hpp"
+#include "widgets/whole_file.hpp"
 #include "run_program.hpp"
 
 namespace eyebridge::gui {

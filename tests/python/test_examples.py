@@ -29,7 +29,7 @@ class Examples(ProgramTest):
         self.assertEqual((run.out, run.err), ("found it\n", ""))
 
     def test_evolve_network_learns_to_drive_without_bumping(self):
-        # With sanitizers, at -O0, thirty generations take minutes: there two show that nothing leaks or overflows.
+        # With sanitizers, at -O0, and on an emulated processor thirty generations take minutes: two show that nothing leaks or overflows.
         generations = 2 if "EYEBRIDGE_TEST_SLOW" in os.environ else 30
         run = self.run_words([sys.executable, SOURCE / "examples" / "training" / "evolve_network.py", str(generations), "4"])
         self.assertEqual((run.returncode, run.err), (0, ""))

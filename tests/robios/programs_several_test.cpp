@@ -50,6 +50,15 @@ TEST(SeveralRobots, VariablesAreSharedWhenAskedFor) {
   EXPECT_THAT(r.out, HasSubstr("3: counted 21 calls 21 mine "));
 }
 
+TEST(SeveralRobots, ProgramsWithThreadsShareNoVariables) {
+  const auto r = run_named("several_crew", several("2", {{"EYEBRIDGE_SHARED_GLOBALS", "true"}}));
+  EXPECT_EQ(r.exit_code, 2) << r.out;
+  EXPECT_THAT(r.err, HasSubstr("several_crew: found "));
+  EXPECT_THAT(r.err, HasSubstr("(), which several robots cannot call in one process, so that they "
+                               "cannot share variables; leave out shared_globals, and each has a "
+                               "process of its own"));
+}
+
 TEST(SeveralRobots, InRealTimeTheyAreTheSame) {
   const auto r = run_named("several", several("3", testing::kClocks[1]));
   EXPECT_EQ(r.exit_code, 0) << r.err;
@@ -157,10 +166,9 @@ TEST(SeveralRobots, ThreadsOfProgramsTakeTurns) {
   const auto r = run_named("several_crew", several("3"));
   EXPECT_EQ(r.exit_code, 0) << r.err;
   // One second of the year 2000 is about 10^9 seconds after 1970: zero billions.
-  EXPECT_EQ(r.out,
-            "1: took 5, late after 760 ms, 0\n"
-            "2: took 5, late after 760 ms, 0\n"
-            "3: took 5, late after 760 ms, 0\n")
+  EXPECT_THAT(sorted_lines(r.out),
+              ElementsAre("1: took 5, late after 760 ms, 0", "2: took 5, late after 760 ms, 0",
+                          "3: took 5, late after 760 ms, 0"))
       << r.err;
   EXPECT_EQ(trace_of(run_named("several_crew", several("3")).err), trace_of(r.err));
 }

@@ -123,8 +123,10 @@ TEST(RobotsThatStop, InRealTimeOneThatComputesOnIsToldOfAndEndsWithTheTimeLimit)
 // limit of 3 s than the hang limit of 1 s allows a robot that hangs.
 TEST(RobotsThatStop, ALoopThatOnlyYieldsEndsWithTheTimeLimit) {
   for (const auto& [robots, limit] : Settings{{"2", "500ms"}, {"1", "3s"}}) {
-    const ProgramRun r =
-        run_stopping("yields", {{"EYEBRIDGE_ROBOTS", robots}, {"EYEBRIDGE_TIME_LIMIT", limit}});
+    const ProgramRun r = testing::run_named("several_yields", {{"EYEBRIDGE_FAST", "true"},
+                                                               {"EYEBRIDGE_ROBOTS", robots},
+                                                               {"EYEBRIDGE_HANG_LIMIT", "1s"},
+                                                               {"EYEBRIDGE_TIME_LIMIT", limit}});
     EXPECT_EQ(r.exit_code, 0) << r.err;
   }
 }

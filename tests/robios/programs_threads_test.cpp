@@ -40,7 +40,7 @@ std::size_t count_of(const std::string& part, const std::string& text) {
   return count;
 }
 
-// The launcher and its 32 robots, each with threads of its own, in real time; one more comes.
+// The launcher and its 32 robots, each in a thread, in real time; one more comes.
 TEST(ProgramThreads, ThirtyTwoRobotsShareAWorld) {
   const testing::ScratchFolder folder;
   folder.write("room.wld",

@@ -73,19 +73,14 @@ TEST(Trace, OfTwentyRunsWithCamerasIsOne) {
             "trace d0f500bbb6022b41");
 }
 
-TEST(Trace, OfAHundredRunsWithThreadsIsOne) {
-  EXPECT_EQ(of_a_hundred([] { return trace_of_run("several_crew", "5"); }),
-            "trace 97a3db3db7cc01c0");
-}
-
 TEST(Trace, OfAHundredRunsWithThreadsOfTheSystemIsOne) {
   EXPECT_EQ(of_a_hundred([] { return trace_alone("several_crew"); }), "trace 722fae80771eea36");
 }
 
 // Not under load: each switch between processes would wait for the busy one's turn.
-TEST(Trace, OfRunsInProcessesWithThreadsIsOne) {
+TEST(Trace, OfRunsOfSeveralWithThreadsIsOne) {
   EXPECT_EQ(of_runs(std::max(kRuns / 2, 1), {Processors::Load::None},
-                    [] { return trace_of_run("several_crew_apart", "2"); }),
+                    [] { return trace_of_run("several_crew", "2"); }),
             "trace 6b06d43b0fe04119");
 }
 

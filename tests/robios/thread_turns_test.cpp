@@ -314,6 +314,33 @@ TEST(ThreadTurns, GoOnFromEventToEventWhereAllWaitForEver) {
   EXPECT_EQ(what, 0);
 }
 
+TEST(ThreadTurns, AreStuckWhereNobodyCanWakeOne) {
+  const auto is_stuck = [](const ThreadTurns::Unless& unless) {
+    Stage stage;
+    const int what = 0;
+    stage.add([&](Member& member) {
+      stage.turns.park(member, &what, ThreadTurns::kNever, unless);
+      EXPECT_FALSE(stage.turns.are_stuck());  // woken
+    });
+    stage.turns.wait(*stage.me, milliseconds(5));
+    EXPECT_FALSE(stage.turns.are_stuck());  // one goes on
+    std::thread looks([&] {
+      while (stage.me->stage != Member::Stage::Waiting) std::this_thread::yield();
+      stage.text = stage.turns.are_stuck() ? "stuck" : "waiting";
+      stage.turns.end();
+    });
+    stage.turns.park(*stage.me, &stage, ThreadTurns::kNever);
+    looks.join();
+    const std::string seen = stage.text;
+    stage.run();
+    return seen == "stuck";
+  };
+  const auto no = [](const void*, long) { return 0; };
+  EXPECT_TRUE(is_stuck({}));
+  EXPECT_TRUE(is_stuck({no, 0, true}));
+  EXPECT_FALSE(is_stuck({no, 0, true, true}));
+}
+
 TEST(ThreadTurns, LetEverybodyGoAtTheEnd) {
   Stage stage;
   const int what = 0;

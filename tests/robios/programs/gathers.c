@@ -1,7 +1,6 @@
-// What a robot's program does before its first call: "700" sleeps so many milliseconds, "t700" does
-// so in a thread, which makes that call; "q700" ends then without one, "s" waits for itself for
-// ever. Then it drives, and tells when its first call came and how far it got.
-#include <pthread.h>
+// What a robot's program does before its first call: "700" sleeps so many milliseconds, "q700" ends
+// then without one; in gathers_apart, "t700" sleeps in a thread, which makes that call, and "s"
+// waits in one for ever. Then it drives, and tells when its first call came and how far it got.
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -19,18 +18,28 @@ static void* begin(void* milliseconds) {
   return NULL;
 }
 
+#ifdef APART
+static pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
+
+static void* wait_for_ever(void* unused) {
+  pthread_mutex_lock(&mutex);
+  return unused;
+}
+#endif
+
 int main(int argc, char** argv) {
   char* how = argc > 1 ? argv[1] : "0";
-  if (*how == 's') {
-    pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
-    for (;;) pthread_mutex_lock(&mutex);
+#ifdef APART
+  if (*how == 't' || *how == 's') {
+    pthread_t thread;
+    pthread_mutex_lock(&mutex);
+    pthread_create(&thread, NULL, *how == 't' ? begin : wait_for_ever, how + 1);
+    pthread_join(thread, NULL);
+    return 0;
   }
+#endif
   if (*how == 'q') {
     usleep(1000 * (useconds_t)atoi(how + 1));
-  } else if (*how == 't') {
-    pthread_t thread;
-    pthread_create(&thread, NULL, begin, how + 1);
-    pthread_join(thread, NULL);
   } else {
     begin(how);
   }

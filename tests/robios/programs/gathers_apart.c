@@ -1,4 +1,5 @@
-// The same in a process of its own.
-_Thread_local int apart;
+// The same in a process of its own, as it has threads.
+#define APART
+#include <pthread.h>
 
 #include "gathers.c"

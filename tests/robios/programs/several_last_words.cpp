@@ -2,8 +2,6 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include <pthread.h>
-
 #include <eyebot++.h>
 
 namespace {
@@ -20,12 +18,6 @@ struct Motors {
 struct Late {
   ~Late() { say("ends what began late"); }
 };
-
-void* work(void*) {
-  OSWait(200);
-  say("worked");
-  return nullptr;
-}
 
 __attribute__((destructor)) void last() { say("is done"); }
 
@@ -44,11 +36,6 @@ int main() {
   on_exit([](int code, void* word) { say(code == 0 ? static_cast<char*>(word) : "failed"); },
           const_cast<char*>("did well"));
   if (id == 2) std::exit(9);
-  if (id == 3) {
-    pthread_t thread{};
-    pthread_create(&thread, nullptr, work, nullptr);
-    pthread_exit(nullptr);
-  }
   if (id == 4) std::abort();
   return 0;
 }

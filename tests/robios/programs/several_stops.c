@@ -1,6 +1,5 @@
 // The second of several robots goes on no further, in the way that the argument names; the others
 // take memory and print a second long. Two ways are for a robot that is alone, too.
-#include <sched.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -62,7 +61,6 @@ static void stop(const char* how) {
 int main(int argc, char** argv) {
   if (argc < 2) return 2;
   OSWait(50);
-  while (strcmp(argv[1], "yields") == 0) sched_yield();
   if (strcmp(argv[1], "waits") == 0) OSWait(1000 * 1000);
   if (OSMachineID() == 2) stop(argv[1]);
   for (int i = 0; i < 100; ++i) {

@@ -1,4 +1,4 @@
-#include "parts/whole_file.hpp"
+#include "widgets/whole_file.hpp"
 
 #include <QFile>
 #include <QFileInfo>

@@ -1,4 +1,4 @@
-#include "parts/save_picture.hpp"
+#include "widgets/save_picture.hpp"
 
 #include <QBuffer>
 #include <QCoreApplication>
@@ -6,8 +6,8 @@
 #include <QFileInfo>
 #include <utility>
 
-#include "parts/ask_for_file.hpp"
-#include "parts/whole_file.hpp"
+#include "widgets/ask_for_file.hpp"
+#include "widgets/whole_file.hpp"
 
 namespace eyebridge::gui {
 

@@ -1,4 +1,4 @@
-#include "parts/ask_for_file.hpp"
+#include "widgets/ask_for_file.hpp"
 
 #include <QFileDialog>
 #include <QFileInfo>

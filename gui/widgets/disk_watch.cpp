@@ -1,4 +1,4 @@
-#include "parts/disk_watch.hpp"
+#include "widgets/disk_watch.hpp"
 
 #include <QFile>
 #include <QFileInfo>

@@ -1,4 +1,4 @@
-#include "parts/frame_image.hpp"
+#include "widgets/frame_image.hpp"
 
 namespace eyebridge::gui {
 namespace {

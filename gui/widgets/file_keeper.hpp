@@ -7,7 +7,7 @@
 #include <map>
 #include <mutex>
 
-#include "parts/worker.hpp"
+#include "widgets/worker.hpp"
 
 namespace eyebridge::gui {
 

@@ -1,4 +1,4 @@
-#include "parts/notice_bar.hpp"
+#include "widgets/notice_bar.hpp"
 
 #include <QCoreApplication>
 #include <QHBoxLayout>

@@ -1,4 +1,4 @@
-#include "parts/worker.hpp"
+#include "widgets/worker.hpp"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "parts/process_lock.hpp"
+#include "widgets/process_lock.hpp"
 
 namespace eyebridge::gui {
 

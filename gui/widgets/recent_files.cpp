@@ -1,4 +1,4 @@
-#include "parts/recent_files.hpp"
+#include "widgets/recent_files.hpp"
 
 #include <QCoreApplication>
 #include <QDir>

@@ -1,10 +1,10 @@
-#include "parts/file_keeper.hpp"
+#include "widgets/file_keeper.hpp"
 
 #include <QFile>
 #include <QMetaObject>
 #include <utility>
 
-#include "parts/whole_file.hpp"
+#include "widgets/whole_file.hpp"
 
 namespace eyebridge::gui {
 
