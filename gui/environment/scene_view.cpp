@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "eyebridge/base/config_error.hpp"
-#include "widgets/frame_image.hpp"
 #include "plan/viewport.hpp"
+#include "widgets/frame_image.hpp"
 
 namespace eyebridge::gui {
 namespace {

@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 
 #include "disk_spy.hpp"
+#include "run_program.hpp"
 #include "widgets/file_keeper.hpp"
 #include "widgets/save_picture.hpp"
 #include "widgets/whole_file.hpp"
-#include "run_program.hpp"
 
 namespace eyebridge::gui {
 namespace {
