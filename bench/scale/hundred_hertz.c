@@ -1,9 +1,7 @@
-// A program that asks where it is and waits, 100 times a second: hundred_hertz SECONDS [threads].
-// `./test scale` times how fast many of them run in virtual time; with "threads" the loop is in a
-// thread that the program makes; with "heap N" robot N says, instead, how many bytes of heap are in
-// use when all have printed something.
+// A program that asks where it is and waits, 100 times a second: hundred_hertz SECONDS.
+// `./test scale` times how fast many of them run in virtual time; with "heap N" robot N says,
+// instead, how many bytes of heap are in use when all have printed something.
 #include <malloc.h>
-#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,16 +9,12 @@
 
 #include <eyebot.h>
 
-static int rounds;
-
-static void* work(void* unused) {
-  (void)unused;
+static void work(int rounds) {
   for (int i = 0; i < rounds; ++i) {
     int x, y, phi;
     VWGetPosition(&x, &y, &phi);  // 1.5 ms of the robot's time
     usleep(8500);
   }
-  return NULL;
 }
 
 static void tell_heap(int robot) {
@@ -33,15 +27,8 @@ static void tell_heap(int robot) {
 int main(int argc, char** argv) {
   if (argc > 2 && strcmp(argv[1], "heap") == 0) {
     tell_heap(atoi(argv[2]));
-    return 0;
+  } else {
+    work(100 * (argc > 1 ? atoi(argv[1]) : 60));
   }
-  rounds = 100 * (argc > 1 ? atoi(argv[1]) : 60);
-  if (argc < 3) {
-    work(NULL);
-    return 0;
-  }
-  pthread_t thread;
-  pthread_create(&thread, NULL, work, NULL);
-  pthread_join(thread, NULL);
   return 0;
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""programs.py BUILD: how fast, and in how much memory, many programs run in one process in virtual time (docs/scale.md)."""
+"""programs.py BUILD: how fast, and in how much memory, many programs run in virtual time, in one process and in one each (docs/scale.md)."""
 import os
 import re
 import resource
@@ -11,9 +11,9 @@ FIELD = "floor 40000 40000\n0 0 40000 0\n40000 0 40000 40000\n40000 40000 0 4000
 RUNS = 3
 
 
-def run(build, world, robots, words):
+def run(build, world, robots, words, flags=()):
     """Times real time of one run, its peak of resident memory in MB, and what the programs said."""
-    command = [f"{build}/bin/eyebridge", "run", "--fast", "--robots", str(robots), "--world", world,
+    command = [f"{build}/bin/eyebridge", "run", "--fast", "--robots", str(robots), "--world", world, *flags,
                f"{build}/bench/hundred_hertz", *words]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     said, messages = process.stdout.read(), process.stderr.read()
@@ -35,14 +35,15 @@ def main(build):
         with open(world, "w", encoding="ascii") as file:
             file.write(FIELD)
         alone = run(build, world, 2, ["1"])[1]
-        print(f"{'programs':>9} {'in':>8} {'x real time':>12} {'wanted':>7} {'MB':>6} {'kB/robot':>9}")
-        for robots, seconds, wanted in ((10, 6000, (10000, 300)), (100, 600, (500, 25)), (1000, 60, ("", ""))):
-            for words, kind, goal in (([], "fibers", wanted[0]), (["threads"], "threads", wanted[1])):
-                results = [run(build, world, robots, [str(seconds), *words]) for _ in range(RUNS)]
-                speed = max(result[0] for result in results)
-                memory = max(result[1] for result in results)
-                each = 1024 * (memory - alone) / (robots - 2)
-                print(f"{robots:>9} {kind:>8} {speed:>12.0f} {goal:>7} {memory:>6.0f} {each:>9.0f}")
+        print(f"{'programs':>9} {'in':>9} {'x real time':>12} {'wanted':>7} {'MB':>6} {'kB/robot':>9}")
+        for robots, kind, seconds, goal in ((10, "fibers", 6000, 10000), (100, "fibers", 600, 500), (1000, "fibers", 60, ""),
+                                            (10, "processes", 60, ""), (100, "processes", 6, "")):
+            flags = ["--isolate"] if kind == "processes" else []
+            results = [run(build, world, robots, [str(seconds)], flags) for _ in range(RUNS)]
+            speed = max(result[0] for result in results)
+            memory = max(result[1] for result in results)
+            each = 1024 * (memory - alone) / (robots - 2)
+            print(f"{robots:>9} {kind:>9} {speed:>12.0f} {goal:>7} {memory:>6.0f} {each:>9.0f}")
         each = (heap(build, world, 1000) - heap(build, world, 10)) / 990 / 1024
         print(f"heap that one more robot takes: {each:.1f} kB (wanted: at most 64)")
 
