@@ -79,11 +79,7 @@ bool is_ours() {
 /// wait.
 struct Leaving {
   Leaving() = default;
-  ~Leaving() {
-    Member* const member = flow.member;
-    be(nullptr);  // nothing of it is there afterwards
-    if (member != nullptr) program_threads().leave(*member);
-  }
+  ~Leaving() { leave_program_threads(); }
   Leaving(const Leaving&) = delete;
   Leaving& operator=(const Leaving&) = delete;
 };
@@ -106,8 +102,9 @@ void join_program_threads() {
 }
 
 void leave_program_threads() {
-  if (Member* const member = flow.member) program_threads().leave(*member);
-  be(nullptr);
+  Member* const member = flow.member;
+  be(nullptr);  // nothing of it is there afterwards
+  if (member != nullptr) program_threads().leave(*member);
 }
 
 void expect_virtual_time() { is_time_virtual = true; }

@@ -16,7 +16,7 @@ ThreadTurns& program_threads();
 /// not known yet (an interpreter's) and is none of ours.
 void join_program_threads();
 
-/// The calling thread runs no program: it is the launcher's.
+/// The calling thread runs no program, or no longer.
 void leave_program_threads();
 
 /// The session will be in virtual time: the program's time is the robot's from its start, so that
