@@ -93,7 +93,8 @@ DbcSignalRef signal_of(DbcFields& fields, std::string_view key, const dbc::Datab
   if (dot == std::string::npos) {
     fields.refuse(key, fmt::format("found {}, expected \"Message.Signal\"", in_quotes(name)));
   }
-  const dbc::Message& message = find_message(database, name.substr(0, dot), fields, key);
+  const std::string of = name.substr(0, dot);
+  const dbc::Message& message = find_message(database, of, fields, key);
   return find_signal(message, name.substr(dot + 1), fields, key);
 }
 

@@ -136,7 +136,7 @@ std::string own_library(const fs::path& program, const DynamicNames& names) {
                     std::back_inserter(folders));
   std::erase_if(folders, is_systems);
   for (const std::string_view name : names.libraries) {
-    const std::string library(name);
+    std::string library(name);
     if (is_loaded(library)) continue;
     const bool has_folder = library.find('/') != std::string::npos;
     std::error_code ignored;  // a folder that may not be searched holds nothing for us
