@@ -78,23 +78,43 @@ void change(ElfW(Dyn) & entry, ProgramFile& file) {
   }
 }
 
-/// How the names begin of what several robots cannot call in one process.
-constexpr std::array<std::string_view, 15> kRefused = {
-    // The C library keeps where this is in a program's words, once for all who call it; and of
-    // optarg and optind each robot would have a copy of its own that it does not know.
-    "getopt",
-    // Threads of POSIX, C and C++, of OpenMP, of parallel algorithms, of classic RoBIOS, and what
-    // they wait for each other with: in virtual time all robots run in one thread.
-    "pthread_", "sem_", "thrd_", "mtx_", "cnd_", "_ZNSt6thread", "_ZNSt18condition_variable",
-    "_ZNSt3_V222condition_variable_any", "_ZNSt28__atomic_futex", "syscall", "GOMP_", "_ZN3tbb",
-    "sched_yield", "OSSpawn"};
+/// The C library keeps where these are in a program's words, once for all who call them; and of
+/// optarg and optind each robot would have a copy of its own that they do not know.
+constexpr std::array<std::string_view, 1> kOnceForAll = {"getopt"};
+/// Threads of POSIX, C and C++, of OpenMP, of parallel algorithms, of classic RoBIOS, and what they
+/// wait for each other with: in virtual time all robots of a process run in one thread.
+constexpr std::array<std::string_view, 14> kThreads = {"pthread_",
+                                                       "sem_",
+                                                       "thrd_",
+                                                       "mtx_",
+                                                       "cnd_",
+                                                       "_ZNSt6thread",
+                                                       "_ZNSt18condition_variable",
+                                                       "_ZNSt3_V222condition_variable_any",
+                                                       "_ZNSt28__atomic_futex",
+                                                       "syscall",
+                                                       "GOMP_",
+                                                       "_ZN3tbb",
+                                                       "sched_yield",
+                                                       "OSSpawn"};
 
-void check_calls(const fs::path& program, const DynamicNames& names) {
+/// The first name that begins with one of `starts`; "" when none does.
+template <std::size_t count>
+std::string first_of(const DynamicNames& names, const std::array<std::string_view, count>& starts) {
   for (const std::string_view name : names.wanted) {
     const auto begins = [name](std::string_view start) { return name.starts_with(start); };
-    if (std::ranges::none_of(kRefused, begins)) continue;
-    refuse(program,
-           "found " + std::string(name) + "(), which several robots cannot call in one process");
+    if (std::ranges::any_of(starts, begins)) return std::string(name);
+  }
+  return "";
+}
+
+void check_calls(const fs::path& program, const DynamicNames& names) {
+  if (const std::string name = first_of(names, kOnceForAll); !name.empty()) {
+    refuse(program, "found " + name + "(), which several robots cannot call in one process");
+  }
+  if (const std::string name = first_of(names, kThreads); !name.empty()) {
+    refuse(program, "found a program with threads (it asks the system for " + name +
+                        "), which several robots cannot have in one process");
   }
 }
 

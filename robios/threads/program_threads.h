@@ -22,14 +22,15 @@ long long eyebridge_read_clock(void);
 /* Lays the caller down until somebody wakes `what`, or until `deadline` (ns on the robot's clock;
    -1: none). 1 when that came first; then the robot's time limit may end the program. */
 int eyebridge_park(const void* what, long long deadline);
-/* Who may end a wait but for threads of the program, which wake() it. */
+/* Threads of the program end each other's waits by eyebridge_wake(). Who else may end one: */
 enum {
   EYEBRIDGE_NOBODY = 0,
   EYEBRIDGE_LIBRARIES = 1, /* a thread of a library */
   EYEBRIDGE_ANYBODY = 2    /* a signal's handler, another process, too: at any time */
 };
-/* The same but for the time limit, and unless is_free(what, value) says at the start, or, where
-   somebody `else_may` end it, later that it need not. */
+/* The same, but the time limit does not end the program here, and the wait ends without a wake when
+   is_free(what, value) is true. That is asked once at the start; and again and again where
+   `else_may` names somebody. */
 int eyebridge_park_unless(const void* what, long long deadline,
                           int (*is_free)(const void* what, long value), long value, int else_may);
 void eyebridge_wake(const void* what, int all);

@@ -129,10 +129,7 @@ bool ThreadTurns::park_in(Member& me, Lock& lock, const void* what, Time deadlin
   } leaving{me};
   while (!has_ended_) {
     me.what = what;
-    me.is_free = unless.is_free;
-    me.value = unless.value;
-    me.is_watched = unless.is_watched;
-    me.is_from_outside = unless.is_from_outside;
+    me.unless = unless;
     me.deadline = std::max(deadline, now() + Time(1));
     me.arrival = ++arrivals_;
     me.was_woken = false;
@@ -226,13 +223,13 @@ ThreadTurns::Ended ThreadTurns::await_end(Member& me, unsigned long thread, Time
 /// first one of each, unless one of them has been woken already.
 void ThreadTurns::wake_by_others() {
   for (Member& member : members_) {
-    if (member.stage != Stage::Waiting || !member.is_watched || member.was_woken) continue;
+    if (member.stage != Stage::Waiting || !member.unless.is_watched || member.was_woken) continue;
     const auto is_before = [&](const Member& other) {
       return other.stage == Stage::Waiting && other.what == member.what &&
              (other.was_woken || other.arrival < member.arrival);
     };
     if (std::ranges::any_of(members_, is_before)) continue;
-    if (member.is_free(member.what, member.value) != 0) wake_member(member);
+    if (member.unless.is_free(member.what, member.unless.value) != 0) wake_member(member);
   }
 }
 
@@ -302,7 +299,7 @@ bool ThreadTurns::are_stuck() {
   return have_begun() && !members_.empty() &&
          std::ranges::all_of(members_, [](const Member& member) {
            return member.stage == Stage::Waiting && member.deadline == kNever &&
-                  !member.was_woken && !member.is_from_outside;
+                  !member.was_woken && !member.unless.is_from_outside;
          });
 }
 

@@ -164,12 +164,9 @@ struct TurnMember {
   unsigned long thread = 0;  ///< As pthread_t; 0: not known.
   std::atomic<Stage> stage = Stage::Out;
   Time deadline = ThreadTurns::kNever;  ///< While it waits.
-  ThreadTurns::IsFree is_free = nullptr;
-  long value = 0;                ///< For is_free.
-  bool is_watched = false;       ///< is_free is asked later, too.
-  bool is_from_outside = false;  ///< Who is no thread of the program may wake it.
-  const void* what = nullptr;    ///< At which it parked.
-  std::optional<Time> event;     ///< It is its turn for what happens then; it goes on waiting.
+  ThreadTurns::Unless unless;           ///< What may end its wait besides a wake().
+  const void* what = nullptr;           ///< At which it parked.
+  std::optional<Time> event;  ///< It is its turn for what happens then; it goes on waiting.
   std::uint64_t arrival = 0;
   bool was_woken = false;
   bool was_passed = false;               ///< Others went on while it slept somewhere else.

@@ -104,7 +104,8 @@ EXPORTED int pthread_cancel(pthread_t thread) {
 EXPORTED int pthread_barrier_wait(pthread_barrier_t* barrier) {
   NEXT(int, pthread_barrier_wait, (pthread_barrier_t*));
   const int result = next_pthread_barrier_wait(barrier);
-  if (eyebridge_takes_turns()) eyebridge_park(NULL, 0); /* whoever came last goes on first */
+  if (eyebridge_takes_turns())
+    eyebridge_park(NULL, 0); /* the thread that came last goes on first */
   return result;
 }
 

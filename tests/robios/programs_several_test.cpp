@@ -53,8 +53,8 @@ TEST(SeveralRobots, VariablesAreSharedWhenAskedFor) {
 TEST(SeveralRobots, ProgramsWithThreadsShareNoVariables) {
   const auto r = run_named("several_crew", several("2", {{"EYEBRIDGE_SHARED_GLOBALS", "true"}}));
   EXPECT_EQ(r.exit_code, 2) << r.out;
-  EXPECT_THAT(r.err, HasSubstr("several_crew: found "));
-  EXPECT_THAT(r.err, HasSubstr("(), which several robots cannot call in one process, so that they "
+  EXPECT_THAT(r.err, HasSubstr("several_crew: found a program with threads (it asks the system "));
+  EXPECT_THAT(r.err, HasSubstr("), which several robots cannot have in one process, so that they "
                                "cannot share variables; leave out shared_globals, and each has a "
                                "process of its own"));
 }

@@ -1,6 +1,7 @@
-// What a robot's program does before its first call: "700" sleeps so many milliseconds, "q700" ends
-// then without one; in gathers_apart, "t700" sleeps in a thread, which makes that call, and "s"
-// waits in one for ever. Then it drives, and tells when its first call came and how far it got.
+// The argument says what the program does before its first robot call. "700": it sleeps 700 ms.
+// "q700": it sleeps 700 ms and ends without a call. In gathers_apart alone, "t700": a thread sleeps
+// 700 ms and makes the call; "s": a thread waits for ever. After its first call the program drives,
+// and tells when that call came and how far it got.
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>

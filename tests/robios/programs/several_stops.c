@@ -1,5 +1,5 @@
 // The second of several robots goes on no further, in the way that the argument names; the others
-// take memory and print a second long. Two ways are for a robot that is alone, too.
+// take memory and print a second long. One way, "waits", is for a robot that is alone, too.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

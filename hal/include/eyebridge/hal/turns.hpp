@@ -15,8 +15,8 @@ class Turns {
  public:
   virtual ~Turns() = default;
 
-  /// Where the clock of `robot` (an index) may not get by itself: the end of the round, or the
-  /// time of another of its threads. It changes; the reference stays.
+  /// Where the clock of `robot` (an index) may not get by itself: the end of the round. It
+  /// changes; the reference stays.
   [[nodiscard]] virtual const Time& limit_of(std::size_t robot) const = 0;
   /// Called by a robot that goes on at `time` >= its limit: returns when it may.
   virtual void wait(std::size_t robot, Time time) = 0;
