@@ -132,7 +132,7 @@ TEST_F(Gathering, InRealTimeTheClockBeginsThen) {
 
 TEST_F(Gathering, RunsRepeat) {
   std::set<std::string> seen;
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < testing::repeats(5); ++i) {
     const auto r = run({"apart 30", "apart t700", "500"});
     seen.insert(testing::trace_of(r.err));
   }

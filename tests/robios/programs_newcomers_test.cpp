@@ -50,7 +50,7 @@ TEST_F(Newcomers, ComeAtTheirTimesWithTheNextNumbers) {
 
 TEST_F(Newcomers, TwentyRunsAreOneRun) {
   std::set<std::string> states;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < testing::repeats(20); ++i) {
     const auto r = run(kFour);
     states.insert(r.out + testing::trace_of(r.err));
   }

@@ -136,11 +136,7 @@ std::string file(const std::string& path) {
   return text.str();
 }
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr int kTimes = 2;
-#else
-constexpr int kTimes = 10;
-#endif
+constexpr int kTimes = testing::repeats(10);
 
 /// What `robots` robots that run `program` print, and the state of their world, in some runs, half
 /// of them on one busy processor.
@@ -185,7 +181,7 @@ TEST(ProgramTurns, RunsWithThreadsRepeat) {
   const testing::ScratchFolder folder;
   const std::string report = folder.path() + "/report";
   std::set<std::string> seen;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < testing::repeats(20); ++i) {
     const auto r = run_named("several_crew", {{"EYEBRIDGE_REPORT", report}});
     seen.insert(r.out + r.err + file(report));
   }

@@ -31,6 +31,9 @@ template <class Status>
 void CanClient::keep(const Status& status, Time now) {
   const can::MessageSpec& spec = can::spec_of<Status>();
   if (is_only_ours(spec)) return note_other_host(spec.name, now);
+  if constexpr (std::is_same_v<Status, can::EmergencyStop>) {
+    if (status.reason == EYECAN_ESTOP_HOST_FAULT) note_guard(now);
+  }
   bool may_answer = true;
   if constexpr (std::is_same_v<Status, can::SpeedStatus>) may_answer = echoes(status);
   const bool is_usable = senders_.heard(Status::kFunction, now, may_answer);
@@ -98,6 +101,12 @@ void CanClient::note_other_host(std::string_view message, Time now) {
   if (!senders_.other_host(now)) return;
   watch_.not_alone("another program commands it (" + std::string(message) +
                    "); expected one, and a start of this one after that");
+}
+
+/// Of a program that is gone: what it sends beside this is no other program's command.
+void CanClient::note_guard(Time now) {
+  senders_.forget_other_host();
+  watch_.hold_off(now + RobotWatch::kListening);
 }
 
 }  // namespace eyebridge::bridges

@@ -102,6 +102,19 @@ TEST_F(CanForeign, AnotherHostIsNamedAndEndsTheDrive) {
               HasSubstr("another program commands it (C_VWSpeed)"));
 }
 
+// Of a program that ended while its robot was silent: it stops the robot when it hears it again.
+TEST_F(CanBench, TheGuardOfAProgramBeforeIsWaitedFor) {
+  const std::unique_ptr<CanBus> guard = bus.connect("guard");
+  for (std::uint8_t i = 0; i < 20; ++i) {
+    (void)guard->send(raw_frame(0x231, {0xF, 0, 0, 0, 0, 0, 0, i}), Time{0});
+    (void)guard->send(raw_frame(0x011, {3, i}), Time{0});
+    live(50ms);
+    ASSERT_NE(client->phase(), Phase::Ready);
+    ASSERT_NE(client->phase(), Phase::Twice) << log.text();
+  }
+  become_ready();
+}
+
 TEST_F(CanForeign, SettingThePoseManyTimesIsNoSecondSender) {
   for (int i = 0; i < 50; ++i) {
     EXPECT_TRUE(client->set_pose({.x_mm = i % 2 == 0 ? 500 : 10, .y_mm = 0, .phi_cdeg = 0}));
