@@ -105,6 +105,10 @@ TEST_F(CanForeign, AnotherHostIsNamedAndEndsTheDrive) {
 // Of a program that ended while its robot was silent: it stops the robot when it hears it again.
 TEST_F(CanBench, TheGuardOfAProgramBeforeIsWaitedFor) {
   const std::unique_ptr<CanBus> guard = bus.connect("guard");
+  clock.live = [&] {
+    robot.step();
+    while (guard->receive(Time{0})) continue;
+  };
   for (std::uint8_t i = 0; i < 20; ++i) {
     (void)guard->send(raw_frame(0x231, {0xF, 0, 0, 0, 0, 0, 0, i}), Time{0});
     (void)guard->send(raw_frame(0x011, {3, i}), Time{0});
