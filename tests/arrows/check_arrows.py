@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks the tree against the design: who includes whom and forgets to, no circles, a README in each folder, no long files.
+"""Checks the tree against the design: who includes whom and forgets to, no circles, READMEs that are true, no long files.
 
 check_arrows.py ROOT prints one line for each offence and exits with 1 when there is any.
 """
@@ -10,6 +10,7 @@ import sys
 
 from circles import check_circles
 from forgotten import check_forgotten, check_unused
+from maps import check_maps
 
 SOURCES = {".c", ".h", ".cpp", ".hpp", ".ipp", ".py", ".sh", ".cmake"}
 CODE = {".c", ".h", ".cpp", ".hpp", ".ipp"}
@@ -186,7 +187,7 @@ def check_readmes(files: list[pathlib.PurePosixPath]) -> list[str]:
 def offences_in(root: pathlib.Path) -> list[str]:
     """One line for each rule that the tree under `root` breaks."""
     files = files_in(root)
-    checks = (check_includes, check_circles, check_forgotten, check_unused, check_sizes, check_libm)
+    checks = (check_includes, check_circles, check_forgotten, check_unused, check_sizes, check_libm, check_maps)
     return [offence for check in checks for offence in check(root, files)] + check_readmes(files)
 
 

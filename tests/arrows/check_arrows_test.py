@@ -196,6 +196,25 @@ class Sizes(Tree):
         self.assertEqual(self.offences(), ["core/base: has no README.md"])
 
 
+class Maps(Tree):
+    def of(self, text):
+        self.write("hal/sim/sim_drive.hpp", "#pragma once\n")
+        self.write("hal/README.md")
+        (self.root / "hal/README.md").write_text(text)
+        return self.offences()
+
+    def test_files_and_folders_of_tables_are_below(self):
+        self.assertEqual(self.of("| `sim_*.hpp`, `sim/`, `sim/sim_drive.*`, `NAME_test.cpp`, `robot 2` | `not_a_name.cpp` |\n"), [])
+
+    def test_one_that_is_gone_is_found(self):
+        self.assertEqual(self.of("\n| `sim_drive.hpp`, `sim_motor.hpp` | what |\n"),
+                         ["hal/README.md:2: names sim_motor.hpp, which is not below hal"])
+
+    def test_links_lead_somewhere(self):
+        self.assertEqual(self.of("[a](sim/sim_drive.hpp) [b](../hal/README.md#c) [d](https://e.f)\n[g](seat/README.md)\n"),
+                         ["hal/README.md:2: links to seat/README.md, which is not there"])
+
+
 class Picture(Tree):
     def setUp(self):
         super().setUp()
