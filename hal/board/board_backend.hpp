@@ -8,15 +8,13 @@
 #include <thread>
 #include <vector>
 
+#include "board/board_actuators.hpp"
 #include "board/board_clock.hpp"
 #include "board/board_drive.hpp"
-#include "board/board_inputs.hpp"
 #include "board/board_lidar.hpp"
 #include "board/board_lines.hpp"
 #include "board/board_link.hpp"
-#include "board/board_motor.hpp"
-#include "board/board_range_sensor.hpp"
-#include "board/board_servo.hpp"
+#include "board/board_sensors.hpp"
 #include "board/board_tables.hpp"
 #include "eyebridge/hal/backend.hpp"
 

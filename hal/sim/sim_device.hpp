@@ -14,4 +14,15 @@ class SimDevice {
   const robot::RobotIndex robot_;
 };
 
+/// One of several of its kind.
+class SimNumbered : protected SimDevice {
+ public:
+  /// `index` into the list of the robot's model, or as robot::DriveKind counts its motors.
+  SimNumbered(SimWorld& world, robot::RobotIndex robot, std::size_t index)
+      : SimDevice(world, robot), index_(static_cast<unsigned>(index)) {}
+
+ protected:
+  const unsigned index_;
+};
+
 }  // namespace eyebridge::hal

@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "backend_contract.hpp"
-#include "sim/sim_analog.hpp"
+#include "sim/sim_sensors.hpp"
 
 namespace eyebridge::hal {
 namespace {

@@ -1,4 +1,4 @@
-#include "board/board_motor.hpp"
+#include "board/board_actuators.hpp"
 
 #include "arguments/arguments.hpp"
 #include "board/board_units.hpp"
@@ -38,6 +38,11 @@ Result<void> BoardEncoder::reset() {
     const std::lock_guard lock(mutex_);
     zero_ = reversed_ ? 0 - counted : counted;
   });
+}
+
+Result<void> BoardServo::set(double position) {
+  return check_servo_position(position).and_then(
+      [&] { return link_.servo(id_, to_servo_position(table_, position)); });
 }
 
 }  // namespace eyebridge::hal

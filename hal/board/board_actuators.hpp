@@ -4,6 +4,7 @@
 
 #include "board/board_device.hpp"
 #include "eyebridge/hal/motor.hpp"
+#include "eyebridge/hal/servo.hpp"
 
 namespace eyebridge::hal {
 
@@ -37,6 +38,18 @@ class BoardEncoder final : public Encoder, private BoardDevice {
   const bool reversed_;
   std::mutex mutex_;
   std::uint32_t zero_ = 0;
+};
+
+/// One servo of a board.
+class BoardServo final : public Servo, private BoardDevice {
+ public:
+  BoardServo(BoardLink& link, BoardServoTable table)
+      : BoardDevice(link, table.id), table_(std::move(table)) {}
+
+  Result<void> set(double position) override;
+
+ private:
+  const BoardServoTable table_;
 };
 
 }  // namespace eyebridge::hal

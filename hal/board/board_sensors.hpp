@@ -2,22 +2,34 @@
 
 #include <mutex>
 
-#include "arguments/arguments.hpp"
-#include "board/board_link.hpp"
+#include "board/board_device.hpp"
 #include "eyebridge/hal/analog_inputs.hpp"
 #include "eyebridge/hal/io_board.hpp"
+#include "eyebridge/hal/range_sensor.hpp"
 #include "eyebridge/hal/remote.hpp"
 
 namespace eyebridge::hal {
+
+/// One distance sensor of a board; its raw reading is that of the converter.
+class BoardRangeSensor final : public RangeSensor, private BoardDevice {
+ public:
+  BoardRangeSensor(BoardLink& link, BoardPsdTable table)
+      : BoardDevice(link, table.id), table_(std::move(table)) {}
+
+  Result<double> read() override;
+  Result<int> read_raw() override { return link_.psd_raw(id_); }
+  [[nodiscard]] double out_of_range() const override { return kBoardOutOfRange; }
+
+ private:
+  const BoardPsdTable table_;
+};
 
 /// The analog inputs of a board.
 class BoardAnalog final : public AnalogInputs {
  public:
   explicit BoardAnalog(BoardLink& link) : link_(link) {}
 
-  Result<int> read(int channel) override {
-    return check_channel(channel).and_then([&] { return link_.analog(channel); });
-  }
+  Result<int> read(int channel) override;
   Result<double> supply_voltage() override { return link_.supply_voltage(); }
 
  private:
@@ -40,14 +52,7 @@ class BoardRemote final : public Remote {
   explicit BoardRemote(BoardLink& link) : link_(link) {}
 
   /// A key that is held is one press; the same key again is one after it was let go.
-  Result<int> read() override {
-    const std::lock_guard lock(mutex_);
-    return link_.remote_key().map([&](int held) {
-      const int before = held_;
-      held_ = held;
-      return held == before ? 0 : held;
-    });
-  }
+  Result<int> read() override;
 
  private:
   BoardLink& link_;

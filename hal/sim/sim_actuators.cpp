@@ -1,13 +1,10 @@
-#include "sim/sim_motor.hpp"
+#include "sim/sim_actuators.hpp"
 
 #include <cstdint>
 
 #include "arguments/arguments.hpp"
 
 namespace eyebridge::hal {
-
-SimMotor::SimMotor(SimWorld& world, robot::RobotIndex robot, unsigned index)
-    : SimDevice(world, robot), index_(index) {}
 
 Result<void> SimMotor::set_duty(double duty) {
   return check_duty(duty).map(
@@ -29,9 +26,6 @@ Result<void> SimMotor::set_pid(int p, int i, int d) {
       [&] { world_.locked([&](auto& sim) { sim.set_motor_pid(robot_, index_, p, i, d); }); });
 }
 
-SimEncoder::SimEncoder(SimWorld& world, robot::RobotIndex robot, unsigned index)
-    : SimDevice(world, robot), index_(index) {}
-
 Result<int> SimEncoder::read() {
   return world_.sensed([&](auto& sim) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(sim.encoder_ticks(robot_, index_)));
@@ -41,6 +35,11 @@ Result<int> SimEncoder::read() {
 Result<void> SimEncoder::reset() {
   world_.locked([&](auto& sim) { sim.reset_encoder(robot_, index_); });
   return {};
+}
+
+Result<void> SimServo::set(double position) {
+  return check_servo_position(position).map(
+      [&] { world_.locked([&](auto& sim) { sim.set_servo(robot_, index_, position); }); });
 }
 
 }  // namespace eyebridge::hal
