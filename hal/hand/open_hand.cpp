@@ -11,7 +11,7 @@
 #include "eyebridge/camera/source.hpp"
 #include "eyebridge/hal/hand.hpp"
 #include "hand/display.hpp"
-#include "hand/free_tap.hpp"
+#include "hand/free_hand.hpp"
 #include "hand/hand_backend.hpp"
 #include "hand/hand_text.hpp"
 

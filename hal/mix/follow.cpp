@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "calls/interceptor.hpp"
 #include "eyebridge/hal/passing_backend.hpp"
-#include "tap/tap.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -18,9 +18,9 @@ Result<void> catch_up(const Follow& follow, Clock& own) {
   return follow.world->set_robot_pose(0, *pose);
 }
 
-class FollowTap final : public Tap {
+class Following final : public CallInterceptor {
  public:
-  FollowTap(const Follow& follow, Clock& own) : follow_(follow), own_(own) {}
+  Following(const Follow& follow, Clock& own) : follow_(follow), own_(own) {}
 
   Result<Values> exchange(const Call& call,
                           const std::function<Result<Values>()>& device) override {
@@ -78,8 +78,8 @@ class FollowView final : public camera::View {
 }  // namespace
 
 std::unique_ptr<Backend> make_following(std::unique_ptr<Backend> inner, const Follow& follow) {
-  auto following = make_tapped(std::move(inner), [&](Backend& backend) {
-    return std::make_unique<FollowTap>(follow, backend.clock());
+  auto following = intercepted(std::move(inner), [&](Backend& backend) {
+    return std::make_unique<Following>(follow, backend.clock());
   });
   if (follow.world == nullptr) return following;
   return std::make_unique<PutBackend>(std::move(following));

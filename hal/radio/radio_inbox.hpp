@@ -78,7 +78,8 @@ class RadioInbox {
     Random corruption;
     std::uint64_t sent = 0;
   };
-  /// A stream of random numbers for each pair, apart from those of devices (fault/fault_tap.cpp).
+  /// A stream of random numbers for each pair, apart from those of devices
+  /// (fault/fault_injector.cpp).
   [[nodiscard]] std::uint64_t stream_of(int sender) const {
     constexpr std::uint64_t kRadio = 0x7261'6469'6F00'0000;
     return kRadio + static_cast<std::uint64_t>(sender) * 256 + static_cast<std::uint64_t>(id_);

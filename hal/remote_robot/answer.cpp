@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "calls/carry_out.hpp"
+#include "calls/values.hpp"
 #include "eyebridge/camera/view.hpp"
 #include "eyebridge/files/readers.hpp"
 #include "remote_robot/remote_view.hpp"
-#include "tap/carry_out.hpp"
-#include "tap/values.hpp"
 
 namespace eyebridge::hal {
 namespace {

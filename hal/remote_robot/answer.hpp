@@ -1,7 +1,7 @@
 #pragma once
 
+#include "calls/interceptor.hpp"
 #include "eyebridge/hal/backend.hpp"
-#include "tap/tap.hpp"
 
 namespace eyebridge::hal {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "tap/tap.hpp"
+#include "calls/interceptor.hpp"
 
 namespace eyebridge::hal {
 

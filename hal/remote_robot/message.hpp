@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include "calls/device_list.hpp"
+#include "calls/interceptor.hpp"
 #include "eyebridge/base/clock.hpp"
 #include "eyebridge/hal/device_facts.hpp"
 #include "eyebridge/hal/radio.hpp"
 #include "remote_robot/bytes.hpp"
-#include "tap/device_list.hpp"
-#include "tap/tap.hpp"
 
 namespace eyebridge::hal {
 

@@ -4,21 +4,21 @@
 #include <optional>
 #include <utility>
 
+#include "calls/absent_robot.hpp"
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/hal/passing_backend.hpp"
 #include "remote_robot/remote_clock.hpp"
 #include "remote_robot/remote_view.hpp"
 #include "remote_robot/remote_world.hpp"
 #include "remote_robot/robot_line.hpp"
-#include "tap/absent_robot.hpp"
 
 namespace eyebridge::hal {
 namespace {
 
 /// Asks the server in every call of a device.
-class RemoteTap final : public Tap {
+class RemoteCalls final : public CallInterceptor {
  public:
-  explicit RemoteTap(RobotLine& line) : line_(line) {}
+  explicit RemoteCalls(RobotLine& line) : line_(line) {}
   Result<Values> exchange(const Call& call,
                           const std::function<Result<Values>()>& device) override {
     if (call.device == "lidar" && !call.is_command) {
@@ -39,8 +39,8 @@ class RemoteRobot final : public PassingBackend {
  public:
   RemoteRobot(std::unique_ptr<RobotLine> line, RobotWelcome welcome, WorldLoader world,
               double factor)
-      : PassingBackend(make_tapped(make_absent_robot(welcome.devices),
-                                   [&](Backend&) { return std::make_unique<RemoteTap>(*line); })),
+      : PassingBackend(intercepted(make_absent_robot(welcome.devices),
+                                   [&](Backend&) { return std::make_unique<RemoteCalls>(*line); })),
         line_(std::move(line)),
         welcome_(std::move(welcome)),
         clock_(make_remote_clock(*line_, welcome_.is_virtual, factor)),

@@ -2,10 +2,10 @@
 
 #include <string>
 
+#include "calls/values.hpp"
 #include "eyebridge/files/readers.hpp"
 #include "eyebridge/hal/world_control.hpp"
 #include "remote_robot/robot_line.hpp"
-#include "tap/values.hpp"
 
 namespace eyebridge::hal {
 

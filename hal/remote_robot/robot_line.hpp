@@ -5,12 +5,12 @@
 #include <string>
 #include <string_view>
 
+#include "calls/interceptor.hpp"
 #include "eyebridge/base/clock.hpp"
 #include "eyebridge/base/unique_fd.hpp"
 #include "eyebridge/hal/trace.hpp"
 #include "remote_robot/message.hpp"
 #include "remote_robot/message_stream.hpp"
-#include "tap/tap.hpp"
 
 namespace eyebridge::hal {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "calls/device_list.hpp"
+#include "calls/interceptor.hpp"
 #include "eyebridge/base/clock.hpp"
 #include "eyebridge/camera/recording/recording_file.hpp"
-#include "tap/device_list.hpp"
-#include "tap/tap.hpp"
 
 namespace eyebridge::hal {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "tap/tap.hpp"
+#include "calls/interceptor.hpp"
 
 namespace eyebridge::hal {
 

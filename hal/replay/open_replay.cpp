@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "replay/replay_tap.hpp"
-#include "tap/absent_robot.hpp"
+#include "calls/absent_robot.hpp"
+#include "replay/replayed_calls.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -33,13 +33,13 @@ std::unique_ptr<Backend> open_replay(const BackendUrl& url, const BackendContext
                       "frames are a camera: --camera frames:" +
                           url.rest);
   }
-  const auto make_tap = [&](Backend& robot) -> std::unique_ptr<Tap> {
+  const auto make_interceptor = [&](Backend& robot) -> std::unique_ptr<CallInterceptor> {
     if (!strict) return std::make_unique<LenientReplay>(recording.exchanges, robot.clock());
     return std::make_unique<StrictReplay>(std::move(recording.exchanges), robot.clock(),
                                           context.log);
   };
   try {
-    return make_tapped(make_absent_robot(recording.devices), make_tap);
+    return intercepted(make_absent_robot(recording.devices), make_interceptor);
   } catch (const ConfigError& error) {
     throw ConfigError({url.rest}, error.text());
   }

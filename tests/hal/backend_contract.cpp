@@ -8,7 +8,7 @@
 
 #include "eyebridge/base/math.hpp"
 #include "eyebridge/hal/registry.hpp"
-#include "replay/record_tap.hpp"
+#include "replay/recorder.hpp"
 
 namespace eyebridge::hal {
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "eyebridge/hal/registry.hpp"
-#include "fault/fault_tap.hpp"
+#include "fault/fault_injector.hpp"
 #include "rigs.hpp"
 
 namespace eyebridge::hal {

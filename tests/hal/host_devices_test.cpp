@@ -7,11 +7,11 @@
 
 #include "clock/lockstep_clock.hpp"
 #include "eyebridge/hal/registry.hpp"
-#include "fault/fault_tap.hpp"
+#include "fault/fault_injector.hpp"
 #include "host/host_backend.hpp"
 #include "host/host_sound.hpp"
 #include "radio/radio_medium.hpp"
-#include "replay/record_tap.hpp"
+#include "replay/recorder.hpp"
 #include "rigs.hpp"
 
 namespace eyebridge::hal {

@@ -3,13 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "calls/absent_robot.hpp"
 #include "config/mix_text.hpp"
 #include "eyebridge/camera/view.hpp"
 #include "eyebridge/hal/passing_backend.hpp"
 #include "eyebridge/hal/registry.hpp"
 #include "mix/mix_backend.hpp"
 #include "rigs.hpp"
-#include "tap/absent_robot.hpp"
 
 namespace eyebridge::hal {
 namespace {

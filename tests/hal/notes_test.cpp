@@ -7,7 +7,7 @@
 
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/hal/device_notes.hpp"
-#include "fault/fault_tap.hpp"
+#include "fault/fault_injector.hpp"
 #include "host/host_backend.hpp"
 #include "host/host_sound.hpp"
 #include "rigs.hpp"

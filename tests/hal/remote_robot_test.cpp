@@ -91,7 +91,7 @@ TEST(WorldSlot, TheDeskRefusesAProgramOfAnotherVersion) {
   EXPECT_THAT(reply->values.error().what, HasSubstr("another version"));
 }
 
-/// What a server answers to a call that no tap would make.
+/// What a server answers to a call that no interceptor would make.
 Error error_of(const Call& call) {
   const Rig rig = lockstep_rig(facing(0.5));
   const auto [program, socket] = socket_pair();

@@ -16,7 +16,7 @@
 #include "replay/ebrec.hpp"
 #include "replay/numbers.hpp"
 #include "replay/open_replay.hpp"
-#include "replay/record_tap.hpp"
+#include "replay/recorder.hpp"
 #include "rigs.hpp"
 
 namespace eyebridge::hal {

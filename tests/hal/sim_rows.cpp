@@ -1,6 +1,6 @@
 // Rows of the contract without a board: the simulation, and what answers in its place.
 #include "eyebridge/hal/device_notes.hpp"
-#include "fault/fault_tap.hpp"
+#include "fault/fault_injector.hpp"
 #include "host/host_backend.hpp"
 #include "mix/mix_backend.hpp"
 #include "remote_rig.hpp"

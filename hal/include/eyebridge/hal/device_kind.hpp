@@ -59,7 +59,7 @@ struct KindOfDevice {
 };
 
 /// The one table of devices, in the order of DeviceKind. What each of them can be asked is in
-/// hal/tap/device_calls.hpp.
+/// hal/calls/device_calls.hpp.
 inline constexpr int kLastDeviceId = 255;
 inline constexpr std::tuple kKinds{
     KindOfDevice<Drive>{"drive"},

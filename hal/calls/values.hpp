@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "tap/tap.hpp"
+#include "calls/interceptor.hpp"
 
 namespace eyebridge::hal {
 

@@ -1,14 +1,14 @@
-#include "replay/record_tap.hpp"
+#include "replay/recorder.hpp"
 
 #include <mutex>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "calls/device_list.hpp"
 #include "eyebridge/camera/frame_sink.hpp"
 #include "eyebridge/camera/recording/frame_table.hpp"
 #include "replay/ebrec.hpp"
-#include "tap/device_list.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -25,9 +25,9 @@ struct OpenRecording {
   std::optional<camera::FrameWriter> frames;
 };
 
-class RecordTap final : public Tap, public camera::FrameSink {
+class Recorder final : public CallInterceptor, public camera::FrameSink {
  public:
-  RecordTap(Backend& backend, LogSink& log, std::shared_ptr<OpenRecording> recording)
+  Recorder(Backend& backend, LogSink& log, std::shared_ptr<OpenRecording> recording)
       : clock_(backend.clock()),
         log_(log),
         keeps_frames_(recording->frames.has_value()),
@@ -90,9 +90,9 @@ std::unique_ptr<Backend> with_recording(std::unique_ptr<Backend> inner,
                                         const std::filesystem::path& path, LogSink& log,
                                         const RecordingOrigin& origin,
                                         std::optional<camera::FrameCodec> frames) {
-  return make_tapped(std::move(inner), [&](Backend& backend) {
+  return intercepted(std::move(inner), [&](Backend& backend) {
     auto recording = std::make_shared<OpenRecording>(path, devices_of(backend), origin, frames);
-    return std::make_unique<RecordTap>(backend, log, std::move(recording));
+    return std::make_unique<Recorder>(backend, log, std::move(recording));
   });
 }
 

@@ -12,7 +12,7 @@ namespace eyebridge::hal {
 /// Answers calls from a recording, one call after the other: what the program calls now must be
 /// what it called then, with the same numbers. The clock moves along with the recording. The first
 /// deviation is logged with its time and both calls; from there on every call fails with Corrupt.
-class StrictReplay final : public Tap {
+class StrictReplay final : public CallInterceptor {
  public:
   /// `clock` and `log` are lent.
   StrictReplay(std::vector<Exchange> exchanges, Clock& clock, LogSink& log);
@@ -33,7 +33,7 @@ class StrictReplay final : public Tap {
 /// Answers readings with what the recording holds for that moment (the last one before it, or its
 /// first), whatever the program calls; takes commands without doing anything. A reading that was
 /// never made fails with Unsupported.
-class LenientReplay final : public Tap {
+class LenientReplay final : public CallInterceptor {
  public:
   LenientReplay(const std::vector<Exchange>& exchanges, Clock& clock);
   Result<Values> exchange(const Call& call, const std::function<Result<Values>()>& device) override;

@@ -1,7 +1,7 @@
-#include "tap/device_list.hpp"
+#include "calls/device_list.hpp"
 
-#include "tap/device_calls.hpp"
-#include "tap/values.hpp"
+#include "calls/device_calls.hpp"
+#include "calls/values.hpp"
 
 namespace eyebridge::hal {
 

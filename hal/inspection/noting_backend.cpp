@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "calls/exchange.hpp"
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/hal/device_notes.hpp"
 #include "eyebridge/hal/passing_backend.hpp"
-#include "tap/exchange.hpp"
 
 namespace eyebridge::hal {
 namespace {

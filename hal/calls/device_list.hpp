@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "calls/interceptor.hpp"
 #include "eyebridge/hal/backend.hpp"
-#include "tap/tap.hpp"
 
 namespace eyebridge::hal {
 

@@ -1,15 +1,15 @@
-#include "hand/free_tap.hpp"
+#include "hand/free_hand.hpp"
 
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <utility>
 
+#include "calls/interceptor.hpp"
+#include "calls/values.hpp"
 #include "eyebridge/hal/hand_guide.hpp"
 #include "eyebridge/hal/passing_backend.hpp"
 #include "hand/movement.hpp"
-#include "tap/tap.hpp"
-#include "tap/values.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -41,9 +41,9 @@ class KeptInstruction final : public InstructionSink, public HandGuide {
   Instruction last_;
 };
 
-class FreeTap final : public Tap {
+class FreeHand final : public CallInterceptor {
  public:
-  FreeTap(Backend& robot, std::shared_ptr<InstructionSink> display)
+  FreeHand(Backend& robot, std::shared_ptr<InstructionSink> display)
       : clock_(robot.clock()), drive_(*robot.drive()), display_(std::move(display)) {}
 
   Result<Values> exchange(const Call& call,
@@ -107,9 +107,9 @@ class FreeBackend final : public PassingBackend {
 std::unique_ptr<Backend> with_shown_drive(std::unique_ptr<Backend> inner,
                                           std::unique_ptr<InstructionSink> display) {
   auto kept = std::make_shared<KeptInstruction>(std::move(display));
-  auto tapped = make_tapped(std::move(inner),
-                            [&](Backend& robot) { return std::make_unique<FreeTap>(robot, kept); });
-  return std::make_unique<FreeBackend>(std::move(tapped), kept);
+  auto shown = intercepted(std::move(inner),
+                           [&](Backend& robot) { return std::make_unique<FreeHand>(robot, kept); });
+  return std::make_unique<FreeBackend>(std::move(shown), kept);
 }
 
 }  // namespace eyebridge::hal

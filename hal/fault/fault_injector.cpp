@@ -1,4 +1,4 @@
-#include "fault/fault_tap.hpp"
+#include "fault/fault_injector.hpp"
 
 #include <fmt/format.h>
 
@@ -14,10 +14,11 @@ std::uint64_t stream_of(std::string_view kind, int id) {
 
 }  // namespace
 
-FaultTap::FaultTap(FaultScript script, Clock& clock, std::uint64_t seed)
+FaultInjector::FaultInjector(FaultScript script, Clock& clock, std::uint64_t seed)
     : script_(std::move(script)), clock_(clock), seed_(seed) {}
 
-Result<Values> FaultTap::exchange(const Call& call, const std::function<Result<Values>()>& device) {
+Result<Values> FaultInjector::exchange(const Call& call,
+                                       const std::function<Result<Values>()>& device) {
   const Result<bool> frozen = pass(call);
   if (!frozen) return tl::unexpected(frozen.error());
   if (call.is_command) return *frozen ? Result<Values>(Values{}) : device();
@@ -36,14 +37,14 @@ Result<Values> FaultTap::exchange(const Call& call, const std::function<Result<V
   return reply;
 }
 
-bool FaultTap::dropped(const Call& call, double share) {
+bool FaultInjector::dropped(const Call& call, double share) {
   const std::lock_guard lock(mutex_);
   const auto [random, is_new] = random_.try_emplace({std::string(call.device), call.id},
                                                     Random(seed_, stream_of(call.device, call.id)));
   return random->second.chance(share);
 }
 
-Result<bool> FaultTap::pass(const Call& call) {
+Result<bool> FaultInjector::pass(const Call& call) {
   const Time now = clock_.now();
   bool frozen = false;
   const auto failed = [&](Errc code, const FaultRule& rule) {
@@ -70,8 +71,8 @@ Result<bool> FaultTap::pass(const Call& call) {
 
 std::unique_ptr<Backend> with_faults(std::unique_ptr<Backend> inner, FaultScript script,
                                      std::uint64_t seed) {
-  return make_tapped(std::move(inner), [&](Backend& backend) {
-    return std::make_unique<FaultTap>(std::move(script), backend.clock(), seed);
+  return intercepted(std::move(inner), [&](Backend& backend) {
+    return std::make_unique<FaultInjector>(std::move(script), backend.clock(), seed);
   });
 }
 

@@ -3,19 +3,20 @@
 #include <mutex>
 #include <utility>
 
+#include "calls/device_calls.hpp"
+#include "calls/exchange.hpp"
 #include "eyebridge/hal/passing_backend.hpp"
-#include "tap/device_calls.hpp"
-#include "tap/exchange.hpp"
 
 namespace eyebridge::hal {
 namespace {
 
-/// A device behind a tap: its calls become numbers on their way, and replies become values.
+/// A device behind an interceptor: its calls become numbers on their way, and replies become
+/// values.
 template <class Interface>
-class Tapped : public Interface {
+class Intercepted : public Interface {
  public:
-  Tapped(Tap& tap, std::string_view kind, int id, Interface& inner)
-      : tap_(tap), kind_(kind), id_(id), inner_(inner) {}
+  Intercepted(CallInterceptor& interceptor, std::string_view kind, int id, Interface& inner)
+      : interceptor_(interceptor), kind_(kind), id_(id), inner_(inner) {}
 
  protected:
   template <class Answer, class... Args>
@@ -23,7 +24,7 @@ class Tapped : public Interface {
                        std::type_identity_t<Args>... args) {
     const Call call{kind_, id_of(row, id_, args...), row.name, row.is_command(),
                     request_of(row, args...)};
-    const Result<Values> reply = tap_.exchange(
+    const Result<Values> reply = interceptor_.exchange(
         call, [&]() -> Result<Values> { return reply_of((inner_.*row.method)(args...), args...); });
     return answer_of<Answer>(call, row.style, reply, args...);
   }
@@ -33,32 +34,32 @@ class Tapped : public Interface {
   }
 
  private:
-  Tap& tap_;
+  CallInterceptor& interceptor_;
   std::string_view kind_;
   int id_;
   Interface& inner_;
 };
 
-class TapBackend final : public PassingBackend {
+class InterceptedBackend final : public PassingBackend {
  public:
-  TapBackend(std::unique_ptr<Backend> inner, const TapMaker& make_tap)
-      : PassingBackend(std::move(inner)), tap_(make_tap(*inner_)) {}
+  InterceptedBackend(std::unique_ptr<Backend> inner, const InterceptorMaker& make_interceptor)
+      : PassingBackend(std::move(inner)), interceptor_(make_interceptor(*inner_)) {}
 
   Device* find(DeviceKind kind, int id) override {
     Device* const device = inner_->find(kind, id);
     if (device == nullptr) return nullptr;
     const std::lock_guard lock(mutex_);
-    std::unique_ptr<Device>& tapped = devices_[{kind, id}];
-    if (!tapped) tapped = wrapped(kind, id, *device);
-    return tapped.get();
+    std::unique_ptr<Device>& found = devices_[{kind, id}];
+    if (!found) found = wrapped(kind, id, *device);
+    return found.get();
   }
   camera::FrameSink* frame_sink() override {
-    camera::FrameSink* own = tap_->frame_sink();
+    camera::FrameSink* own = interceptor_->frame_sink();
     return own != nullptr ? own : inner_->frame_sink();
   }
   Result<void> stop() noexcept override {
     auto stopped = inner_->stop();
-    tap_->finish();
+    interceptor_->finish();
     return stopped;
   }
 
@@ -68,13 +69,13 @@ class TapBackend final : public PassingBackend {
     for_each_kind([&]<DeviceKind kind>() {
       if (kind != wanted) return;
       using Interface = InterfaceOf<kind>;
-      made = std::make_unique<Relay<Interface, Tapped<Interface>>>(*tap_, name_of(kind), id,
-                                                                   static_cast<Interface&>(device));
+      made = std::make_unique<Relay<Interface, Intercepted<Interface>>>(
+          *interceptor_, name_of(kind), id, static_cast<Interface&>(device));
     });
     return made;
   }
 
-  std::unique_ptr<Tap> tap_;
+  std::unique_ptr<CallInterceptor> interceptor_;
   std::mutex mutex_;
   /// Made when they are first asked for.
   std::map<std::pair<DeviceKind, int>, std::unique_ptr<Device>> devices_;
@@ -82,8 +83,9 @@ class TapBackend final : public PassingBackend {
 
 }  // namespace
 
-std::unique_ptr<Backend> make_tapped(std::unique_ptr<Backend> inner, const TapMaker& make_tap) {
-  return std::make_unique<TapBackend>(std::move(inner), make_tap);
+std::unique_ptr<Backend> intercepted(std::unique_ptr<Backend> inner,
+                                     const InterceptorMaker& make_interceptor) {
+  return std::make_unique<InterceptedBackend>(std::move(inner), make_interceptor);
 }
 
 }  // namespace eyebridge::hal

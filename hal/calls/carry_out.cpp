@@ -1,4 +1,4 @@
-#include "tap/carry_out.hpp"
+#include "calls/carry_out.hpp"
 
 #include <span>
 #include <string>
@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "tap/exchange.hpp"
+#include "calls/exchange.hpp"
 
 namespace eyebridge::hal {
 namespace {

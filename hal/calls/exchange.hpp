@@ -5,8 +5,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "tap/device_calls.hpp"
-#include "tap/values.hpp"
+#include "calls/device_calls.hpp"
+#include "calls/values.hpp"
 
 namespace eyebridge::hal {
 

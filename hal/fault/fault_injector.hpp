@@ -5,17 +5,17 @@
 #include <string>
 #include <utility>
 
+#include "calls/interceptor.hpp"
 #include "eyebridge/base/random.hpp"
 #include "fault/fault_script.hpp"
-#include "tap/tap.hpp"
 
 namespace eyebridge::hal {
 
 /// Lets calls through, or not, as a script says. What is dropped by chance follows from `seed` and
 /// the device alone. `clock` is lent.
-class FaultTap final : public Tap {
+class FaultInjector final : public CallInterceptor {
  public:
-  FaultTap(FaultScript script, Clock& clock, std::uint64_t seed);
+  FaultInjector(FaultScript script, Clock& clock, std::uint64_t seed);
 
   Result<Values> exchange(const Call& call, const std::function<Result<Values>()>& device) override;
 

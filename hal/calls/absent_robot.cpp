@@ -1,4 +1,4 @@
-#include "tap/absent_robot.hpp"
+#include "calls/absent_robot.hpp"
 
 #include <map>
 #include <optional>
@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "arguments/arguments.hpp"
+#include "calls/device_calls.hpp"
+#include "calls/values.hpp"
 #include "clock/lockstep_clock.hpp"
 #include "eyebridge/base/config_error.hpp"
-#include "tap/device_calls.hpp"
-#include "tap/values.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -26,8 +26,8 @@ struct TypesOf<const std::tuple<>> {
   using Types = std::tuple<>;
 };
 
-/// A device that only a tap answers for. It says of itself what was listed; every call fails with
-/// Unsupported.
+/// A device that only an interceptor answers for. It says of itself what was listed; every call
+/// fails with Unsupported.
 template <class Interface>
 class Absent : public Interface {
  public:

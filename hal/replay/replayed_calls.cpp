@@ -1,4 +1,4 @@
-#include "replay/replay_tap.hpp"
+#include "replay/replayed_calls.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -23,9 +23,9 @@ struct Call {
 };
 
 /// Stands in every call to a backend's devices: the one place for what concerns them all.
-class Tap {
+class CallInterceptor {
  public:
-  virtual ~Tap() = default;
+  virtual ~CallInterceptor() = default;
   /// Answers `call`, perhaps by asking `device`, which may be called at most once. Any thread.
   virtual Result<Values> exchange(const Call& call,
                                   const std::function<Result<Values>()>& device) = 0;
@@ -35,11 +35,12 @@ class Tap {
   virtual void finish() noexcept {}
 };
 
-/// Makes the tap of a backend, which outlives it.
-using TapMaker = std::function<std::unique_ptr<Tap>(Backend& inner)>;
+/// Makes the interceptor of a backend, which outlives it.
+using InterceptorMaker = std::function<std::unique_ptr<CallInterceptor>(Backend& inner)>;
 
-/// `inner` with a tap in front of all its devices. The clock, the world, the camera's view, traces
-/// and stop() are the inner one's: motors stop whatever the tap does.
-std::unique_ptr<Backend> make_tapped(std::unique_ptr<Backend> inner, const TapMaker& make_tap);
+/// `inner` with one in front of all its devices. The clock, the world, the camera's view, traces
+/// and stop() are the inner one's: motors stop whatever it does.
+std::unique_ptr<Backend> intercepted(std::unique_ptr<Backend> inner,
+                                     const InterceptorMaker& make_interceptor);
 
 }  // namespace eyebridge::hal
