@@ -1,6 +1,5 @@
 #include "sim/sim_backend.hpp"
 
-#include <initializer_list>
 #include <string>
 #include <utility>
 
@@ -41,30 +40,14 @@ std::vector<DeviceFacts> facts_about(const std::vector<Sensor>& sensors) {
   return out;
 }
 
-/// What EyeSim's files call the wheels of a drive, with `prefix` before it.
-std::vector<DeviceFacts> facts_of_wheels(robot::DriveKind kind, const std::string& prefix,
-                                         double ticks_per_metre) {
-  const auto named = [&](std::initializer_list<const char*> names) {
-    std::vector<DeviceFacts> out;
-    for (const char* const name : names) {
-      out.push_back({static_cast<int>(out.size()) + 1, prefix + name, 0, ticks_per_metre});
-    }
-    return out;
-  };
-  switch (kind) {
-    case robot::DriveKind::Differential:
-    case robot::DriveKind::Ackermann:
-      break;
-    case robot::DriveKind::Omni:
-      return named({"_FL", "_FR", "_BL", "_BR"});
-    case robot::DriveKind::Swedish:
-      return named({"_LEFT", "_RIGHT", "_BACK"});
-    case robot::DriveKind::Synchro:
-      return named({"_DRIVE", "_TURN"});
-    case robot::DriveKind::Submarine:
-      return named({"_LEFT", "_FRONT", "_RIGHT", "_BACK"});
+/// Motors or encoders, as EyeSim's files call them.
+std::vector<DeviceFacts> facts_about(const std::vector<robot::DrivePart>& parts,
+                                     const std::string& prefix, double ticks_per_metre) {
+  std::vector<DeviceFacts> out;
+  for (const auto& part : parts) {
+    out.push_back({static_cast<int>(out.size()) + 1, prefix + part.suffix, 0, ticks_per_metre});
   }
-  return named({"_LEFT", "_RIGHT"});
+  return out;
 }
 
 }  // namespace
@@ -156,14 +139,14 @@ std::vector<DeviceFacts> SimBackend::facts_of(std::string_view kind) {
     }
     return out;
   }
+  const robot::DriveFacts& drive = robot::facts_of(model.drive.kind);
   // Two motors need no names: programs know left and right.
-  const bool many_motors = model.drive.motor_count() > 2;
-  if (kind == "motor" && many_motors) return facts_of_wheels(model.drive.kind, "MOTOR", 0.0);
+  if (kind == "motor" && drive.motors.size() > 2) return facts_about(drive.motors, "MOTOR", 0.0);
   if (kind == "robot") return {{robot_id(), model.name}};
-  if (kind != "encoder" || model.drive.encoder_count() == 0) return {};
+  if (kind != "encoder") return {};
   const double ticks_per_metre =
       model.drive.ticks_per_revolution / (kPi * model.drive.wheel_diameter);
-  return facts_of_wheels(model.drive.kind, "QUAD", ticks_per_metre);
+  return facts_about(drive.encoders, "QUAD", ticks_per_metre);
 }
 
 Result<void> SimBackend::stop() noexcept {

@@ -1,7 +1,7 @@
 #include "drive_lines.hpp"
 
-#include <array>
 #include <string>
+#include <vector>
 
 #include "eyebridge/base/units.hpp"
 
@@ -12,20 +12,9 @@ using robot::DriveKind;
 
 constexpr double kLargestRobot = 10000;  // millimetres: no robot is larger
 
-struct DriveName {
-  std::string_view name;
-  DriveKind kind;
-};
-constexpr std::array<DriveName, 6> kDriveKinds = {{{"DIFFERENTIAL_DRIVE", DriveKind::Differential},
-                                                   {"ACKERMANN_DRIVE", DriveKind::Ackermann},
-                                                   {"OMNI_DRIVE", DriveKind::Omni},
-                                                   {"SWEDISH_DRIVE", DriveKind::Swedish},
-                                                   {"SYNCHRO_DRIVE", DriveKind::Synchro},
-                                                   {"SUBMARINE_DRIVE", DriveKind::Submarine}}};
-
 std::string kind_names() {
-  std::array<std::string_view, kDriveKinds.size()> names;
-  for (std::size_t i = 0; i < names.size(); ++i) names[i] = kDriveKinds[i].name;
+  std::vector<std::string_view> names;
+  for (const robot::DriveFacts& facts : robot::drive_kinds()) names.push_back(facts.keyword);
   return one_of(names);
 }
 
@@ -61,9 +50,9 @@ bool DriveLines::read(const Statement& s, bool new_dialect) {
 void DriveLines::read_drive(const Statement& s) {
   if (s.size() < 2) s.fail(1, "line ends: expected the kind of drive");
   const std::string name = lower(s.text(1));
-  for (const DriveName& row : kDriveKinds) {
-    if (name != lower(row.name)) continue;
-    drive_.kind = row.kind;
+  for (const robot::DriveFacts& facts : robot::drive_kinds()) {
+    if (name != lower(facts.keyword)) continue;
+    drive_.kind = facts.kind;
     line_ = s.line();
     return;
   }

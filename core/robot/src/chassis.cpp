@@ -9,27 +9,6 @@
 
 namespace eyebridge::robot {
 
-unsigned DriveModel::motor_count() const {
-  switch (kind) {
-    case DriveKind::Ackermann:
-      return 1;
-    case DriveKind::Omni:
-    case DriveKind::Submarine:
-      return 4;
-    case DriveKind::Swedish:
-      return 3;
-    case DriveKind::Differential:
-    case DriveKind::Synchro:
-      break;
-  }
-  return 2;
-}
-
-unsigned DriveModel::encoder_count() const {
-  if (kind == DriveKind::Submarine) return 0;
-  return kind == DriveKind::Ackermann ? 2 : motor_count();
-}
-
 double DriveModel::max_curvature() const {
   if (kind != DriveKind::Ackermann) return std::numeric_limits<double>::infinity();
   const SinCos lock = sin_cos(max_steering);

@@ -76,24 +76,6 @@ void reset_encoder(const RobotHandle& robot, int number) {
   });
 }
 
-const char* drive_name(robot::DriveKind kind) {
-  switch (kind) {
-    case robot::DriveKind::Differential:
-      break;
-    case robot::DriveKind::Ackermann:
-      return "ackermann";
-    case robot::DriveKind::Omni:
-      return "omni";
-    case robot::DriveKind::Swedish:
-      return "swedish";
-    case robot::DriveKind::Synchro:
-      return "synchro";
-    case robot::DriveKind::Submarine:
-      return "submarine";
-  }
-  return "differential";
-}
-
 /// A property that `get(simulation, index)` reads.
 template <class Get>
 auto property(const Get& get) {
@@ -109,7 +91,7 @@ void bind_chassis(py::module_& module) {
   auto robot = py::reinterpret_borrow<py::class_<RobotHandle>>(module.attr("Robot"));
   robot
       .def_property_readonly("drive_kind", property([](auto& sim, auto i) {
-                               return std::string(drive_name(sim.model(i).drive.kind));
+                               return std::string(robot::facts_of(sim.model(i).drive.kind).name);
                              }))
       .def_property_readonly("motor_count", property([](auto& sim, auto i) {
                                return sim.model(i).drive.motor_count();

@@ -117,30 +117,22 @@ py::array_t<double> lidar_bearings(ControlWorld& world, std::size_t index) {
   return bearings;
 }
 
+Wheels numbered(const std::vector<robot::DrivePart>& parts) {
+  Wheels wheels;
+  for (const auto& part : parts) {
+    wheels.emplace_back(part.name, static_cast<int>(wheels.size()) + 1);
+  }
+  return wheels;
+}
+
 }  // namespace
 
 Wheels motors(const ControlWorld& world, std::size_t index) {
-  switch (world.model(index).drive.kind) {
-    case robot::DriveKind::Differential:
-      break;
-    case robot::DriveKind::Ackermann:
-      return {{"drive", 1}};
-    case robot::DriveKind::Omni:
-      return {{"front left", 1}, {"front right", 2}, {"rear left", 3}, {"rear right", 4}};
-    case robot::DriveKind::Swedish:
-      return {{"front left", 1}, {"front right", 2}, {"rear", 3}};
-    case robot::DriveKind::Synchro:
-      return {{"drive", 1}, {"steer", 2}};
-    case robot::DriveKind::Submarine:
-      return {{"left", 1}, {"front", 2}, {"right", 3}, {"back", 4}};
-  }
-  return {{"left", 1}, {"right", 2}};
+  return numbered(facts_of(world.model(index).drive.kind).motors);
 }
 
 Wheels encoders(const ControlWorld& world, std::size_t index) {
-  if (world.model(index).drive.encoder_count() == 0) return {};
-  if (world.model(index).drive.kind != robot::DriveKind::Ackermann) return motors(world, index);
-  return {{"left", 1}, {"right", 2}};
+  return numbered(facts_of(world.model(index).drive.kind).encoders);
 }
 
 void bind_control_sensors(py::class_<ControlWorld>& world) {

@@ -6,6 +6,7 @@
 
 #include "eyebridge/base/pose.hpp"
 #include "eyebridge/base/units.hpp"
+#include "eyebridge/robot/drive_kind.hpp"
 #include "eyebridge/robot/error_models.hpp"
 
 namespace eyebridge::robot {
@@ -138,21 +139,6 @@ struct ServoModel {
   friend bool operator==(const ServoModel&, const ServoModel&) = default;
 };
 
-/// How wheels make a robot move. Motors and encoders count from 0, programs from 1.
-enum class DriveKind {
-  Differential,  ///< Motor and encoder 0 left, 1 right.
-  Ackermann,     ///< As a car: motor 0 drives both rear wheels through a differential gear, a servo
-                 ///< steers the front ones. Encoders: rear wheels, 0 left, 1 right.
-  Omni,          ///< Four mecanum wheels: 0 front left, 1 front right, 2 back left, 3 back right.
-  Swedish,       ///< Three omnidirectional wheels about the centre, 120 degrees apart: 0 left front
-                 ///< (at 60 degrees), 1 right front, 2 back. 0 and 1 drive it forward, 2 takes the
-                 ///< back to the right: 0 backward, 1 and 2 forward turn it to the left.
-  Synchro,    ///< All wheels roll by motor 0 and are steered by motor 1, together; the body keeps
-              ///< its heading. Odometry's heading is where the wheels point.
-  Submarine,  ///< Four thrusters in water: 0 left and 2 right push forward, 1 front and 3 back push
-              ///< up. No encoders. 1 and 3 run beside v-omega driving, which has 0 and 2.
-};
-
 /// Driven wheels and the controller over them.
 struct DriveModel {
   DriveKind kind = DriveKind::Differential;
@@ -181,8 +167,12 @@ struct DriveModel {
   double rise_speed = 0.02;  ///< Up by buoyancy, without thrust, metres per second; < 0: it sinks.
 
   /// How many motors there are, and how many encoders.
-  [[nodiscard]] unsigned motor_count() const;
-  [[nodiscard]] unsigned encoder_count() const;
+  [[nodiscard]] unsigned motor_count() const {
+    return static_cast<unsigned>(facts_of(kind).motors.size());
+  }
+  [[nodiscard]] unsigned encoder_count() const {
+    return static_cast<unsigned>(facts_of(kind).encoders.size());
+  }
   /// Sharpest curve, 1 / metres: tan(max_steering) / axle_distance of an Ackermann drive; the
   /// others know no limit: infinite.
   [[nodiscard]] double max_curvature() const;
