@@ -14,6 +14,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
 using ::testing::Not;
 using testing::ProgramRun;
 using testing::sorted_lines;
@@ -63,9 +64,12 @@ TEST(SeveralClassicRobots, EachHasItsOwnTasks) {
   for (const auto& clock : testing::kClocks) {
     const ProgramRun r = run_several("several_tasks_c", "3", clock);
     EXPECT_EQ(r.exit_code, 0) << r.err;
+    // In real time all is over within milliseconds, in which a task may not have its turn.
+    const std::string computed = &clock == &testing::kClocks[0] ? "1" : "[01]";
     EXPECT_THAT(sorted_lines(r.out),
-                ElementsAre("1: mode 1 got 4 4, computed 1", "2: mode 0 got 4 4, computed 0",
-                            "3: mode 1 got 4 4, computed 1"))
+                ElementsAre(MatchesRegex("1: mode 1 got 4 4, computed " + computed),
+                            "2: mode 0 got 4 4, computed 0",
+                            MatchesRegex("3: mode 1 got 4 4, computed " + computed)))
         << r.err;
   }
 }
