@@ -131,7 +131,6 @@ ROWS = (
     Row("docs/install.md", "~/eyebridge/bin/eyebridge doctor", prints="worlds +ok +/root/eyebridge/"),
 
     Row("docs/parity.md", "./test parity", elsewhere="a measurement of half an hour, by hand"),
-    Row("docs/parity.md", "./test all", elsewhere="it is what CI runs"),
     Row("docs/parity.md", "./test hal", elsewhere="./test all has these tests"),
     Row("docs/parity.md", "./test lab", elsewhere="./test all has these tests"),
     Row("docs/parity.md", "./test cortex", elsewhere="./test all has these tests"),
