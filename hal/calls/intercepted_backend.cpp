@@ -49,9 +49,9 @@ class InterceptedBackend final : public PassingBackend {
     Device* const device = inner_->find(kind, id);
     if (device == nullptr) return nullptr;
     const std::lock_guard lock(mutex_);
-    std::unique_ptr<Device>& found = devices_[{kind, id}];
-    if (!found) found = wrapped(kind, id, *device);
-    return found.get();
+    std::unique_ptr<Device>& wrapper = devices_[{kind, id}];
+    if (!wrapper) wrapper = wrapped(kind, id, *device);
+    return wrapper.get();
   }
   camera::FrameSink* frame_sink() override {
     camera::FrameSink* own = interceptor_->frame_sink();
@@ -83,8 +83,8 @@ class InterceptedBackend final : public PassingBackend {
 
 }  // namespace
 
-std::unique_ptr<Backend> intercepted(std::unique_ptr<Backend> inner,
-                                     const InterceptorMaker& make_interceptor) {
+std::unique_ptr<Backend> with_interceptor(std::unique_ptr<Backend> inner,
+                                          const InterceptorMaker& make_interceptor) {
   return std::make_unique<InterceptedBackend>(std::move(inner), make_interceptor);
 }
 

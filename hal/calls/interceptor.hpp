@@ -38,9 +38,9 @@ class CallInterceptor {
 /// Makes the interceptor of a backend, which outlives it.
 using InterceptorMaker = std::function<std::unique_ptr<CallInterceptor>(Backend& inner)>;
 
-/// `inner` with one in front of all its devices. The clock, the world, the camera's view, traces
-/// and stop() are the inner one's: motors stop whatever it does.
-std::unique_ptr<Backend> intercepted(std::unique_ptr<Backend> inner,
-                                     const InterceptorMaker& make_interceptor);
+/// `inner` with an interceptor in front of all its devices. The clock, the world, the camera's
+/// view, traces and stop() are the inner one's: motors stop whatever the interceptor does.
+std::unique_ptr<Backend> with_interceptor(std::unique_ptr<Backend> inner,
+                                          const InterceptorMaker& make_interceptor);
 
 }  // namespace eyebridge::hal

@@ -71,7 +71,7 @@ Result<bool> FaultInjector::pass(const Call& call) {
 
 std::unique_ptr<Backend> with_faults(std::unique_ptr<Backend> inner, FaultScript script,
                                      std::uint64_t seed) {
-  return intercepted(std::move(inner), [&](Backend& backend) {
+  return with_interceptor(std::move(inner), [&](Backend& backend) {
     return std::make_unique<FaultInjector>(std::move(script), backend.clock(), seed);
   });
 }

@@ -11,9 +11,9 @@
 #include "eyebridge/camera/source.hpp"
 #include "eyebridge/hal/hand.hpp"
 #include "hand/display.hpp"
-#include "hand/free_hand.hpp"
 #include "hand/hand_backend.hpp"
 #include "hand/hand_text.hpp"
+#include "hand/shown_drive.hpp"
 
 namespace eyebridge::hal {
 namespace {

@@ -78,7 +78,7 @@ class FollowView final : public camera::View {
 }  // namespace
 
 std::unique_ptr<Backend> make_following(std::unique_ptr<Backend> inner, const Follow& follow) {
-  auto following = intercepted(std::move(inner), [&](Backend& backend) {
+  auto following = with_interceptor(std::move(inner), [&](Backend& backend) {
     return std::make_unique<Following>(follow, backend.clock());
   });
   if (follow.world == nullptr) return following;

@@ -39,8 +39,9 @@ class RemoteRobot final : public PassingBackend {
  public:
   RemoteRobot(std::unique_ptr<RobotLine> line, RobotWelcome welcome, WorldLoader world,
               double factor)
-      : PassingBackend(intercepted(make_absent_robot(welcome.devices),
-                                   [&](Backend&) { return std::make_unique<RemoteCalls>(*line); })),
+      : PassingBackend(
+            with_interceptor(make_absent_robot(welcome.devices),
+                             [&](Backend&) { return std::make_unique<RemoteCalls>(*line); })),
         line_(std::move(line)),
         welcome_(std::move(welcome)),
         clock_(make_remote_clock(*line_, welcome_.is_virtual, factor)),

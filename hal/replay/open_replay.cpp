@@ -39,7 +39,7 @@ std::unique_ptr<Backend> open_replay(const BackendUrl& url, const BackendContext
                                           context.log);
   };
   try {
-    return intercepted(make_absent_robot(recording.devices), make_interceptor);
+    return with_interceptor(make_absent_robot(recording.devices), make_interceptor);
   } catch (const ConfigError& error) {
     throw ConfigError({url.rest}, error.text());
   }

@@ -90,7 +90,7 @@ std::unique_ptr<Backend> with_recording(std::unique_ptr<Backend> inner,
                                         const std::filesystem::path& path, LogSink& log,
                                         const RecordingOrigin& origin,
                                         std::optional<camera::FrameCodec> frames) {
-  return intercepted(std::move(inner), [&](Backend& backend) {
+  return with_interceptor(std::move(inner), [&](Backend& backend) {
     auto recording = std::make_shared<OpenRecording>(path, devices_of(backend), origin, frames);
     return std::make_unique<Recorder>(backend, log, std::move(recording));
   });

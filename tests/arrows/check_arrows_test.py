@@ -208,11 +208,11 @@ class Maps(Tree):
 
     def test_one_that_is_gone_is_found(self):
         self.assertEqual(self.of("\n| `sim_drive.hpp`, `sim_motor.hpp` | what |\n"),
-                         ["hal/README.md:2: names sim_motor.hpp, which is not below hal"])
+                         ["hal/README.md:2: names sim_motor.hpp; expected a file or folder below hal"])
 
     def test_links_lead_somewhere(self):
         self.assertEqual(self.of("[a](sim/sim_drive.hpp) [b](../hal/README.md#c) [d](https://e.f)\n[g](seat/README.md)\n"),
-                         ["hal/README.md:2: links to seat/README.md, which is not there"])
+                         ["hal/README.md:2: links to seat/README.md; expected a file or folder that is there"])
 
 
 class Picture(Tree):

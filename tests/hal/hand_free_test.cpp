@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "hand/free_hand.hpp"
+#include "hand/shown_drive.hpp"
 #include "hand_person.hpp"
 #include "rigs.hpp"
 

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "eyebridge/camera/frame.hpp"
-#include "hand/free_hand.hpp"
+#include "hand/shown_drive.hpp"
 #include "hand_rig.hpp"
 
 namespace eyebridge::hal {

@@ -39,11 +39,7 @@ std::string trace_alone(const std::string& program) {
   return at == std::string::npos ? "" : "trace " + text.substr(at + 14, 16);
 }
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr int kRuns = 1;  // each takes thirty times as long
-#else
-constexpr int kRuns = 25;
-#endif
+constexpr int kRuns = testing::repeats(25, 1);
 
 using Loads = std::vector<Processors::Load>;
 

@@ -229,6 +229,9 @@ void CanClient::take_message(const can::AnyMessage& message, Time now) {
     watch_.uptime(board->uptime_ds, now);
   }
   if (const auto* fault = std::get_if<can::FaultStatus>(&message)) note_fault(*fault);
+  if (const auto* stop = std::get_if<can::EmergencyStop>(&message)) {
+    if (stop->reason == EYECAN_ESTOP_HOST_FAULT) note_guard(now);
+  }
 
   const can::LidarScan* scan = nullptr;
   if (const auto* header = std::get_if<can::LidarHeader>(&message)) {

@@ -31,9 +31,6 @@ template <class Status>
 void CanClient::keep(const Status& status, Time now) {
   const can::MessageSpec& spec = can::spec_of<Status>();
   if (is_only_ours(spec)) return note_other_host(spec.name, now);
-  if constexpr (std::is_same_v<Status, can::EmergencyStop>) {
-    if (status.reason == EYECAN_ESTOP_HOST_FAULT) note_guard(now);
-  }
   bool may_answer = true;
   if constexpr (std::is_same_v<Status, can::SpeedStatus>) may_answer = echoes(status);
   const bool is_usable = senders_.heard(Status::kFunction, now, may_answer);
@@ -103,7 +100,8 @@ void CanClient::note_other_host(std::string_view message, Time now) {
                    "); expected one, and a start of this one after that");
 }
 
-/// Of a program that is gone: what it sends beside this is no other program's command.
+/// The guard of a program that is gone stops the robot. Its motor command beside that is no sign of
+/// a second program.
 void CanClient::note_guard(Time now) {
   senders_.forget_other_host();
   watch_.hold_off(now + RobotWatch::kListening);

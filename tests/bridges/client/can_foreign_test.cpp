@@ -102,7 +102,8 @@ TEST_F(CanForeign, AnotherHostIsNamedAndEndsTheDrive) {
               HasSubstr("another program commands it (C_VWSpeed)"));
 }
 
-// Of a program that ended while its robot was silent: it stops the robot when it hears it again.
+// A program ended while its robot was silent. Its guard stops the robot as soon as it hears it
+// again.
 TEST_F(CanBench, TheGuardOfAProgramBeforeIsWaitedFor) {
   const std::unique_ptr<CanBus> guard = bus.connect("guard");
   clock.live = [&] {

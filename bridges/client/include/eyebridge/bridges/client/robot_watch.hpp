@@ -53,7 +53,7 @@ class RobotWatch {
   [[nodiscard]] bool wants_enable(Time now) const {
     return phase_ == Phase::Waking && now >= enable_from_;
   }
-  /// No enable before then.
+  /// No enable command is sent before `until`.
   void hold_off(Time until) { enable_from_ = std::max(enable_from_, until); }
   /// An emergency stop of our own begins.
   void emergency_stop();

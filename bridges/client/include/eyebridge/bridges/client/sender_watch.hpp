@@ -32,7 +32,7 @@ class SenderWatch {
   /// A command to the robot came that this program did not send. True for the second one within a
   /// second: a single one may be left over from a program that has just ended.
   bool other_host(Time now);
-  /// That command was none.
+  /// The last command that other_host() was told of came from no program.
   void forget_other_host() { other_host_at_.reset(); }
 
   /// A function that has a second sender, told once in ten seconds; none: there is no news.

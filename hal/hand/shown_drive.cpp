@@ -1,4 +1,4 @@
-#include "hand/free_hand.hpp"
+#include "hand/shown_drive.hpp"
 
 #include <memory>
 #include <mutex>
@@ -41,9 +41,9 @@ class KeptInstruction final : public InstructionSink, public HandGuide {
   Instruction last_;
 };
 
-class FreeHand final : public CallInterceptor {
+class ShownDrive final : public CallInterceptor {
  public:
-  FreeHand(Backend& robot, std::shared_ptr<InstructionSink> display)
+  ShownDrive(Backend& robot, std::shared_ptr<InstructionSink> display)
       : clock_(robot.clock()), drive_(*robot.drive()), display_(std::move(display)) {}
 
   Result<Values> exchange(const Call& call,
@@ -107,8 +107,8 @@ class FreeBackend final : public PassingBackend {
 std::unique_ptr<Backend> with_shown_drive(std::unique_ptr<Backend> inner,
                                           std::unique_ptr<InstructionSink> display) {
   auto kept = std::make_shared<KeptInstruction>(std::move(display));
-  auto shown = intercepted(std::move(inner),
-                           [&](Backend& robot) { return std::make_unique<FreeHand>(robot, kept); });
+  auto shown = with_interceptor(
+      std::move(inner), [&](Backend& robot) { return std::make_unique<ShownDrive>(robot, kept); });
   return std::make_unique<FreeBackend>(std::move(shown), kept);
 }
 
