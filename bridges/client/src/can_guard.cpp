@@ -7,7 +7,10 @@
 namespace eyebridge::bridges {
 namespace {
 
-/// Motors at 0 and an emergency stop; the answer is a heartbeat that says so.
+constexpr std::size_t kIdentifier = 4;  // bytes of a frame on a socket
+
+/// Motors at 0 and an emergency stop; the answer is a heartbeat that says so. Who tells the robot a
+/// speed has it: every program does, 0, before it enables the robot, and no guard.
 Result<StopOrders> stop_orders(const CanBus& bus, int node) {
   StopOrders orders;
   for (const auto& frame : {can::encode(node, can::MotorCommand{.mask = 0xF}),
@@ -15,6 +18,9 @@ Result<StopOrders> stop_orders(const CanBus& bus, int node) {
     if (!frame) return tl::unexpected(frame.error());
     (void)orders.writes[orders.count++].add(socket_bytes(bus.on_socket(*frame)).view());
   }
+  const auto speed = can::encode(node, can::SpeedCommand{});
+  if (!speed) return tl::unexpected(speed.error());
+  (void)orders.taken.add(socket_bytes(bus.on_socket(*speed)).view().first(kIdentifier));
   const auto stopped = can::encode(node, can::Heartbeat{EYECAN_STATE_STOPPED});
   if (!stopped) return tl::unexpected(stopped.error());
   (void)orders.answer.add(socket_bytes(bus.on_socket(*stopped)).view());

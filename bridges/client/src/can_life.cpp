@@ -229,9 +229,10 @@ void CanClient::take_message(const can::AnyMessage& message, Time now) {
     watch_.uptime(board->uptime_ds, now);
   }
   if (const auto* fault = std::get_if<can::FaultStatus>(&message)) note_fault(*fault);
-  if (const auto* stop = std::get_if<can::EmergencyStop>(&message)) {
-    if (stop->reason == EYECAN_ESTOP_HOST_FAULT) note_guard(now);
-  }
+  const auto* const stop = std::get_if<can::EmergencyStop>(&message);
+  // The guard of a program that is gone: the motor command that it sends, too, is no second
+  // program's.
+  if (stop != nullptr && stop->reason == EYECAN_ESTOP_HOST_FAULT) senders_.forget_other_host();
 
   const can::LidarScan* scan = nullptr;
   if (const auto* header = std::get_if<can::LidarHeader>(&message)) {

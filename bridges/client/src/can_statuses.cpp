@@ -100,11 +100,4 @@ void CanClient::note_other_host(std::string_view message, Time now) {
                    "); expected one, and a start of this one after that");
 }
 
-/// The guard of a program that is gone stops the robot. Its motor command beside that is no sign of
-/// a second program.
-void CanClient::note_guard(Time now) {
-  senders_.forget_other_host();
-  watch_.hold_off(now + RobotWatch::kListening);
-}
-
 }  // namespace eyebridge::bridges

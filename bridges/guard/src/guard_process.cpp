@@ -175,7 +175,7 @@ class Guard {
       }
       const bool was_open = line_.is_open();
       if (line_.reopen()) {
-        if (!until_word && line_.is_taken()) {
+        if (!until_word && (is_taken_ || line_.is_taken())) {
           if (says) say({"another program has the robot now"});
           return Outcome::Taken;
         }
@@ -206,14 +206,19 @@ class Guard {
     return Outcome::GaveUp;
   }
 
-  /// Until an answer has come, or `end`; how many came.
+  /// Until an answer has come, another program has the robot, or `end`; how many answers came.
   int listen(Answer& answer, Time end) {
     std::array<std::uint8_t, 256> buffer{};
     while (line_.is_open()) {
       pollfd line{line_.descriptor(), POLLIN, 0};
       if (::poll(&line, 1, milliseconds(end - now())) == 0) return 0;
       const std::size_t count = line_.read(buffer);
-      const int found = answer.count_in({buffer.data(), count});
+      const std::span<const std::uint8_t> read(buffer.data(), count);
+      const std::size_t taken = word_.orders.taken.size;
+      is_taken_ = taken > 0 && count >= taken &&
+                  std::memcmp(read.data(), word_.orders.taken.bytes.data(), taken) == 0;
+      if (is_taken_) return 0;
+      const int found = answer.count_in(read);
       if (found > 0) return found;
     }
     return 0;
@@ -234,6 +239,7 @@ class Guard {
   State state_ = State::Fresh;
   Time heard_{0};
   Time began_{0};  ///< To stop the robot.
+  bool is_taken_ = false;
 };
 
 }  // namespace

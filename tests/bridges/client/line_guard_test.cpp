@@ -222,6 +222,24 @@ TEST_F(LineGuardTest, OfFramesTheMaskedBitsCount) {
   EXPECT_THAT(read_until(errors_.get()), HasSubstr("the robot stands"));
 }
 
+TEST_F(LineGuardTest, AFrameOfAnotherProgramMakesTheGuardLeave) {
+  int ends[2];
+  ASSERT_EQ(::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends), 0);
+  line_.reset(ends[0]);
+  board_.reset(ends[1]);
+  StopOrders orders = orders_of("stop", "stands");
+  orders.frames = true;
+  orders.question.size = 0;
+  const std::string taken = "speed";
+  (void)orders.taken.add({reinterpret_cast<const std::uint8_t*>(taken.data()), taken.size()});
+  run([](LineGuard& guard) { (void)guard.turning(now()); }, orders);
+  EXPECT_EQ(read_until(board_.get(), "stop"), "stop");
+  write_text(board_.get(), "spee");
+  EXPECT_THAT(read_until(board_.get(), "stopstop"), HasSubstr("stopstop"));
+  write_text(board_.get(), "speed 0");
+  EXPECT_THAT(read_until(errors_.get()), HasSubstr("another program has the robot now"));
+}
+
 TEST_F(LineGuardTest, AGuardThatWasEndedIsAnError) {
   int ends[2];
   ASSERT_EQ(::socketpair(AF_UNIX, SOCK_STREAM, 0, ends), 0);

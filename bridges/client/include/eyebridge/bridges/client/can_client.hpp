@@ -175,7 +175,6 @@ class CanClient {
   void keep_followed(Time now);                              // under mutex_
   void name_other_senders(Time now);                         // under mutex_
   void note_other_host(std::string_view message, Time now);  // under mutex_
-  void note_guard(Time now);                                 // under mutex_
   void note_speed(const can::SpeedStatus& status);           // under mutex_
   /// Whether it may be the answer to the move that was told last.
   [[nodiscard]] bool echoes(const can::SpeedStatus& status) const;  // under mutex_

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -53,8 +52,6 @@ class RobotWatch {
   [[nodiscard]] bool wants_enable(Time now) const {
     return phase_ == Phase::Waking && now >= enable_from_;
   }
-  /// No enable command is sent before `until`.
-  void hold_off(Time until) { enable_from_ = std::max(enable_from_, until); }
   /// An emergency stop of our own begins.
   void emergency_stop();
   /// Leaves EmergencyStopped and Twice; no enable before `enable_from`.

@@ -33,6 +33,9 @@ struct StopOrders {
   Bytes answer;
   Bytes mask;
   bool frames = false;
+  /// A frame that begins so comes from another program, which has the robot from then on. Empty
+  /// where the line itself tells.
+  Bytes taken;
   /// Ends a request that the board may still be waiting for the rest of; sent before a pause, when
   /// it has not answered.
   Bytes completion;
