@@ -76,15 +76,16 @@ function(eyebridge_test name)
     # Alone on a computer of two cores: others would only make them late.
     set_tests_properties(${name}@${preset} PROPERTIES LABELS "${arg_LABEL}" TIMEOUT 300 PROCESSORS 2)
   elseif(arg_CASES AND EYEBRIDGE_TEST_PROGRAMS)
-    add_test(NAME ${name}@${preset} COMMAND test_${name} --gtest_brief=1 --gtest_filter=-*/*)
+    add_test(NAME ${name}@${preset} COMMAND test_${name} --gtest_filter=-*/*)
     set_tests_properties(${name}@${preset} PROPERTIES LABELS "${arg_LABEL}" TIMEOUT ${longest})
     foreach(case IN LISTS arg_CASES)
       add_test(NAME ${name}.${case}@${preset}
-               COMMAND test_${name} --gtest_brief=1 --gtest_filter=*/${case})
+               COMMAND test_${name} --gtest_filter=*/${case})
       set_tests_properties(${name}.${case}@${preset} PROPERTIES LABELS "${arg_LABEL}" TIMEOUT ${longest})
     endforeach()
   elseif(EYEBRIDGE_TEST_PROGRAMS)
-    add_test(NAME ${name}@${preset} COMMAND test_${name} --gtest_brief=1)
+    # Not briefly: of a program that is ended by its limit, the last line names the test.
+    add_test(NAME ${name}@${preset} COMMAND test_${name})
     set_tests_properties(${name}@${preset} PROPERTIES LABELS "${arg_LABEL}" TIMEOUT ${longest} RUN_SERIAL ${arg_ALONE})
   else()
     gtest_discover_tests(test_${name} TEST_PREFIX ${name}. TEST_SUFFIX @${preset} NO_PRETTY_VALUES

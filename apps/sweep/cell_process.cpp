@@ -2,7 +2,7 @@
 
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
+#include <string_view>
 #include <system_error>
 
 #include <fcntl.h>
@@ -41,25 +41,40 @@ bool redirect(const char* path, int flags, int to) {
   return file >= 0 && dup2(file, to) >= 0;
 }
 
-/// In the child: becomes the run, or ends with kNotStarted.
-[[noreturn]] void become_run(std::vector<std::string>& words, const Cell& cell,
-                             const std::filesystem::path& folder, pid_t parent) {
+/// This process's variables, and those of `more` in their place.
+std::vector<std::string> environment_with(const std::map<std::string, std::string>& more) {
+  std::vector<std::string> all;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string_view text = *entry;
+    if (!more.contains(std::string(text.substr(0, text.find('='))))) all.emplace_back(text);
+  }
+  for (const auto& [name, text] : more) all.push_back(name + "=" + text);
+  return all;
+}
+
+std::vector<char*> pointers_to(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  for (std::string& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+/// In the child of fork(), where other threads may have left anything locked: system calls only.
+/// Becomes the run, or ends with kNotStarted.
+[[noreturn]] void become_run(char* const* words, char* const* environment, const char* folder,
+                             pid_t parent) {
   setpgid(0, 0);
   // Whoever kills a sweep has ended its runs, too.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(kNotStarted);
-  for (const auto& [name, text] : cell.environment) setenv(name.c_str(), text.c_str(), 1);
   const rlimit largest{kLargestFile, kLargestFile};
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_FSIZE, &largest);
   setrlimit(RLIMIT_CORE, &no_core);
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
   constexpr int kNew = O_WRONLY | O_CREAT | O_TRUNC;
-  if (chdir(folder.c_str()) == 0 && redirect("/dev/null", O_RDONLY, 0) &&
-      redirect("out.txt", kNew, 1) && redirect("err.txt", kNew, 2)) {
-    execv(argv.front(), argv.data());
+  if (chdir(folder) == 0 && redirect("/dev/null", O_RDONLY, 0) && redirect("out.txt", kNew, 1) &&
+      redirect("err.txt", kNew, 2)) {
+    execve(words[0], words, environment);
   }
   _exit(kNotStarted);
 }
@@ -89,9 +104,12 @@ CellProcess::CellProcess(const Cell& cell, std::size_t number, const RunSettings
   std::filesystem::remove_all(folder_);  // of an earlier sweep that was killed
   std::filesystem::create_directories(folder_);
   std::vector<std::string> words = command_line(cell, folder_, settings);
+  std::vector<std::string> variables = environment_with(cell.environment);
+  const std::vector<char*> argv = pointers_to(words);
+  const std::vector<char*> environment = pointers_to(variables);
   const pid_t parent = getpid();
   pid_ = fork();
-  if (pid_ == 0) become_run(words, cell, folder_, parent);
+  if (pid_ == 0) become_run(argv.data(), environment.data(), folder_.c_str(), parent);
   if (pid_ < 0) throw std::system_error(errno, std::generic_category(), "starting a run");
   setpgid(pid_, pid_);  // both do it, whoever is first
   // Not pidfd_open(): the header of glibc 2.36 does not say that it is a function of C.

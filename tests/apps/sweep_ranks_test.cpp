@@ -3,11 +3,20 @@
 #include <deque>
 #include <map>
 #include <mutex>
+#include <span>
 #include <thread>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
+#ifdef __SANITIZE_ADDRESS__
+#include <pthread.h>
+// Of libasan; g++ 12 has no header for it.
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*malloc_hook)(const volatile void*,
+                                                                             std::size_t),
+                                                         void (*free_hook)(const volatile void*));
+#endif
 
 #include "command.hpp"
 #include "eyebridge/base/config_error.hpp"
@@ -57,6 +66,7 @@ class Ranks : public ::testing::Test {
     for (int i = 0; i < 7; ++i) cells_.push_back({program, {std::to_string(i)}, {}, {}, {}});
     settings_.command = EYEBRIDGE_BIN "/eyebridge";
     settings_.folder = folder_.path() + "/runs";
+    settings_.wall_limit = 60;  // a run that hangs is told, before the whole test is ended
   }
   std::thread worker(int rank, std::vector<Cell> cells, const std::string& problem = "") {
     return std::thread([this, rank, cells = std::move(cells), problem] {
@@ -98,6 +108,29 @@ TEST_F(Ranks, ShareOutAllRuns) {
     EXPECT_EQ(outcome.well(), index == 0);
   }
 }
+
+#ifdef __SANITIZE_ADDRESS__  // whose heap can be watched
+bool is_copy = false;        // of this process, made by fork()
+void tell() {
+  if (is_copy) _exit(42);
+}
+
+TEST_F(Ranks, StartRunsWithoutTheHeap) {
+  // Between fork() and execve() another thread's lock on the heap would stay taken for ever.
+  pthread_atfork(nullptr, nullptr, [] { is_copy = true; });
+  __sanitizer_install_malloc_and_free_hooks([](const volatile void*, std::size_t) { tell(); },
+                                            [](const volatile void*) { tell(); });
+  settings_.command = "/bin/true";
+  cells_.resize(1);
+  cells_[0].environment = {{"NAME", "value"}};
+  const std::size_t todo = 0;
+  Outcome outcome;
+  run_cells(
+      cells_, std::span(&todo, 1), settings_, [&](std::size_t, const Outcome& o) { outcome = o; },
+      [] { return false; });
+  EXPECT_TRUE(outcome.well()) << outcome.how << ": " << outcome.reason;
+}
+#endif
 
 TEST_F(Ranks, GoHomeWhenItIsStopped) {
   cells_[0].program = folder_.write("long", "#!/bin/sh\nexec sleep 1000\n");

@@ -14,6 +14,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "start_program.hpp"
+
 namespace eyebridge::testing {
 namespace {
 
@@ -44,21 +46,6 @@ bool collect(const std::array<int, 2>& pipes, ProgramRun& run,
   return true;
 }
 
-[[noreturn]] void become(const ProgramStart& start, int out, int err) {
-  const int nothing = open("/dev/null", O_RDONLY);
-  dup2(nothing, 0);
-  dup2(out, 1);
-  dup2(err, 2);
-  if (!start.directory.empty() && chdir(start.directory.c_str()) != 0) _exit(127);
-  setenv("LSAN_OPTIONS", "print_suppressions=0:suppressions=" EYEBRIDGE_LSAN_SUPPRESSIONS, 1);
-  for (const auto& [name, value] : start.environment) setenv(name.c_str(), value.c_str(), 1);
-  std::vector<char*> argv;
-  for (const std::string& word : start.command) argv.push_back(const_cast<char*>(word.c_str()));
-  argv.push_back(nullptr);
-  execvp(argv[0], argv.data());
-  _exit(127);
-}
-
 }  // namespace
 
 ProgramRun run_program(const ProgramStart& start) {
@@ -67,11 +54,17 @@ ProgramRun run_program(const ProgramStart& start) {
   if (pipe2(out.data(), O_CLOEXEC) != 0 || pipe2(err.data(), O_CLOEXEC) != 0) {
     throw std::runtime_error("pipe");
   }
-  const pid_t child = fork();
-  if (child == 0) become(start, out[1], err[1]);
+  const pid_t child = start_program(start, out[1], err[1]);
   close(out[1]);
   close(err[1]);
   ProgramRun run;
+  if (child < 0) {
+    close(out[0]);
+    close(err[0]);
+    run.exit_code = 127;
+    run.err = "cannot start " + start.command.at(0);
+    return run;
+  }
   if (!collect({out[0], err[0]}, run, std::chrono::steady_clock::now() + kPatience)) {
     kill(child, SIGKILL);
     run.err += "\n(killed: still running after a minute)\n";
