@@ -142,6 +142,9 @@ def main():
         print(f"{len(rows)} commands on {len({page for page, _ in on_pages})} pages, a row for each")
         return
 
+    # Whoever started this in the background has made everything below it deaf for Ctrl-C.
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    signal.signal(signal.SIGQUIT, signal.SIG_DFL)
     reader, failed, elsewhere = Reader(), 0, 0
     for page, command in on_pages:
         row, began = rows[page, command], time.monotonic()
