@@ -44,6 +44,8 @@ def main(build):
             memory = max(result[1] for result in results)
             each = 1024 * (memory - alone) / (robots - 2)
             print(f"{robots:>9} {kind:>9} {speed:>12.0f} {goal:>7} {memory:>6.0f} {each:>9.0f}")
+        question = min(float(run(build, world, 2, ["ask", "50000"], ["--isolate"])[2]) for _ in range(RUNS))
+        print(f"a question from a process of its own: {question:.1f} µs (wanted: at most 5)")
         each = (heap(build, world, 1000) - heap(build, world, 10)) / 990 / 1024
         print(f"heap that one more robot takes: {each:.1f} kB (wanted: at most 64)")
 

@@ -21,6 +21,9 @@ tl::unexpected<Error> no_answer() {
 
 Result<RobotWelcome> RobotLine::hello() {
   const std::lock_guard lock(mutex_);
+  Result<LineMemory> memory = LineMemory::accept(socket_.get());
+  if (!memory) return lose(memory.error());
+  stream_.emplace(socket_.get(), std::move(*memory), MessageStream::End::Program);
   const Call call{kServer, 1, "hello", false, {static_cast<double>(kRobotLineVersion)}};
   const Result<Message> message =
       exchange(Time{0}, call, MessageKind::Welcome, MessageStream::Wait::Asleep);
@@ -80,15 +83,15 @@ Result<Values> RobotLine::ask_at(Time time, const Call& call, Wait wait) {
 }
 
 Result<Message> RobotLine::exchange(Time time, const Call& call, MessageKind expected, Wait wait) {
-  if (is_lost_) return fail(Errc::Disconnected, "the robot's server is gone");
+  if (is_lost_ || !stream_) return fail(Errc::Disconnected, "the robot's server is gone");
   const RobotRequest request{
       time,        std::string(call.device), call.id, std::string(call.name), call.is_command,
       call.request};
   const Uncancelled until_answered;  // the next one would have this answer
-  const Result<void> sent = stream_.send(encode(request));
+  const Result<void> sent = stream_->send(encode(request));
   if (!sent) return lose(sent.error());
   for (;;) {
-    Result<Message> message = stream_.receive(wait);
+    Result<Message> message = stream_->receive(wait);
     if (!message) return lose(message.error());
     const auto kind = kind_of(*message);
     if (kind == expected) return message;

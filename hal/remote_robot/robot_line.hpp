@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -21,7 +22,7 @@ namespace eyebridge::hal {
 /// without it, so that nobody waits for ever.
 class RobotLine {
  public:
-  explicit RobotLine(UniqueFd socket) : socket_(std::move(socket)), stream_(socket_.get()) {}
+  explicit RobotLine(UniqueFd socket) : socket_(std::move(socket)) {}
 
   /// The first question. In real time it returns when all robots are there. Fails with
   /// Disconnected, Corrupt, and as the server says.
@@ -53,7 +54,7 @@ class RobotLine {
   tl::unexpected<Error> lose(Error why);
 
   const UniqueFd socket_;
-  MessageStream stream_;
+  std::optional<MessageStream> stream_;  ///< Since hello().
   std::mutex mutex_;
   std::atomic<Time::rep> now_{0};
   Time limit_{0};

@@ -51,7 +51,10 @@ class KeptTrace final : public TraceSink {
 
 struct RobotServer::Impl {
   Impl(Backend& given, const Time* limit, int socket, std::function<void()> to_arrive)
-      : robot(given), limit_of_clock(limit), arrive(std::move(to_arrive)), stream(socket) {}
+      : robot(given),
+        limit_of_clock(limit),
+        arrive(std::move(to_arrive)),
+        stream(socket, LineMemory::offer(socket), MessageStream::End::World) {}
 
   [[nodiscard]] Time limit() const { return limit_of_clock != nullptr ? *limit_of_clock : now(); }
   [[nodiscard]] Time now() const { return robot.clock().now(); }

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -99,14 +100,19 @@ ProgramProcess::End ProgramProcess::run(const std::function<void()>& arrive, con
 
 std::string ProgramProcess::serve(const std::function<void()>& arrive, const Time* limit,
                                   AwaitedProcess* awaited) {
-  hal::RobotServer server(*robot_, limit, line_.get(), arrive);
+  std::optional<hal::RobotServer> server;
+  try {
+    server.emplace(*robot_, limit, line_.get(), arrive);
+  } catch (const std::system_error& error) {
+    return error.what();
+  }
   const auto next = [&] {
     const Awaiting all_wait(awaited, this);
-    return server.receive();
+    return server->receive();
   };
   for (;;) {
     Result<void> done = next();
-    if (done) done = server.answer();
+    if (done) done = server->answer();
     if (done) continue;
     const Error& error = done.error();
     if (error.code == Errc::Corrupt) return error.what + "; its program is ended, the others go on";

@@ -3,14 +3,17 @@
 #include "remote_robot/remote_robot.hpp"
 
 #include <array>
+#include <cstring>
 #include <thread>
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "eyebridge/base/sent_descriptor.hpp"
 #include "eyebridge/camera/view.hpp"
 #include "eyebridge/hal/registry.hpp"
 #include "remote_rig.hpp"
@@ -23,10 +26,18 @@ namespace {
 
 using testing::HasSubstr;
 
+MessageStream world_end(int socket) {
+  return {socket, LineMemory::offer(socket), MessageStream::End::World};
+}
+
+MessageStream program_end(int socket) {
+  return {socket, must(LineMemory::accept(socket)), MessageStream::End::Program};
+}
+
 /// What the program's end makes of a server that answers its hello with `answer`.
 std::string complaint_about(const Message& answer) {
   auto [ours, theirs] = socket_pair();
-  EXPECT_TRUE(MessageStream(theirs.get()).send(answer));
+  EXPECT_TRUE(world_end(theirs.get()).send(answer));
   try {
     make_remote_robot(std::move(ours), no_world, 1.0);
     return "";
@@ -52,8 +63,12 @@ TEST(WorldSlot, AWelcomeWithADeviceThatThereIsNotIsRefused) {
 TEST(WorldSlot, ALengthThatNoMessageHasEndsTheLine) {
   for (const std::uint32_t length : {0U, MessageStream::kLongest + 1, 0xFFFFFFFFU}) {
     const auto [one, other] = socket_pair();
-    ASSERT_EQ(write(one.get(), &length, sizeof length), static_cast<ssize_t>(sizeof length));
-    const auto message = MessageStream(other.get()).receive();
+    MessageStream stream = world_end(one.get());
+    const LineMemory memory = must(LineMemory::accept(other.get()));
+    std::array<std::uint8_t, sizeof length> bytes{};
+    std::memcpy(bytes.data(), &length, sizeof length);
+    ASSERT_EQ(must(RingWriter(memory.line().to_world).write(bytes)), sizeof length);
+    const auto message = stream.receive();
     ASSERT_FALSE(message);
     EXPECT_EQ(message.error().code, Errc::Corrupt);
   }
@@ -61,17 +76,68 @@ TEST(WorldSlot, ALengthThatNoMessageHasEndsTheLine) {
 
 TEST(WorldSlot, AMessageThatIsCutOffIsALostLine) {
   auto [one, other] = socket_pair();
-  const std::uint32_t length = 100;
-  ASSERT_EQ(write(one.get(), &length, sizeof length), static_cast<ssize_t>(sizeof length));
-  one.reset();
-  EXPECT_EQ(MessageStream(other.get()).receive().error().code, Errc::Disconnected);
+  MessageStream stream = world_end(one.get());
+  const LineMemory memory = must(LineMemory::accept(other.get()));
+  const std::array<std::uint8_t, 8> begun{100, 0, 0, 0, 'q'};
+  ASSERT_TRUE(RingWriter(memory.line().to_world).write(begun));
+  other.reset();
+  EXPECT_EQ(stream.receive().error().code, Errc::Disconnected);
+}
+
+TEST(WorldSlot, TheLastWordsOfAnEndThatIsGoneAreHeard) {
+  auto [one, other] = socket_pair();
+  MessageStream stream = world_end(one.get());
+  const Message words{1, 2, 3};
+  ASSERT_TRUE(program_end(other.get()).send(words));
+  other.reset();
+  EXPECT_EQ(must(stream.receive()), words);
+  EXPECT_EQ(stream.receive().error().code, Errc::Disconnected);
+}
+
+TEST(WorldSlot, NonsenseInTheMemoryEndsTheLine) {
+  const auto [one, other] = socket_pair();
+  MessageStream stream = world_end(one.get());
+  const LineMemory memory = must(LineMemory::accept(other.get()));
+  std::memset(static_cast<void*>(&memory.line()), 0xA5, sizeof(SharedLine));
+  const auto message = stream.receive();
+  ASSERT_FALSE(message);
+  EXPECT_EQ(message.error().code, Errc::Corrupt);
+  EXPECT_THAT(message.error().what, HasSubstr("in a line that has room for 16384"));
+  EXPECT_EQ(stream.send(Message{1}).error().code, Errc::Corrupt);
+}
+
+TEST(WorldSlot, ALongMessageGoesInParts) {
+  const auto [one, other] = socket_pair();
+  MessageStream world = world_end(one.get());
+  Message sent(10 * SharedRing::kRoom + 77);
+  for (std::size_t i = 0; i < sent.size(); ++i) sent[i] = static_cast<std::uint8_t>(i * 7 % 251);
+  std::thread program([&other, &sent] {
+    MessageStream stream = program_end(other.get());
+    EXPECT_EQ(must(stream.receive()), sent);
+    EXPECT_TRUE(stream.send(sent));
+  });
+  EXPECT_TRUE(world.send(sent));
+  EXPECT_EQ(must(world.receive()), sent);
+  program.join();
+}
+
+TEST(WorldSlot, OtherMemoryIsRefused) {
+  for (const bool has_descriptor : {false, true}) {
+    const auto [one, other] = socket_pair();
+    const std::array<std::byte, 1> sign{};
+    const UniqueFd file(memfd_create("short", MFD_CLOEXEC));
+    ASSERT_EQ(send_with_descriptor(one.get(), sign, has_descriptor ? file.get() : -1), 1);
+    const auto memory = LineMemory::accept(other.get());
+    ASSERT_FALSE(memory);
+    EXPECT_EQ(memory.error().code, Errc::Corrupt);
+  }
 }
 
 TEST(WorldSlot, TheDeskRefusesWhatIsNoQuestion) {
   const Rig rig = lockstep_rig(facing(0.5));
   const auto [program, socket] = socket_pair();
   RobotServer server(*rig.backend, nullptr, socket.get());
-  MessageStream stream(program.get());
+  MessageStream stream = program_end(program.get());
   ASSERT_TRUE(stream.send(Message{'q', 0, 0}));
   const auto received = server.receive();
   ASSERT_FALSE(received);
@@ -83,7 +149,7 @@ TEST(WorldSlot, TheDeskRefusesAProgramOfAnotherVersion) {
   const Rig rig = lockstep_rig(facing(0.5));
   const auto [program, socket] = socket_pair();
   RobotServer server(*rig.backend, nullptr, socket.get());
-  MessageStream stream(program.get());
+  MessageStream stream = program_end(program.get());
   ASSERT_TRUE(stream.send(encode(RobotRequest{{}, "robot", 1, "hello", false, {99.0}})));
   ASSERT_TRUE(server.receive() && server.answer());
   const auto reply = decode_reply(must(stream.receive()));
@@ -96,7 +162,7 @@ Error error_of(const Call& call) {
   const Rig rig = lockstep_rig(facing(0.5));
   const auto [program, socket] = socket_pair();
   RobotServer server(*rig.backend, nullptr, socket.get());
-  MessageStream stream(program.get());
+  MessageStream stream = program_end(program.get());
   const RobotRequest request{
       {}, std::string(call.device), call.id, std::string(call.name), call.is_command, call.request};
   EXPECT_TRUE(stream.send(encode(request)));
@@ -141,7 +207,7 @@ TEST(WorldSlot, ALostRemoteRobotIsAnErrorNotAReading) {
 
 TEST(WorldSlot, TheClockRunsByItselfOnlyUpToItsLimit) {
   auto [ours, theirs] = socket_pair();
-  MessageStream stream(theirs.get());
+  MessageStream stream = world_end(theirs.get());
   RobotWelcome welcome;
   welcome.is_virtual = true;
   welcome.limit = from_seconds(1.0);

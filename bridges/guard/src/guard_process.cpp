@@ -1,10 +1,10 @@
 #include "guard_process.hpp"
 
 #include <array>
-#include <cerrno>
 #include <cstdint>
 #include <cstring>
 #include <ctime>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -12,6 +12,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include "eyebridge/base/sent_descriptor.hpp"
 #include "eyebridge/bridges/guard/line_guard.hpp"
 #include "guard_words.hpp"
 #include "held_line.hpp"
@@ -100,24 +101,15 @@ class Guard {
   /// False when no more will come.
   bool take_word() {
     GuardWord word;
-    iovec part{&word, sizeof word};
-    alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(int))> control{};
-    msghdr message{};
-    message.msg_iov = &part;
-    message.msg_iovlen = 1;
-    message.msg_control = control.data();
-    message.msg_controllen = control.size();
-    const ssize_t count = ::recvmsg(kWords, &message, MSG_CMSG_CLOEXEC);
-    if (count < 0 && errno == EINTR) return true;
-    if (count <= 0) return false;
+    UniqueFd line;
+    if (receive_with_descriptor(kWords, std::as_writable_bytes(std::span(&word, 1)), line) <= 0) {
+      return false;
+    }
     heard_ = now();
     switch (word.kind) {
       case GuardWord::Kind::Hold: {
         word_ = word;
-        const cmsghdr* const header = CMSG_FIRSTHDR(&message);
-        int line = -1;
-        if (header != nullptr) std::memcpy(&line, CMSG_DATA(header), sizeof line);
-        line_.hold(UniqueFd(line), word_.device);
+        line_.hold(std::move(line), word_.device);
         state_ = State::Fresh;
         break;
       }

@@ -2,7 +2,7 @@
 
 #include <cerrno>
 #include <cstddef>
-#include <cstring>
+#include <span>
 #include <system_error>
 
 #include <sys/socket.h>
@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "eyebridge/base/hidden_process.hpp"
+#include "eyebridge/base/sent_descriptor.hpp"
 #include "guard_process.hpp"
 #include "guard_words.hpp"
 
@@ -27,23 +28,8 @@ Error no_guard(const char* doing) {
 }
 
 Result<void> say(int words, const GuardWord& word, std::size_t size, int line = -1) {
-  iovec part{const_cast<GuardWord*>(&word), size};
-  alignas(cmsghdr) char control[CMSG_SPACE(sizeof line)] = {};
-  msghdr message{};
-  message.msg_iov = &part;
-  message.msg_iovlen = 1;
-  if (line >= 0) {
-    message.msg_control = control;
-    message.msg_controllen = sizeof control;
-    cmsghdr* const header = CMSG_FIRSTHDR(&message);
-    header->cmsg_level = SOL_SOCKET;
-    header->cmsg_type = SCM_RIGHTS;
-    header->cmsg_len = CMSG_LEN(sizeof line);
-    std::memcpy(CMSG_DATA(header), &line, sizeof line);
-  }
-  while (::sendmsg(words, &message, MSG_NOSIGNAL) < 0) {
-    if (errno != EINTR) return tl::unexpected(no_guard("telling it"));
-  }
+  const auto bytes = std::as_bytes(std::span(&word, 1)).first(size);
+  if (send_with_descriptor(words, bytes, line) < 0) return tl::unexpected(no_guard("telling it"));
   return {};
 }
 

@@ -16,7 +16,7 @@ class RobotServer {
   /// `robot` is lent. `limit`, lent: in virtual time the program's clock may move by itself up to
   /// there, which changes (Turns::limit_of()); null: it has to ask each time.
   /// `socket` is the line, lent. `arrive`: Backend::arrive() of the program, in real time before it
-  /// is welcomed.
+  /// is welcomed. Throws std::system_error when the system has no memory for the line.
   RobotServer(Backend& robot, const Time* limit, int socket, std::function<void()> arrive = {});
   /// Traces nothing any more.
   ~RobotServer();

@@ -1,0 +1,79 @@
+#include "remote_robot/byte_ring.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include <fmt/format.h>
+
+namespace eyebridge::hal {
+namespace {
+
+constexpr std::uint32_t kRoom = SharedRing::kRoom;
+
+tl::unexpected<Error> impossible(std::uint32_t filled) {
+  return fail(Errc::Corrupt, fmt::format("found {} bytes in a line that has room for {}: the other "
+                                         "process has written over it",
+                                         filled, kRoom));
+}
+
+/// Calls copy(place in the ring, offset, count) for the one or two pieces of `count` bytes.
+template <typename Copy>
+void in_pieces(std::uint32_t position, std::size_t count, Copy copy) {
+  const std::size_t begin = position % kRoom;
+  const std::size_t first = std::min<std::size_t>(count, kRoom - begin);
+  copy(begin, std::size_t{0}, first);
+  if (first < count) copy(std::size_t{0}, first, count - first);
+}
+
+// Who goes to sleep says so and then looks once more; who has changed the ring then looks whether
+// the other end sleeps. Of these two looks one sees the other's word.
+
+void set(std::atomic<std::uint32_t>& sleeps, bool asleep) {
+  sleeps.store(asleep ? 1 : 0, std::memory_order_relaxed);
+  std::atomic_thread_fence(std::memory_order_seq_cst);
+}
+
+bool take(std::atomic<std::uint32_t>& sleeps) {
+  std::atomic_thread_fence(std::memory_order_seq_cst);
+  return sleeps.load(std::memory_order_relaxed) != 0 &&
+         sleeps.exchange(0, std::memory_order_relaxed) != 0;
+}
+
+}  // namespace
+
+Result<std::size_t> RingWriter::write(std::span<const std::uint8_t> bytes) {
+  const std::uint32_t filled = written_ - ring_.read.load(std::memory_order_acquire);
+  if (filled > kRoom) return impossible(filled);
+  const std::size_t count = std::min<std::size_t>(bytes.size(), kRoom - filled);
+  in_pieces(written_, count, [&](std::size_t place, std::size_t offset, std::size_t length) {
+    std::memcpy(ring_.bytes + place, bytes.data() + offset, length);
+  });
+  written_ += static_cast<std::uint32_t>(count);
+  ring_.written.store(written_, std::memory_order_release);
+  return count;
+}
+
+bool RingWriter::is_full() const {
+  return written_ - ring_.read.load(std::memory_order_acquire) == kRoom;
+}
+bool RingWriter::must_wake() const { return take(ring_.reader_sleeps); }
+void RingWriter::set_asleep(bool asleep) const { set(ring_.writer_sleeps, asleep); }
+
+Result<std::size_t> RingReader::read(std::span<std::uint8_t> room) {
+  const std::uint32_t filled = ring_.written.load(std::memory_order_acquire) - read_;
+  if (filled > kRoom) return impossible(filled);
+  const std::size_t count = std::min<std::size_t>(room.size(), filled);
+  in_pieces(read_, count, [&](std::size_t place, std::size_t offset, std::size_t length) {
+    std::memcpy(room.data() + offset, ring_.bytes + place, length);
+  });
+  read_ += static_cast<std::uint32_t>(count);
+  ring_.read.store(read_, std::memory_order_release);
+  return count;
+}
+
+bool RingReader::is_empty() const { return ring_.written.load(std::memory_order_acquire) == read_; }
+
+bool RingReader::must_wake() const { return take(ring_.writer_sleeps); }
+void RingReader::set_asleep(bool asleep) const { set(ring_.reader_sleeps, asleep); }
+
+}  // namespace eyebridge::hal

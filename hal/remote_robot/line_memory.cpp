@@ -1,0 +1,78 @@
+#include "remote_robot/line_memory.hpp"
+
+#include <array>
+#include <cerrno>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+
+#include "eyebridge/base/sent_descriptor.hpp"
+
+namespace eyebridge::hal {
+namespace {
+
+constexpr auto kSize = static_cast<off_t>(sizeof(SharedLine));
+// A program that made it shorter would end the world, which reads it, by SIGBUS.
+constexpr int kSeals = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL;
+
+[[noreturn]] void refuse() {
+  throw std::system_error(errno, std::generic_category(), "memory for a line to a robot's program");
+}
+
+bool has_its_size(int descriptor) {
+  struct stat status {};
+  return fstat(descriptor, &status) == 0 && status.st_size == kSize &&
+         fcntl(descriptor, F_GET_SEALS) == kSeals;
+}
+
+}  // namespace
+
+LineMemory::LineMemory(int descriptor) {
+  void* const place =
+      mmap(nullptr, sizeof(SharedLine), PROT_READ | PROT_WRITE, MAP_SHARED, descriptor, 0);
+  if (place != MAP_FAILED) line_ = static_cast<SharedLine*>(place);
+}
+
+LineMemory::~LineMemory() {
+  if (line_ != nullptr) munmap(line_, sizeof(SharedLine));
+}
+
+LineMemory::LineMemory(LineMemory&& other) noexcept : line_(std::exchange(other.line_, nullptr)) {}
+
+LineMemory LineMemory::offer(int socket) {
+  const UniqueFd file(memfd_create("eyebridge-line", MFD_CLOEXEC | MFD_ALLOW_SEALING));
+  if (!file.valid() || ftruncate(file.get(), kSize) != 0 ||
+      fcntl(file.get(), F_ADD_SEALS, kSeals) != 0) {
+    refuse();
+  }
+  LineMemory memory(file.get());
+  if (memory.line_ == nullptr) refuse();
+  // An end that is gone already is noticed when nothing comes from it.
+  const std::array<std::byte, 1> sign{};
+  static_cast<void>(send_with_descriptor(socket, sign, file.get()));
+  return memory;
+}
+
+Result<LineMemory> LineMemory::accept(int socket) {
+  UniqueFd file;
+  std::array<std::byte, 1> sign{};
+  if (receive_with_descriptor(socket, sign, file) <= 0) {
+    return fail(Errc::Disconnected, "the process at the other end of the robot's line is gone");
+  }
+  if (!has_its_size(file.get())) {
+    return fail(Errc::Corrupt,
+                "what came from the robot's server is no answer: it has another version");
+  }
+  LineMemory memory(file.get());
+  if (memory.line_ == nullptr) {
+    return fail(Errc::Disconnected,
+                "the robot's line cannot be opened: " + std::generic_category().message(errno));
+  }
+  return memory;
+}
+
+}  // namespace eyebridge::hal
