@@ -21,23 +21,17 @@ template <typename Copy>
 void in_pieces(std::uint32_t position, std::size_t count, Copy copy) {
   const std::size_t begin = position % kRoom;
   const std::size_t first = std::min<std::size_t>(count, kRoom - begin);
-  copy(begin, std::size_t{0}, first);
+  if (first > 0) copy(begin, std::size_t{0}, first);
   if (first < count) copy(std::size_t{0}, first, count - first);
 }
 
 // Who goes to sleep says so and then looks once more; who has changed the ring then looks whether
-// the other end sleeps. Of these two looks one sees the other's word.
+// the other end sleeps. Of these two looks one sees the other's word: all four stand in one order,
+// as atomics do unless they are told otherwise.
 
-void set(std::atomic<std::uint32_t>& sleeps, bool asleep) {
-  sleeps.store(asleep ? 1 : 0, std::memory_order_relaxed);
-  std::atomic_thread_fence(std::memory_order_seq_cst);
-}
+void set(std::atomic<std::uint32_t>& sleeps, bool asleep) { sleeps = asleep ? 1 : 0; }
 
-bool take(std::atomic<std::uint32_t>& sleeps) {
-  std::atomic_thread_fence(std::memory_order_seq_cst);
-  return sleeps.load(std::memory_order_relaxed) != 0 &&
-         sleeps.exchange(0, std::memory_order_relaxed) != 0;
-}
+bool take(std::atomic<std::uint32_t>& sleeps) { return sleeps != 0 && sleeps.exchange(0) != 0; }
 
 }  // namespace
 
@@ -49,13 +43,11 @@ Result<std::size_t> RingWriter::write(std::span<const std::uint8_t> bytes) {
     std::memcpy(ring_.bytes + place, bytes.data() + offset, length);
   });
   written_ += static_cast<std::uint32_t>(count);
-  ring_.written.store(written_, std::memory_order_release);
+  ring_.written = written_;
   return count;
 }
 
-bool RingWriter::is_full() const {
-  return written_ - ring_.read.load(std::memory_order_acquire) == kRoom;
-}
+bool RingWriter::is_full() const { return written_ - ring_.read == kRoom; }
 bool RingWriter::must_wake() const { return take(ring_.reader_sleeps); }
 void RingWriter::set_asleep(bool asleep) const { set(ring_.writer_sleeps, asleep); }
 
@@ -67,11 +59,11 @@ Result<std::size_t> RingReader::read(std::span<std::uint8_t> room) {
     std::memcpy(room.data() + offset, ring_.bytes + place, length);
   });
   read_ += static_cast<std::uint32_t>(count);
-  ring_.read.store(read_, std::memory_order_release);
+  ring_.read = read_;
   return count;
 }
 
-bool RingReader::is_empty() const { return ring_.written.load(std::memory_order_acquire) == read_; }
+bool RingReader::is_empty() const { return ring_.written == read_; }
 
 bool RingReader::must_wake() const { return take(ring_.writer_sleeps); }
 void RingReader::set_asleep(bool asleep) const { set(ring_.reader_sleeps, asleep); }
