@@ -76,7 +76,7 @@ Result<void> MessageStream::send(std::span<const std::uint8_t> message) {
       if (Result<void> woken = wake(); !woken) return woken;
     } else if (!look_for([this] { return !writer_.is_full(); })) {
       writer_.set_asleep(true);
-      const Result<void> sign = writer_.is_full() ? wait_for_sign() : Result<void>{};
+      Result<void> sign = writer_.is_full() ? wait_for_sign() : Result<void>{};
       writer_.set_asleep(false);
       if (!sign && sign.error().code != Errc::Timeout) return sign;
     }
@@ -119,7 +119,7 @@ Result<void> MessageStream::fetch(std::size_t wanted, Wait wait) {
     const auto has_come = [this] { return !reader_.is_empty(); };
     if (wait == Wait::Awake && look_for(has_come)) continue;
     reader_.set_asleep(true);
-    const Result<void> sign = has_come() ? Result<void>{} : wait_for_sign();
+    Result<void> sign = has_come() ? Result<void>{} : wait_for_sign();
     reader_.set_asleep(false);
     // The last words of an end that is gone may have come since.
     if (sign || has_come()) continue;
