@@ -135,6 +135,7 @@ class Guard {
     if (state_ != State::Still && word_.orders.count > 0) {
       began_ = now();
       if (says) say({"the program is gone, and wheels may turn: they are told to stand"});
+      if (!says && has_reader()) let_reader_go();
       const Outcome outcome = stop(false, says);
       if (says && outcome == Outcome::Stands) say_stands();
     }
@@ -190,7 +191,7 @@ class Guard {
       }
       if (answers == 0 && !told && now() - began_ > kPatience) {
         told = true;
-        say({"it does not answer; it is told again and again, for two minutes"});
+        tell_of_silence(until_word);
       }
       if (!line_.is_open()) ::poll(nullptr, 0, milliseconds(start + kRound - now()));
     }
@@ -220,6 +221,14 @@ class Guard {
     report({"guard of ", word_.device, ": ", *parts.begin(),
             parts.size() > 1 ? *(parts.begin() + 1) : std::string_view{},
             parts.size() > 2 ? *(parts.begin() + 2) : std::string_view{}});
+  }
+  /// Who runs a program and reads its messages to their end is not kept waiting by a program that
+  /// is gone.
+  void tell_of_silence(bool has_program) const {
+    const bool lets_go = !has_program && has_reader();
+    say({"it does not answer; it is told again and again, for two minutes",
+         lets_go ? ", of which nothing more is said here" : ""});
+    if (lets_go) let_reader_go();
   }
   void say_stands() const {
     const Digits took((now() - began_) / 1ms);

@@ -5,7 +5,11 @@
 #include <charconv>
 #include <cstddef>
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
+
+#include "eyebridge/base/unique_fd.hpp"
 
 namespace eyebridge::bridges {
 
@@ -21,6 +25,17 @@ void report(std::initializer_list<std::string_view> parts) {
   for (const std::string_view part : parts) add(part);
   line[size++] = '\n';
   static_cast<void>(!::write(STDERR_FILENO, line.data(), size));
+}
+
+bool has_reader() {
+  struct stat status {};
+  return ::fstat(STDERR_FILENO, &status) == 0 &&
+         (S_ISFIFO(status.st_mode) || S_ISSOCK(status.st_mode));
+}
+
+void let_reader_go() {
+  const UniqueFd nothing(::open("/dev/null", O_WRONLY | O_CLOEXEC));
+  ::dup2(nothing.get(), STDERR_FILENO);
 }
 
 Digits::Digits(std::int64_t number)

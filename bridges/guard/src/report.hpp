@@ -9,6 +9,11 @@ namespace eyebridge::bridges {
 /// One line on standard error: the parts of a sentence. Uses system calls only.
 void report(std::initializer_list<std::string_view> parts);
 
+/// True when a process reads standard error from a pipe: it may wait for its end.
+bool has_reader();
+/// Lets it go on: what is reported from now on is lost.
+void let_reader_go();
+
 /// A number as text, without memory of its own.
 class Digits {
  public:

@@ -89,7 +89,10 @@ class LineGuardTest : public testing::Test {
     ASSERT_EQ(::tcsetattr(slave, TCSANOW, &raw), 0);
     board_.reset(board);
     line_.reset(slave);
-    path_ = ::testing::TempDir() + "line_" + std::to_string(::getpid());
+    // A guard that does not end looks for its own line.
+    static int count = 0;
+    path_ =
+        ::testing::TempDir() + "line_" + std::to_string(::getpid()) + "_" + std::to_string(++count);
     std::filesystem::remove(path_);
     std::filesystem::create_symlink(name, path_);
   }
@@ -118,6 +121,16 @@ class LineGuardTest : public testing::Test {
     ::close(ends[1]);
     errors_.reset(ends[0]);
     line_.reset();
+  }
+
+  void expect_that_only_the_guard_goes_on() {
+    pollfd errors{errors_.get(), POLLIN, 0};
+    EXPECT_EQ(::poll(&errors, 1, 0), 1);
+    EXPECT_EQ(errors.revents, POLLHUP) << "somebody could still write";
+    read_until(board_.get(), "stop\r");
+    EXPECT_THAT(read_until(board_.get(), "stop\r"), HasSubstr("stop\r"));
+    write_text(board_.get(), "7.057.057.05");
+    read_until(board_.get());  // until it, too, has ended
   }
 
   UniqueFd board_;
@@ -161,6 +174,20 @@ TEST_F(LineGuardTest, ARobotThatNeverDroveIsStoppedWithoutAWord) {
   EXPECT_THAT(read_until(board_.get(), "stop\r"), HasSubstr("stop\r"));
   write_text(board_.get(), "7.057.057.05");
   EXPECT_EQ(read_until(errors_.get()), "");
+  read_until(board_.get());  // until the guard has ended
+}
+
+TEST_F(LineGuardTest, WhoReadsItsMessagesIsNotKeptWaitingByARobotThatDoesNotAnswer) {
+  run([](LineGuard& guard) { (void)guard.turning(now()); });
+  EXPECT_THAT(read_until(errors_.get()),
+              HasSubstr("for two minutes, of which nothing more is said here\n"));
+  expect_that_only_the_guard_goes_on();
+}
+
+TEST_F(LineGuardTest, WhoReadsItsMessagesIsNotKeptWaitingWhereThereAreNone) {
+  run([](LineGuard&) {});
+  EXPECT_EQ(read_until(errors_.get()), "");
+  expect_that_only_the_guard_goes_on();
 }
 
 TEST_F(LineGuardTest, AProgramThatIsSilentHasItsRobotStoppedAndGoesOn) {
