@@ -26,10 +26,11 @@ void in_pieces(std::uint32_t position, std::size_t count, Copy copy) {
 }
 
 // Who goes to sleep says so and then looks once more; who has changed the ring then looks whether
-// the other end sleeps. Of these two looks one sees the other's word: all four stand in one order,
-// as atomics do unless they are told otherwise.
+// the other end sleeps. Of these two looks one sees the other's word, because all four stand in one
+// order. What is said is exchanged, not stored: a barrier on each processor, and in an emulator,
+// too. A store and a load of qemu-user 7.2 for arm64 may change places on x86-64.
 
-void set(std::atomic<std::uint32_t>& sleeps, bool asleep) { sleeps = asleep ? 1 : 0; }
+void say(std::atomic<std::uint32_t>& word, std::uint32_t value) { word.exchange(value); }
 
 bool take(std::atomic<std::uint32_t>& sleeps) { return sleeps != 0 && sleeps.exchange(0) != 0; }
 
@@ -43,13 +44,13 @@ Result<std::size_t> RingWriter::write(std::span<const std::uint8_t> bytes) {
     std::memcpy(ring_.bytes + place, bytes.data() + offset, length);
   });
   written_ += static_cast<std::uint32_t>(count);
-  ring_.written = written_;
+  say(ring_.written, written_);
   return count;
 }
 
 bool RingWriter::is_full() const { return written_ - ring_.read == kRoom; }
 bool RingWriter::must_wake() const { return take(ring_.reader_sleeps); }
-void RingWriter::set_asleep(bool asleep) const { set(ring_.writer_sleeps, asleep); }
+void RingWriter::set_asleep(bool asleep) const { say(ring_.writer_sleeps, asleep ? 1 : 0); }
 
 Result<std::size_t> RingReader::read(std::span<std::uint8_t> room) {
   const std::uint32_t filled = ring_.written.load(std::memory_order_acquire) - read_;
@@ -59,13 +60,13 @@ Result<std::size_t> RingReader::read(std::span<std::uint8_t> room) {
     std::memcpy(room.data() + offset, ring_.bytes + place, length);
   });
   read_ += static_cast<std::uint32_t>(count);
-  ring_.read = read_;
+  say(ring_.read, read_);
   return count;
 }
 
 bool RingReader::is_empty() const { return ring_.written == read_; }
 
 bool RingReader::must_wake() const { return take(ring_.writer_sleeps); }
-void RingReader::set_asleep(bool asleep) const { set(ring_.reader_sleeps, asleep); }
+void RingReader::set_asleep(bool asleep) const { say(ring_.reader_sleeps, asleep ? 1 : 0); }
 
 }  // namespace eyebridge::hal
