@@ -23,10 +23,16 @@ constexpr int kSeals = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL;
   throw std::system_error(errno, std::generic_category(), "memory for a line to a robot's program");
 }
 
+tl::unexpected<Error> cannot_be_opened() {
+  return fail(Errc::Disconnected,
+              "the robot's line cannot be opened: " + std::generic_category().message(errno));
+}
+
 bool has_its_size(int descriptor) {
   struct stat status {};
-  return fstat(descriptor, &status) == 0 && status.st_size == kSize &&
-         fcntl(descriptor, F_GET_SEALS) == kSeals;
+  const int seals = fcntl(descriptor, F_GET_SEALS);
+  return seals >= 0 && fstat(descriptor, &status) == 0 && status.st_size == kSize &&
+         (seals & kSeals) == kSeals;
 }
 
 }  // namespace
@@ -51,27 +57,27 @@ LineMemory LineMemory::offer(int socket) {
   }
   LineMemory memory(file.get());
   if (memory.line_ == nullptr) refuse();
-  // An end that is gone already is noticed when nothing comes from it.
   const std::array<std::byte, 1> sign{};
-  static_cast<void>(send_with_descriptor(socket, sign, file.get()));
+  const bool is_sent = send_with_descriptor(socket, sign, file.get()) > 0;
+  // An end that is gone already is noticed when nothing comes from it.
+  if (!is_sent && errno != EPIPE && errno != ECONNRESET) refuse();
   return memory;
 }
 
 Result<LineMemory> LineMemory::accept(int socket) {
   UniqueFd file;
   std::array<std::byte, 1> sign{};
-  if (receive_with_descriptor(socket, sign, file) <= 0) {
+  const ssize_t count = receive_with_descriptor(socket, sign, file);
+  if (count == 0 || (count < 0 && errno == ECONNRESET)) {
     return fail(Errc::Disconnected, "the process at the other end of the robot's line is gone");
   }
+  if (count < 0) return cannot_be_opened();
   if (!has_its_size(file.get())) {
     return fail(Errc::Corrupt,
                 "what came from the robot's server is no answer: it has another version");
   }
   LineMemory memory(file.get());
-  if (memory.line_ == nullptr) {
-    return fail(Errc::Disconnected,
-                "the robot's line cannot be opened: " + std::generic_category().message(errno));
-  }
+  if (memory.line_ == nullptr) return cannot_be_opened();
   return memory;
 }
 

@@ -112,8 +112,8 @@ Result<void> MessageStream::fetch(std::size_t wanted, Wait wait) {
     if (!count) return tl::unexpected(count.error());
     end_ += *count;
     if (*count > 0) {
-      if (!reader_.must_wake()) continue;
-      if (Result<void> woken = wake(); !woken) return woken;
+      // That the other end is gone is told when there is nothing more to read.
+      if (reader_.must_wake()) static_cast<void>(wake());
       continue;
     }
     const auto has_come = [this] { return !reader_.is_empty(); };

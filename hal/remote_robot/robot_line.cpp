@@ -21,6 +21,7 @@ tl::unexpected<Error> no_answer() {
 
 Result<RobotWelcome> RobotLine::hello() {
   const std::lock_guard lock(mutex_);
+  const Uncancelled until_welcome;
   Result<LineMemory> memory = LineMemory::accept(socket_.get());
   if (!memory) return lose(memory.error());
   stream_.emplace(socket_.get(), std::move(*memory), MessageStream::End::Program);

@@ -129,13 +129,12 @@ void ProgramProcess::ask_to_end() noexcept {
 void ProgramProcess::make_end() noexcept {
   is_ending_ = true;
   if (!is_started_) return;
-  if (!process_->ends_within(kEndPatience_s / 4)) {
-    // It may be waiting for a turn that never comes.
-    shutdown(line_.get(), SHUT_RDWR);
-    if (!process_->ends_within(kEndPatience_s)) {
-      process_->signal(SIGKILL);
-      static_cast<void>(process_->ends_within(kEndPatience_s));
-    }
+  const bool has_ended = process_->ends_within(kEndPatience_s / 4);
+  // It may be waiting for a turn that never comes; or it is gone, and its children have the line.
+  shutdown(line_.get(), SHUT_RDWR);
+  if (!has_ended && !process_->ends_within(kEndPatience_s)) {
+    process_->signal(SIGKILL);
+    static_cast<void>(process_->ends_within(kEndPatience_s));
   }
   robot_->stop();
   process_->forget();

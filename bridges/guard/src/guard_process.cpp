@@ -96,7 +96,7 @@ class Guard {
 
  private:
   enum class State { Fresh, Turning, Still };
-  enum class Outcome { Stands, ProgramIsBack, Taken, GaveUp };
+  enum class Outcome { Stands, ProgramIsBack, ProgramIsGone, Taken, GaveUp };
 
   /// False when no more will come.
   bool take_word() {
@@ -148,6 +148,7 @@ class Guard {
         {"the program has been silent for half a second while wheels turn: they are told to "
          "stand"});
     const Outcome outcome = stop(true, true);
+    if (outcome == Outcome::ProgramIsGone) return;  // and wheels may still turn
     if (outcome == Outcome::Stands) say_stands();
     if (outcome == Outcome::ProgramIsBack) say({"the program is back"});
     // Until it says that they turn again.
@@ -164,7 +165,9 @@ class Guard {
       const Time start = now();
       if (until_word) {
         pollfd word{kWords, POLLIN, 0};
-        if (::poll(&word, 1, 0) > 0) return Outcome::ProgramIsBack;
+        if (::poll(&word, 1, 0) > 0) {
+          return (word.revents & POLLHUP) != 0 ? Outcome::ProgramIsGone : Outcome::ProgramIsBack;
+        }
       }
       const bool was_open = line_.is_open();
       if (line_.reopen()) {

@@ -11,6 +11,7 @@
 
 #include "eyebridge/base/hidden_process.hpp"
 #include "eyebridge/base/sent_descriptor.hpp"
+#include "eyebridge/base/uncancelled.hpp"
 #include "guard_process.hpp"
 #include "guard_words.hpp"
 
@@ -64,6 +65,7 @@ Result<void> LineGuard::hold(int line, std::string_view device, const StopOrders
 Result<void> LineGuard::let_go() {
   GuardWord word;
   word.kind = GuardWord::Kind::LetGo;
+  const Uncancelled until_answered;  // the next one would have this answer
   return say(words_.get(), word, kShort).and_then([this]() -> Result<void> {
     char answer = 0;
     while (true) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -24,6 +25,10 @@ void report(std::initializer_list<std::string_view> parts) {
   add("eyebridge: ");
   for (const std::string_view part : parts) add(part);
   line[size++] = '\n';
+  // A pipe that nobody empties, or a terminal that Ctrl-S has stopped, must not keep a guard from
+  // its robot.
+  pollfd room{STDERR_FILENO, POLLOUT, 0};
+  if (::poll(&room, 1, 0) != 1 || (room.revents & POLLOUT) == 0) return;
   static_cast<void>(!::write(STDERR_FILENO, line.data(), size));
 }
 

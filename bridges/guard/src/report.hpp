@@ -6,7 +6,8 @@
 
 namespace eyebridge::bridges {
 
-/// One line on standard error: the parts of a sentence. Uses system calls only.
+/// One line on standard error: the parts of a sentence; lost where it would have to wait. Uses
+/// system calls only.
 void report(std::initializer_list<std::string_view> parts);
 
 /// True when a process reads standard error from a pipe: it may wait for its end.

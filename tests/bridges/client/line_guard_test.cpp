@@ -190,6 +190,36 @@ TEST_F(LineGuardTest, WhoReadsItsMessagesIsNotKeptWaitingWhereThereAreNone) {
   expect_that_only_the_guard_goes_on();
 }
 
+TEST_F(LineGuardTest, MessagesThatNobodyReadsDoNotKeepItFromItsRobot) {
+  run([](LineGuard& guard) {
+    (void)guard.turning(now());
+    const int flags = ::fcntl(STDERR_FILENO, F_GETFL);
+    ::fcntl(STDERR_FILENO, F_SETFL, flags | O_NONBLOCK);
+    const std::string page(4096, 'x');
+    while (::write(STDERR_FILENO, page.data(), page.size()) > 0) {
+    }
+    ::fcntl(STDERR_FILENO, F_SETFL, flags);
+  });
+  EXPECT_THAT(read_until(board_.get(), "stop\r"), HasSubstr("stop\r"));
+  write_text(board_.get(), "7.057.057.05");
+  read_until(board_.get());  // until the guard has ended
+}
+
+TEST_F(LineGuardTest, AProgramThatIsKilledWhileItIsSilentIsGoneNotBack) {
+  run([](LineGuard& guard) {
+    (void)guard.turning(now());
+    ::pause();
+  });
+  EXPECT_THAT(read_until(board_.get(), "stop\r"), HasSubstr("stop\r"));
+  ::kill(program_, SIGKILL);
+  const std::string said = read_until(errors_.get(), "program is gone");
+  EXPECT_THAT(said, HasSubstr("the program is gone, and wheels may turn"));
+  EXPECT_THAT(said, Not(HasSubstr("is back")));
+  read_until(board_.get(), "stop\r");
+  write_text(board_.get(), "7.057.057.05");
+  EXPECT_THAT(read_until(errors_.get()), HasSubstr("the robot stands"));
+}
+
 TEST_F(LineGuardTest, AProgramThatIsSilentHasItsRobotStoppedAndGoesOn) {
   run([](LineGuard& guard) {
     (void)guard.turning(now());
