@@ -2,7 +2,6 @@
 
 #include <cerrno>
 #include <csignal>
-#include <string_view>
 #include <system_error>
 
 #include <fcntl.h>
@@ -13,6 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "eyebridge/base/exec_words.hpp"
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/hal/config.hpp"
 
@@ -41,26 +41,8 @@ bool redirect(const char* path, int flags, int to) {
   return file >= 0 && dup2(file, to) >= 0;
 }
 
-/// This process's variables, and those of `more` in their place.
-std::vector<std::string> environment_with(const std::map<std::string, std::string>& more) {
-  std::vector<std::string> all;
-  for (char** entry = environ; *entry != nullptr; ++entry) {
-    const std::string_view text = *entry;
-    if (!more.contains(std::string(text.substr(0, text.find('='))))) all.emplace_back(text);
-  }
-  for (const auto& [name, text] : more) all.push_back(name + "=" + text);
-  return all;
-}
-
-std::vector<char*> pointers_to(std::vector<std::string>& texts) {
-  std::vector<char*> pointers;
-  for (std::string& text : texts) pointers.push_back(text.data());
-  pointers.push_back(nullptr);
-  return pointers;
-}
-
-/// In the child of fork(), where other threads may have left anything locked: system calls only.
-/// Becomes the run, or ends with kNotStarted.
+/// In the child of fork(): becomes the run, or ends with kNotStarted. System calls only: any lock
+/// of another thread stays locked in the child.
 [[noreturn]] void become_run(char* const* words, char* const* environment, const char* folder,
                              pid_t parent) {
   setpgid(0, 0);
@@ -103,8 +85,8 @@ CellProcess::CellProcess(const Cell& cell, std::size_t number, const RunSettings
                         std::chrono::duration<double>(settings.wall_limit))) {
   std::filesystem::remove_all(folder_);  // of an earlier sweep that was killed
   std::filesystem::create_directories(folder_);
-  std::vector<std::string> words = command_line(cell, folder_, settings);
-  std::vector<std::string> variables = environment_with(cell.environment);
+  const std::vector<std::string> words = command_line(cell, folder_, settings);
+  const std::vector<std::string> variables = environment_with(cell.environment);
   const std::vector<char*> argv = pointers_to(words);
   const std::vector<char*> environment = pointers_to(variables);
   const pid_t parent = getpid();

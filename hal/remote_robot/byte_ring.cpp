@@ -25,10 +25,10 @@ void in_pieces(std::uint32_t position, std::size_t count, Copy copy) {
   if (first < count) copy(std::size_t{0}, first, count - first);
 }
 
-// Who goes to sleep says so and then looks once more; who has changed the ring then looks whether
-// the other end sleeps. Of these two looks one sees the other's word, because all four stand in one
-// order. What is said is exchanged, not stored: a barrier on each processor, and in an emulator,
-// too. A store and a load of qemu-user 7.2 for arm64 may change places on x86-64.
+// Sleeping and waking (Dekker's pattern): a process that goes to sleep sets its flag, then checks
+// the ring again; a process that changed the ring then checks the flag. All four accesses are
+// sequentially consistent, so at least one of the two sees the other. The writes are exchanges:
+// qemu-user 7.2 on x86-64 reorders a sequentially consistent store of arm64 with a later load.
 
 void say(std::atomic<std::uint32_t>& word, std::uint32_t value) { word.exchange(value); }
 

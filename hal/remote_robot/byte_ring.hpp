@@ -9,7 +9,7 @@
 
 namespace eyebridge::hal {
 
-/// One direction of a line through memory that two processes share. Zero bytes are an empty one.
+/// One direction of a line, in memory that two processes share. All zero: empty.
 struct SharedRing {
   static constexpr std::uint32_t kRoom = 1U << 14U;  ///< Bytes; what is longer goes in parts.
 
@@ -21,8 +21,8 @@ struct SharedRing {
 };
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free, "two processes share them");
 
-// Each end goes on where its ring is, keeps its own count and checks the other's: whatever the
-// other process does to the memory, nothing outside of it is touched. One thread at a time each.
+// Each end keeps its own count and validates the count of the other end, so corrupted memory cannot
+// cause an access outside the ring. One thread at a time each.
 
 class RingWriter {
  public:

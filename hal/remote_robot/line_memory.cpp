@@ -16,7 +16,7 @@ namespace eyebridge::hal {
 namespace {
 
 constexpr auto kSize = static_cast<off_t>(sizeof(SharedLine));
-// A program that made it shorter would end the world, which reads it, by SIGBUS.
+// Without the seals a program could shorten the memory, and the world would crash with SIGBUS.
 constexpr int kSeals = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL;
 
 [[noreturn]] void refuse() {
@@ -59,7 +59,7 @@ LineMemory LineMemory::offer(int socket) {
   if (memory.line_ == nullptr) refuse();
   const std::array<std::byte, 1> sign{};
   const bool is_sent = send_with_descriptor(socket, sign, file.get()) > 0;
-  // An end that is gone already is noticed when nothing comes from it.
+  // When the other end is already gone, the first receive() reports it.
   if (!is_sent && errno != EPIPE && errno != ECONNRESET) refuse();
   return memory;
 }

@@ -5,7 +5,7 @@
 
 namespace eyebridge::hal {
 
-/// What both ends of a line write to.
+/// The layout of the shared memory of a line.
 struct SharedLine {
   SharedRing to_world;
   SharedRing to_program;
@@ -29,7 +29,7 @@ class LineMemory {
  private:
   explicit LineMemory(int descriptor);
 
-  SharedLine* line_ = nullptr;  ///< Null: the system has refused it.
+  SharedLine* line_ = nullptr;  ///< Null: mmap() failed, or moved from.
 };
 
 }  // namespace eyebridge::hal

@@ -30,7 +30,7 @@ void pause() {
 #endif
 }
 
-/// True as soon as `is_ready()`; false after some 30 µs.
+/// Polls for about 30 µs; true as soon as `is_ready()` is.
 template <typename IsReady>
 bool look_for(IsReady is_ready) {
   for (int look = 0; look < kLooks; ++look) {
@@ -112,7 +112,7 @@ Result<void> MessageStream::fetch(std::size_t wanted, Wait wait) {
     if (!count) return tl::unexpected(count.error());
     end_ += *count;
     if (*count > 0) {
-      // That the other end is gone is told when there is nothing more to read.
+      // A failed wake-up means that the other end is gone: reported once everything has been read.
       if (reader_.must_wake()) static_cast<void>(wake());
       continue;
     }
@@ -121,7 +121,7 @@ Result<void> MessageStream::fetch(std::size_t wanted, Wait wait) {
     reader_.set_asleep(true);
     Result<void> sign = has_come() ? Result<void>{} : wait_for_sign();
     reader_.set_asleep(false);
-    // The last words of an end that is gone may have come since.
+    // The other end may have written a last message before it ended.
     if (sign || has_come()) continue;
     if (sign.error().code != Errc::Timeout) return sign;
     if (end_ == 0) return fail(Errc::Timeout, "nothing was asked");
@@ -135,11 +135,11 @@ Result<void> MessageStream::wake() const {
   do {
     count = ::send(socket_, &sign, 1, MSG_NOSIGNAL | MSG_DONTWAIT);
   } while (count < 0 && errno == EINTR);
-  // A socket that is full of signs wakes, too.
+  // A full socket also wakes the other end.
   return count > 0 || errno == EAGAIN || errno == EWOULDBLOCK ? Result<void>{} : gone();
 }
 
-/// There may have been one for something else. Timeout within SO_RCVTIMEO.
+/// Returns after any sign, also one that was meant for something else. Timeout after SO_RCVTIMEO.
 Result<void> MessageStream::wait_for_sign() const {
   std::array<char, 64> signs{};
   const ssize_t count = ::recv(socket_, signs.data(), signs.size(), 0);

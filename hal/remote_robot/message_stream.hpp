@@ -11,9 +11,9 @@
 
 namespace eyebridge::hal {
 
-/// Messages between two processes, each behind its length, through memory that both have: no system
-/// call while both are awake. The socket wakes up who sleeps, and tells that the other end is gone.
-/// One thread at a time.
+/// Messages between two processes through shared memory, each preceded by its length. No system
+/// calls while both processes are awake. The socket wakes a process that sleeps, and its end of
+/// file shows that the other process has ended. One thread at a time.
 class MessageStream {
  public:
   /// Longer than any message that makes sense: a hundred thousand bodies in view are ten megabytes.

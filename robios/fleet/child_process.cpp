@@ -14,19 +14,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "eyebridge/base/exec_words.hpp"
+
 namespace eyebridge::robios {
 namespace {
 
 [[noreturn]] void refuse(const std::string& what) {
   throw std::system_error(errno, std::generic_category(), what);
-}
-
-std::vector<char*> pointers_to(const std::vector<std::string>& texts) {
-  std::vector<char*> pointers;
-  // The system takes them for constants.
-  for (const std::string& text : texts) pointers.push_back(const_cast<char*>(text.c_str()));
-  pointers.push_back(nullptr);
-  return pointers;
 }
 
 /// In the child of fork(), where other threads may have left anything locked: system calls only.

@@ -2,11 +2,10 @@
 
 #include <cstdlib>
 #include <map>
-#include <string_view>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
+#include "eyebridge/base/exec_words.hpp"
 #include "eyebridge/base/own_place.hpp"
 
 namespace eyebridge::robios {
@@ -64,22 +63,14 @@ std::vector<std::string> command_of(const fs::path& program,
 
 std::vector<std::string> environment_of(const hal::Config& config, std::size_t index,
                                         int descriptor, const fs::path& out) {
-  std::map<std::string, std::string, std::less<>> variables;
-  for (char** entry = environ; *entry != nullptr; ++entry) {
-    const std::string_view line = *entry;
-    const std::size_t equals = line.find('=');
-    if (equals == std::string_view::npos) continue;
-    variables.emplace(line.substr(0, equals), line.substr(equals + 1));
-  }
+  std::map<std::string, std::string> variables;
   variables["EYEBRIDGE_FLAGS"] =
       hal::Config::flags_variable(settings_of(config, index, descriptor, out));
   variables["EYEBRIDGE_ROBOTS"] = "1";
   if (const fs::path folder = python_folder(); !folder.empty()) {
     variables["PYTHONPATH"] = python_path(folder.string());
   }
-  std::vector<std::string> environment;
-  for (const auto& [name, value] : variables) environment.push_back(name + "=" + value);
-  return environment;
+  return environment_with(variables);
 }
 
 }  // namespace eyebridge::robios

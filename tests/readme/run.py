@@ -142,7 +142,7 @@ def main():
         print(f"{len(rows)} commands on {len({page for page, _ in on_pages})} pages, a row for each")
         return
 
-    # Whoever started this in the background has made everything below it deaf for Ctrl-C.
+    # A shell starts background jobs with SIGINT and SIGQUIT ignored, and every command here would inherit that.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     signal.signal(signal.SIGQUIT, signal.SIG_DFL)
     reader, failed, elsewhere = Reader(), 0, 0

@@ -3,37 +3,16 @@
 #include <fcntl.h>
 #include <spawn.h>
 
-extern char** environ;
+#include "eyebridge/base/exec_words.hpp"
 
 namespace eyebridge::testing {
-namespace {
-
-/// This process's environment and `more`, as "NAME=VALUE"; and what the leak checker must not blame
-/// programs for.
-std::vector<std::string> environment_with(std::map<std::string, std::string> more) {
-  more.try_emplace("LSAN_OPTIONS",
-                   "print_suppressions=0:suppressions=" EYEBRIDGE_LSAN_SUPPRESSIONS);
-  std::vector<std::string> all;
-  for (char** entry = environ; *entry != nullptr; ++entry) {
-    const std::string text = *entry;
-    if (!more.contains(text.substr(0, text.find('=')))) all.push_back(text);
-  }
-  for (const auto& [name, value] : more) all.push_back(name + "=" + value);
-  return all;
-}
-
-std::vector<char*> pointers(std::vector<std::string>& texts) {
-  std::vector<char*> result;
-  for (std::string& text : texts) result.push_back(text.data());
-  result.push_back(nullptr);
-  return result;
-}
-
-}  // namespace
 
 pid_t start_program(const ProgramStart& start, int out, int err) {
-  std::vector<std::string> words = start.command;
-  std::vector<std::string> variables = environment_with(start.environment);
+  std::map<std::string, std::string> changes = start.environment;
+  // The leak checker must not blame programs for these.
+  changes.try_emplace("LSAN_OPTIONS",
+                      "print_suppressions=0:suppressions=" EYEBRIDGE_LSAN_SUPPRESSIONS);
+  const std::vector<std::string> variables = environment_with(changes);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
@@ -43,8 +22,8 @@ pid_t start_program(const ProgramStart& start, int out, int err) {
     posix_spawn_file_actions_addchdir_np(&actions, start.directory.c_str());
   }
   pid_t pid = -1;
-  const int failed = posix_spawnp(&pid, words.at(0).c_str(), &actions, nullptr,
-                                  pointers(words).data(), pointers(variables).data());
+  const int failed = posix_spawnp(&pid, start.command.at(0).c_str(), &actions, nullptr,
+                                  pointers_to(start.command).data(), pointers_to(variables).data());
   posix_spawn_file_actions_destroy(&actions);
   return failed == 0 ? pid : -1;
 }

@@ -7,7 +7,7 @@
 namespace eyebridge::testing {
 
 /// Starts a program with an empty standard input that writes to `out` and `err`; -1 when it cannot
-/// be started. Any thread: what others have locked does not matter.
+/// be started. Any thread.
 pid_t start_program(const ProgramStart& start, int out, int err);
 
 }  // namespace eyebridge::testing

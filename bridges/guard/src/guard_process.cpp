@@ -225,8 +225,7 @@ class Guard {
             parts.size() > 1 ? *(parts.begin() + 1) : std::string_view{},
             parts.size() > 2 ? *(parts.begin() + 2) : std::string_view{}});
   }
-  /// Who runs a program and reads its messages to their end is not kept waiting by a program that
-  /// is gone.
+  /// A reader of our pipe that waits for the end of file does not have to wait two minutes.
   void tell_of_silence(bool has_program) const {
     const bool lets_go = !has_program && has_reader();
     say({"it does not answer; it is told again and again, for two minutes",

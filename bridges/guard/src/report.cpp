@@ -25,8 +25,7 @@ void report(std::initializer_list<std::string_view> parts) {
   add("eyebridge: ");
   for (const std::string_view part : parts) add(part);
   line[size++] = '\n';
-  // A pipe that nobody empties, or a terminal that Ctrl-S has stopped, must not keep a guard from
-  // its robot.
+  // A full pipe, or a terminal stopped by Ctrl-S, would block the guard while the motors run.
   pollfd room{STDERR_FILENO, POLLOUT, 0};
   if (::poll(&room, 1, 0) != 1 || (room.revents & POLLOUT) == 0) return;
   static_cast<void>(!::write(STDERR_FILENO, line.data(), size));

@@ -6,13 +6,13 @@
 
 namespace eyebridge::bridges {
 
-/// One line on standard error: the parts of a sentence; lost where it would have to wait. Uses
-/// system calls only.
+/// Writes the parts of a sentence as one line to standard error. Drops the line when the write
+/// would block. Uses system calls only.
 void report(std::initializer_list<std::string_view> parts);
 
-/// True when a process reads standard error from a pipe: it may wait for its end.
+/// True when standard error is a pipe or a socket: its reader may be waiting for the end of file.
 bool has_reader();
-/// Lets it go on: what is reported from now on is lost.
+/// Gives that reader its end of file; later reports are lost.
 void let_reader_go();
 
 /// A number as text, without memory of its own.

@@ -89,7 +89,7 @@ class LineGuardTest : public testing::Test {
     ASSERT_EQ(::tcsetattr(slave, TCSANOW, &raw), 0);
     board_.reset(board);
     line_.reset(slave);
-    // A guard that does not end looks for its own line.
+    // A guard that is left over must not open the line of the next test.
     static int count = 0;
     path_ =
         ::testing::TempDir() + "line_" + std::to_string(::getpid()) + "_" + std::to_string(++count);
@@ -135,7 +135,7 @@ class LineGuardTest : public testing::Test {
 
   UniqueFd board_;
   UniqueFd line_;
-  UniqueFd errors_;  ///< What the program and its guard say; ends when both have.
+  UniqueFd errors_;  ///< Messages of the program and its guard.
   std::string path_;
   pid_t program_ = -1;
 };

@@ -9,12 +9,13 @@
 
 namespace eyebridge {
 
-/// As send() on a socket of this computer, and the receiver gets a copy of `descriptor`, lent;
-/// negative: none. -1 and errno when it fails; a signal does not interrupt it.
+/// Like send() on a Unix socket; also passes a copy of `descriptor`, which is lent (negative:
+/// none). -1 and errno when it fails. Repeats after EINTR; no cancellation point.
 ssize_t send_with_descriptor(int socket, std::span<const std::byte> bytes, int descriptor) noexcept;
 
-/// As recv(); `descriptor` becomes the one that came along, or none. -1 and errno when it fails; a
-/// signal does not interrupt it.
+/// Like recv(); sets `descriptor` to the one that was passed, or to none. -1 and errno when it
+/// fails: EMFILE when this process has no room for the descriptor. Repeats after EINTR; no
+/// cancellation point.
 ssize_t receive_with_descriptor(int socket, std::span<std::byte> room,
                                 UniqueFd& descriptor) noexcept;
 

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace eyebridge {
+
+/// The environment of this process as "NAME=VALUE"; `changes` replaces or adds variables.
+std::vector<std::string> environment_with(const std::map<std::string, std::string>& changes);
+
+/// The array that execve() and posix_spawn() take: pointers into `words`, which must outlive it,
+/// then null.
+std::vector<char*> pointers_to(const std::vector<std::string>& words);
+
+}  // namespace eyebridge
