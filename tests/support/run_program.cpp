@@ -19,7 +19,7 @@
 namespace eyebridge::testing {
 namespace {
 
-constexpr auto kPatience = std::chrono::minutes(1);
+constexpr auto kPatience = std::chrono::minutes(5);  // compilers on an emulated processor
 
 /// Reads both pipes until both are closed; false when `deadline` passes first.
 bool collect(const std::array<int, 2>& pipes, ProgramRun& run,
@@ -67,7 +67,7 @@ ProgramRun run_program(const ProgramStart& start) {
   }
   if (!collect({out[0], err[0]}, run, std::chrono::steady_clock::now() + kPatience)) {
     kill(child, SIGKILL);
-    run.err += "\n(killed: still running after a minute)\n";
+    run.err += "\n(killed: still running after five minutes)\n";
   }
   close(out[0]);
   close(err[0]);
