@@ -129,6 +129,24 @@ class Calls(ProgramTest):
             err=None,
         )
 
+    def test_a_range_matrix(self):
+        self.expect(
+            """
+            from eye import *
+            zones = EYEBRIDGERangeMatrixGet(1)
+            print(type(zones).__name__, len(zones), zones[0], zones[63])
+            try:
+                EYEBRIDGERangeMatrixGet(2)
+            except RobotError as error:
+                print(error)
+            """,
+            """
+            list 64 855 241
+            EYEBRIDGERangeMatrixGet: this robot has no tof 2
+            """,
+            {"robot": "Explorer"},
+        )
+
     def test_a_robot_without_lidar_says_so_and_goes_on(self):
         world = self.write("world.sim", """
             robot bare.robi
