@@ -183,12 +183,16 @@ inline void errors(std::string_view text) {
     files::Scenario scenario = files::default_scenario();
     robot::RobotModel& model = scenario.models.front();
     model.lidar = robot::LidarModel{};
+    model.range_matrices.emplace_back();
     for (auto& sensor : model.range_sensors) sensor.table = robot::RangeTable({0.1, 0.2, 0.4});
     files::apply_rules(files::read_error_rules(text, {}), scenario);
     for (robot::RobotModel& robot : scenario.models) {
       const auto share = [](double value) { return value >= 0.0 && value <= 1.0; };
       for (const auto& sensor : robot.range_sensors) {
         if (!share(sensor.error.dropout) || !(sensor.error.sigma >= 0.0)) found();
+      }
+      for (const auto& matrix : robot.range_matrices) {
+        if (!share(matrix.error.dropout) || !(matrix.error.sigma >= 0.0)) found();
       }
       const robot::RadioError& radio = robot.radio_error;
       if (!share(radio.loss) || !share(radio.corrupt) || !(radio.delay >= 0.0)) found();

@@ -130,6 +130,8 @@ class Calls(ProgramTest):
         )
 
     def test_a_range_matrix(self):
+        world = self.write("world.sim", "robot tof.robi\nSeer 1000 1000 0\n")
+        self.write("tof.robi", "name Seer\ndiameter 100\ntof 1 TOF_FRONT 140 0 100 0\n")
         self.expect(
             """
             from eye import *
@@ -144,7 +146,7 @@ class Calls(ProgramTest):
             list 64 855 241
             EYEBRIDGERangeMatrixGet: this robot has no tof 2
             """,
-            {"robot": "Explorer"},
+            {"world": world},
         )
 
     def test_a_robot_without_lidar_says_so_and_goes_on(self):

@@ -29,15 +29,14 @@ class Sensors(unittest.TestCase):
     def test_a_range_matrix_sees_the_wall_and_the_floor(self):
         with tempfile.TemporaryDirectory() as folder:
             world = pathlib.Path(folder) / "one.sim"
-            (pathlib.Path(folder) / "tof.robi").write_text("diameter 100\ntof 3 TOF_FRONT 50 0 100 0\n")
-            (pathlib.Path(folder) / "room.wld").write_text("floor 2000 2000\n")
-            world.write_text("world room.wld\nrobi tof.robi\ntof 1000 1000 0\n")
+            (pathlib.Path(folder) / "tof.robi").write_text("name Seer\ndiameter 100\ntof 3 TOF_FRONT 50 0 100 0\n")
+            world.write_text("robot tof.robi\nSeer 1000 1000 0\n")
             with eyebridge.Simulation(world) as sim:
                 ranges = sim.robots[0].range_matrix(3)
                 self.assertEqual(ranges.shape, (8, 8))
                 down = np.radians(45 / 8) * np.arange(-3, 5)  # lower edges of the rows
                 floor = np.where(down > 0, 0.1 / np.tan(np.maximum(down, 1e-9)), np.inf)
-                np.testing.assert_allclose(ranges, np.minimum(0.95, floor)[:, None].repeat(8, axis=1), atol=1e-9)
+                np.testing.assert_allclose(ranges, np.minimum(0.945, floor)[:, None].repeat(8, axis=1), atol=1e-9)
                 with self.assertRaises(IndexError):
                     sim.robots[0].range_matrix(1)
 

@@ -118,7 +118,10 @@ TEST(Programs, GyroscopeAndAccelerometerFeelACurve) {
 }
 
 TEST(Programs, ARangeMatrixSeesTheWallAndTheFloor) {
-  const ProgramRun r = run_named("range_matrix", {{"EYEBRIDGE_ROBOT", "Explorer"}});
+  const ScratchFolder folder;
+  folder.write("tof.robi", "name Seer\ndiameter 100\ntof 1 TOF_FRONT 140 0 100 0\n");
+  const std::string world = folder.write("world.sim", "robot tof.robi\nSeer 1000 1000 0\n");
+  const ProgramRun r = run_named("range_matrix", {{"EYEBRIDGE_WORLD", world}});
   EXPECT_EQ(r.exit_code, 0) << r.err;
   // The wall is 855 mm ahead of the sensor; from a height of 100 mm the lower edge of the lowest
   // row, 22.5 degrees down, meets the floor after 241 mm.

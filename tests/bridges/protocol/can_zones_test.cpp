@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <numeric>
 #include <random>
 
@@ -29,7 +30,7 @@ ZoneChunk sent(const Zones& zones, std::uint8_t reading, int index) {
 
 TEST(ZoneAssembler, GivesAReadingWhenItsLastFrameHasCome) {
   ZoneAssembler assembler;
-  for (const std::uint8_t reading : {0, 1, 2, 15, 0}) {
+  for (const std::uint8_t reading : std::initializer_list<std::uint8_t>{0, 1, 2, 15, 0}) {
     const Zones whole = zones(static_cast<std::uint16_t>(100 * reading));
     for (int i = 0; i < kChunks - 1; ++i) {
       ASSERT_EQ(assembler.push(sent(whole, reading, i)), nullptr) << i;
