@@ -147,6 +147,7 @@ class Calls(ProgramTest):
             EYEBRIDGERangeMatrixGet: this robot has no tof 2
             """,
             {"world": world},
+            err=None,
         )
 
     def test_a_robot_without_lidar_says_so_and_goes_on(self):

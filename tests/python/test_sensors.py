@@ -31,7 +31,7 @@ class Sensors(unittest.TestCase):
             world = pathlib.Path(folder) / "one.sim"
             (pathlib.Path(folder) / "tof.robi").write_text("name Seer\ndiameter 100\ntof 3 TOF_FRONT 50 0 100 0\n")
             world.write_text("robot tof.robi\nSeer 1000 1000 0\n")
-            with eyebridge.Simulation(world) as sim:
+            with eyebridge.Simulation(eyebridge.load_scenario(world)) as sim:
                 ranges = sim.robots[0].range_matrix(3)
                 self.assertEqual(ranges.shape, (8, 8))
                 down = np.radians(45 / 8) * np.arange(-3, 5)  # lower edges of the rows
