@@ -102,6 +102,7 @@
 #define EYECAN_S_STATUS 0x2A      /* S_Status */
 #define EYECAN_S_LIDAR_HDR 0x2C   /* S_LidarHdr */
 #define EYECAN_S_LIDAR_CHUNK 0x2D /* S_LidarChunk; as a CAN FD frame S_LidarChunkFD */
+#define EYECAN_S_ZONES 0x2E       /* S_Zones */
 #define EYECAN_S_VERSION 0x48     /* S_Version */
 #define EYECAN_HEARTBEAT 0x70     /* Heartbeat */
 
@@ -126,7 +127,7 @@
 /* Unsigned 16-bit values that may be absent. */
 #define EYECAN_ABSENT 0xFFFF /* No such sensor or point, or not measured */
 
-/* Ranges of PSDs and LIDAR points, mm. */
+/* Ranges of PSDs, LIDAR points and zones, mm. */
 #define EYECAN_PSD_OUT_OF_RANGE 9999 /* Nothing within reach */
 
 /* C_Nmt Command. */
@@ -205,6 +206,7 @@
 /* S_Version Capabilities; other bits are 0; bits. */
 #define EYECAN_CAPABLE_OF_MOVES 0x0001 /* Executes C_VWMove by itself */
 #define EYECAN_CAPABLE_OF_SCANS 0x0002 /* Sends LIDAR scans: the host waits for the first one when it starts */
+#define EYECAN_CAPABLE_OF_ZONES 0x0100 /* Sends readings of range matrix 1, the next bits up to 0x8000: of 2 to 8; as for SCANS */
 
 /* clang-format on */
 /* End of what make_protocol writes. */

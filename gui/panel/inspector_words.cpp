@@ -155,6 +155,7 @@ QString title_of(const std::string& kind) {
   if (kind == "proximity") return InspectorWords::tr("Infrared switches");
   if (kind == "bumper") return InspectorWords::tr("Bumpers");
   if (kind == "lidar") return InspectorWords::tr("LIDAR");
+  if (kind == "tof") return InspectorWords::tr("Time-of-flight matrices");
   if (kind == "compass") return InspectorWords::tr("Compass");
   if (kind == "gyroscope") return InspectorWords::tr("Gyroscope");
   if (kind == "accelerometer") return InspectorWords::tr("Accelerometer");

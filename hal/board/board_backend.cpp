@@ -49,6 +49,7 @@ BoardBackend::BoardBackend(std::unique_ptr<Clock> line_clock, std::unique_ptr<Bo
   for (const BoardPsdTable& psd : tables.psds) {
     if (link_->has_psd(psd.id)) range_sensors_.try_emplace(psd.id, *link_, psd);
   }
+  for (int id = 1; id <= RangeMatrix::kLastId; ++id) range_matrices_.try_emplace(id, *link_, id);
   for (const BoardMotorTable& motor : tables.motors) {
     if (!link_->has_motor(motor.id)) continue;
     motors_.try_emplace(motor.id, *link_, motor, is_reversed(motor.id, tables.drive),
@@ -139,6 +140,8 @@ Device* BoardBackend::find(DeviceKind kind, int id) {
       return one_of(range_sensors_, id);
     case DeviceKind::Lidar:
       return link_->has_lidar() ? &lidar_ : nullptr;
+    case DeviceKind::Tof:
+      return link_->has_range_matrix(id) ? one_of(range_matrices_, id) : nullptr;
     case DeviceKind::Digital:
       return link_->has_digital() ? &digital_ : nullptr;
     case DeviceKind::Analog:

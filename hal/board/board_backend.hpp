@@ -66,6 +66,7 @@ class BoardBackend final : public Backend {
   BoardIdentity identity_;
   BoardRemote remote_;
   std::map<int, BoardRangeSensor> range_sensors_;
+  std::map<int, BoardRangeMatrix> range_matrices_;
   std::map<int, BoardMotor> motors_;
   std::map<int, BoardEncoder> encoders_;
   std::map<int, BoardServo> servos_;

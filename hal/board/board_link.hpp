@@ -10,6 +10,7 @@
 #include "eyebridge/base/result.hpp"
 #include "eyebridge/hal/digital_lines.hpp"
 #include "eyebridge/hal/lidar.hpp"
+#include "eyebridge/hal/range_matrix.hpp"
 
 namespace eyebridge::hal {
 
@@ -42,6 +43,8 @@ class BoardLink {
   [[nodiscard]] virtual bool has_psd(int id) const = 0;
   /// May become true later: when a first scan is announced.
   [[nodiscard]] virtual bool has_lidar() const { return false; }
+  /// Likewise: when a first reading has come.
+  [[nodiscard]] virtual bool has_range_matrix(int /*id*/) const { return false; }
 
   /// Any of the digital ports' functions; likewise of the analog ones.
   [[nodiscard]] virtual bool has_digital() const = 0;
@@ -71,6 +74,9 @@ class BoardLink {
   virtual Result<int> remote_key() = 0;
   virtual Result<void> scan(BoardScan& /*out*/) {
     return fail(Errc::Unsupported, "this board has no LIDAR");
+  }
+  virtual Result<RangeMatrix::Ranges> range_matrix(int id) {
+    return fail(Errc::Unsupported, "this board has no range matrix " + std::to_string(id));
   }
 
   /// What drives the wheels if the board can itself; null when the host has to. Lent: the link must

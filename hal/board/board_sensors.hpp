@@ -5,6 +5,7 @@
 #include "board/board_device.hpp"
 #include "eyebridge/hal/analog_inputs.hpp"
 #include "eyebridge/hal/io_board.hpp"
+#include "eyebridge/hal/range_matrix.hpp"
 #include "eyebridge/hal/range_sensor.hpp"
 #include "eyebridge/hal/remote.hpp"
 
@@ -22,6 +23,15 @@ class BoardRangeSensor final : public RangeSensor, private BoardDevice {
 
  private:
   const BoardPsdTable table_;
+};
+
+/// One matrix of ranges of a board.
+class BoardRangeMatrix final : public RangeMatrix, private BoardDevice {
+ public:
+  using BoardDevice::BoardDevice;
+
+  Result<Ranges> read() override { return link_.range_matrix(id_); }
+  [[nodiscard]] double out_of_range() const override { return kBoardOutOfRange; }
 };
 
 /// The analog inputs of a board.

@@ -99,6 +99,16 @@ Result<void> CanLink::scan(BoardScan& out) {
   return {};
 }
 
+Result<RangeMatrix::Ranges> CanLink::range_matrix(int id) {
+  return client_->latest_zones(id).map([](const can::Zones& zones) {
+    RangeMatrix::Ranges ranges{};
+    std::ranges::transform(zones, ranges.begin(), [](std::uint16_t mm) {
+      return std::min(mm_to_m(mm), kBoardOutOfRange);
+    });
+    return ranges;
+  });
+}
+
 std::unique_ptr<DriveController> CanLink::make_drive(const BoardDriveShape& shape) {
   return std::make_unique<CanDrive>(*client_, shape);
 }

@@ -25,6 +25,9 @@ class CanLink final : public BoardLink {
   [[nodiscard]] bool has_analog() const override { return true; }
   [[nodiscard]] bool has_remote() const override { return true; }
   [[nodiscard]] bool has_lidar() const override { return client_->has_lidar(); }
+  [[nodiscard]] bool has_range_matrix(int id) const override {
+    return client_->has_range_matrix(id);
+  }
 
   Result<void> motor_duty(int id, int percent) override;
   Result<void> motor_speed(int id, int ticks_per_10ms) override;
@@ -42,6 +45,7 @@ class CanLink final : public BoardLink {
   Result<std::string> version() override;
   Result<int> remote_key() override;
   Result<void> scan(BoardScan& out) override;
+  Result<RangeMatrix::Ranges> range_matrix(int id) override;
   std::unique_ptr<DriveController> make_drive(const BoardDriveShape& shape) override;
   Result<void> stop() override { return client_->stop(); }
   void look_after() override {}  // the client has a thread of its own

@@ -192,6 +192,22 @@ class Relay<Lidar, Carrier> : public Carrier {
 };
 
 template <>
+struct Calls<RangeMatrix> {
+  static constexpr auto kRead = reads("read", &RangeMatrix::read, Quantity::Nearest);
+  static constexpr std::tuple kAll{kRead};
+  static constexpr std::tuple kFacts{&RangeMatrix::out_of_range};
+};
+template <class Carrier>
+class Relay<RangeMatrix, Carrier> : public Carrier {
+ public:
+  using Carrier::Carrier;
+  Result<RangeMatrix::Ranges> read() override { return this->carry(Calls<RangeMatrix>::kRead); }
+  [[nodiscard]] double out_of_range() const override {
+    return this->fact(&RangeMatrix::out_of_range);
+  }
+};
+
+template <>
 struct Calls<Compass> : NoFacts {
   static constexpr auto kRead = reads("read", &Compass::read, Quantity::Heading);
   static constexpr std::tuple kAll{kRead};

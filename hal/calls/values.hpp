@@ -117,6 +117,16 @@ struct AsValues<DriveStatus> {
   }
 };
 template <>
+struct AsValues<RangeMatrix::Ranges> {
+  static constexpr std::size_t kSize = std::tuple_size_v<RangeMatrix::Ranges>;
+  static RangeMatrix::Ranges pack(const RangeMatrix::Ranges& ranges) { return ranges; }
+  static RangeMatrix::Ranges unpack(std::span<const double> v) {
+    RangeMatrix::Ranges ranges{};
+    std::ranges::copy(v.first(kSize), ranges.begin());
+    return ranges;
+  }
+};
+template <>
 struct AsValues<LidarShape> {
   static constexpr std::size_t kSize = 3;
   static std::array<double, 3> pack(const LidarShape& s) {

@@ -35,6 +35,14 @@ NoteCell::Values nearest_of(std::span<const double> ranges, double field_of_view
   return {*nearest, (0.5 - static_cast<double>(nearest - ranges.begin()) / gaps) * field_of_view};
 }
 
+/// The nearest zone, and the bearing of its column.
+NoteCell::Values note_of(const RangeMatrix::Ranges& ranges) {
+  const auto nearest = std::ranges::min_element(ranges);
+  const auto column = static_cast<std::size_t>(nearest - ranges.begin()) % RangeMatrix::kSize;
+  const double share = (static_cast<double>(column) + 0.5) / RangeMatrix::kSize;
+  return {*nearest, (0.5 - share) * RangeMatrix::kFieldOfView};
+}
+
 /// A device whose calls are noted; `inner` and what is noted in are lent.
 template <class Interface>
 class Noting : public Interface {

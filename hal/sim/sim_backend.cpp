@@ -75,7 +75,9 @@ SimBackend::SimBackend(std::shared_ptr<SimWorld> world, std::shared_ptr<Clock> c
       encoders_(
           make_row_of<SimEncoder>(*world_, robot, world_->model(robot).drive.encoder_count())),
       digital_(*world_, robot),
-      analog_(supply_voltage) {
+      analog_(supply_voltage),
+      range_matrices_(
+          make_devices<SimRangeMatrix>(*world_, robot, world_->model(robot).range_matrices)) {
   if (world_->model(robot).lidar) lidar_.emplace(*world_, robot);
   if (world_->model(robot).camera) view_.emplace(*world_, robot);
   for (const unsigned servo : world_->model(robot).servo_indices()) {
@@ -101,6 +103,8 @@ Device* SimBackend::find(DeviceKind kind, int id) {
       return one_of(bumpers_, id);
     case DeviceKind::Lidar:
       return lidar_ ? &*lidar_ : nullptr;
+    case DeviceKind::Tof:
+      return one_of(range_matrices_, id);
     case DeviceKind::Compass:
       return &compass_;
     case DeviceKind::Gyroscope:
@@ -132,6 +136,7 @@ std::vector<DeviceFacts> SimBackend::facts_of(std::string_view kind) {
   if (kind == "psd") return facts_about(model.range_sensors);
   if (kind == "proximity") return facts_about(model.proximity_sensors);
   if (kind == "bumper") return facts_about(model.bumpers);
+  if (kind == "tof") return facts_about(model.range_matrices);
   if (kind == "servo") {
     std::vector<DeviceFacts> out;
     for (const robot::ServoModel& servo : model.servos) {

@@ -71,6 +71,7 @@ class SimBackend final : public Backend {
   SimDigital digital_;
   SimAnalog analog_;
   std::optional<SimLidar> lidar_;
+  std::map<int, SimRangeMatrix> range_matrices_;
   std::optional<SimCameraView> view_;
 };
 

@@ -25,6 +25,24 @@ Result<int> SimRangeSensor::read_raw() {
   return read().map([](double range) { return static_cast<int>(std::lround(m_to_mm(range))); });
 }
 
+SimRangeMatrix::SimRangeMatrix(SimWorld& world, robot::RobotIndex robot, std::size_t index)
+    : SimNumbered(world, robot, index), out_of_range_(world.locked([&](auto& sim) {
+        return sim.model(robot).range_matrices[index].out_of_range;
+      })) {
+  static_assert(kSize == robot::kMatrixSize);
+}
+
+Result<RangeMatrix::Ranges> SimRangeMatrix::read() {
+  Ranges ranges{};
+  return world_
+      .sensed_all(ranges,
+                  [&](auto& sim) -> Result<void> {
+                    sim.read_range_matrix(robot_, index_, ranges);
+                    return {};
+                  })
+      .map([&] { return ranges; });
+}
+
 Result<bool> SimProximity::read() {
   return world_.sensed([&](auto& sim) { return sim.read_proximity(robot_, index_); });
 }

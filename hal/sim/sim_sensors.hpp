@@ -4,6 +4,7 @@
 #include "eyebridge/hal/analog_inputs.hpp"
 #include "eyebridge/hal/compass.hpp"
 #include "eyebridge/hal/gyroscope.hpp"
+#include "eyebridge/hal/range_matrix.hpp"
 #include "eyebridge/hal/range_sensor.hpp"
 #include "eyebridge/hal/switch_sensor.hpp"
 #include "sim/sim_device.hpp"
@@ -17,6 +18,18 @@ class SimRangeSensor final : public RangeSensor, private SimNumbered {
 
   Result<double> read() override;
   Result<int> read_raw() override;
+  [[nodiscard]] double out_of_range() const override { return out_of_range_; }
+
+ private:
+  const double out_of_range_;
+};
+
+/// One matrix of ranges of a simulated robot.
+class SimRangeMatrix final : public RangeMatrix, private SimNumbered {
+ public:
+  SimRangeMatrix(SimWorld& world, robot::RobotIndex robot, std::size_t index);
+
+  Result<Ranges> read() override;
   [[nodiscard]] double out_of_range() const override { return out_of_range_; }
 
  private:

@@ -29,6 +29,15 @@ def EYEBRIDGEAccelerometerGet():
     return _pair("EYEBRIDGEAccelerometerGet", _C.EYEBRIDGEAccelerometerGet)
 
 
+def EYEBRIDGERangeMatrixGet(matrix):
+    """The 64 ranges of a time-of-flight matrix, mm along its axis: eight rows of eight zones, the top row first, each
+    from the left; 9999 is nothing within reach. Raises RobotError where there is no such matrix, or it is lost."""
+    ranges = (_ctypes.c_int * 64)()
+    if _C.EYEBRIDGERangeMatrixGet(matrix, ranges) != 0:
+        raise _failure("EYEBRIDGERangeMatrixGet")
+    return ranges[:]
+
+
 def PSDGet(psd):
     """Distance in mm of sensor PSD_FRONT …; -1 for a sensor that the robot does not have or has lost."""
     return _C.PSDGet(psd)

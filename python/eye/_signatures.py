@@ -157,4 +157,5 @@ int SIMLaserScan(int*)
 text EYEBRIDGELastError()
 int EYEBRIDGEGyroscopeGet(int*)
 int EYEBRIDGEAccelerometerGet(int*, int*)
+int EYEBRIDGERangeMatrixGet(int, int*)
 """

@@ -147,6 +147,9 @@ class Robot:
     ) -> NDArray[numpy.float64]:
         """A scan from the left-most ray clockwise to the right-most; a full circle starts behind. What is not given is
         the model's. Raises ValueError without a lidar and for values outside (1 … 36000 points)."""
+    def range_matrix(self, id: int) -> NDArray[numpy.float64]:
+        """Ranges of a time-of-flight matrix, metres along its axis, with their errors: eight rows, the top one first,
+        of eight zones, the left-most first. Raises IndexError for none."""
     def compass(self) -> float:
         """Heading in the world, with its error."""
     def gyroscope(self) -> float:

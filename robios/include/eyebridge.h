@@ -27,6 +27,14 @@ int EYEBRIDGEGyroscopeGet(int* rate);
  */
 int EYEBRIDGEAccelerometerGet(int* forward, int* left);
 
+/**
+ * Fills distance[0 … 63] with the ranges of time-of-flight matrix number `matrix`, 1 … 8: eight
+ * rows of eight zones, the top row first, each from the left; mm along the axis of the sensor, 9999
+ * where nothing is within reach. 0, or 1 when the robot has no such matrix or has lost it, or
+ * `distance` is NULL: then nothing is written. With the errors of its model ("tof"). Any thread.
+ */
+int EYEBRIDGERangeMatrixGet(int matrix, int distance[]);
+
 #pragma GCC visibility pop
 #ifdef __cplusplus
 }

@@ -28,6 +28,7 @@ inline constexpr std::array kCallCosts = {
     CallCost{"ENCODER", std::chrono::microseconds(1500)},  //
     CallCost{"EYEBRIDGEAccelerometer", std::chrono::microseconds(1500)},  // as other sensors
     CallCost{"EYEBRIDGEGyroscope", std::chrono::microseconds(1500)},      //
+    CallCost{"EYEBRIDGERangeMatrix", std::chrono::milliseconds(2)},       // its 128 bytes
     CallCost{"IRTV", std::chrono::microseconds(20)},                      //
     CallCost{"IP", std::chrono::milliseconds(2)},                         // a QVGA filter
     CallCost{"IPP", std::chrono::microseconds(1)},                        // one pixel

@@ -17,8 +17,8 @@ using eyebridge::robios::Call;
 using eyebridge::robios::ConstBytes;
 using eyebridge::robios::guarded;
 using eyebridge::robios::ImageSize;
-using eyebridge::robios::PnmImage;
 using eyebridge::robios::PnmKind;
+using eyebridge::robios::PnmPicture;
 using eyebridge::robios::Session;
 using eyebridge::robios::to_rgb;
 
@@ -84,7 +84,7 @@ void filtering(const Call& call, Work&& work, const Pointers*... images) {
 }
 
 Result<int> write(const char* filename, PnmKind kind, const Image& image, ConstBytes bytes) {
-  const PnmImage file{kind, image.size, {bytes.begin(), bytes.end()}};
+  const PnmPicture file{kind, image.size.width, image.size.height, {bytes.begin(), bytes.end()}};
   return eyebridge::robios::write_pnm_file(file, filename).map([] { return 0; });
 }
 
@@ -110,7 +110,7 @@ int IPReadFile(const char* filename, BYTE* img) {
   return processing(
       "IPReadFile", -1,
       [&](const Image& image) -> Result<int> {
-        return eyebridge::robios::read_pnm_file(filename).map([&](const PnmImage& file) {
+        return eyebridge::robios::read_pnm_file(filename).map([&](const PnmPicture& file) {
           eyebridge::robios::fit(file, image.size, image.colour(img));
           return file.kind == PnmKind::Colour ? 3 : file.kind == PnmKind::Grey ? 2 : 1;
         });

@@ -127,6 +127,15 @@ TEST(BoardWorld, SensorsThatTheRobotLacksAreNotConnected) {
   }
   EXPECT_EQ(board.pins.psd[EB_PSDS - 1], EB_PSD_ABSENT);
   EXPECT_EQ(board.config.lidar, world.simulation().model(0).lidar.has_value());
+  EXPECT_EQ(board.config.matrices, 0);
+}
+
+TEST(BoardWorld, ARobotsRangeMatricesAreAnnounced) {
+  files::Scenario scenario = files::default_scenario();
+  scenario.models[0] = *files::builtin_robot("Explorer");
+  scenario.models[0].range_matrices.emplace_back().id = 4;
+  BoardWorld world(scenario);
+  EXPECT_EQ(world.add_board(0, settings()).config.matrices, 0x09);
 }
 
 TEST(BoardWorld, EachBoardDrivesItsOwnRobot) {

@@ -1,5 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <map>
+#include <numeric>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -338,6 +342,24 @@ TEST_F(CanNode, AScanGoesOutInLongFramesOnAnFdBus) {
   ASSERT_TRUE(eb_board_lidar(&fd.board, &scan));
   EXPECT_THAT(fd.frames(), ElementsAre("2C1#011F006801000000", StartsWith("2D1##1011E0000"),
                                        StartsWith("2D1##101011E00")));
+}
+
+TEST_F(CanNode, AReadingOfARangeMatrixGoesOutInTwentyTwoFrames) {
+  host.frames();
+  std::array<std::uint16_t, EB_ZONES> zones{};
+  std::iota(zones.begin(), zones.end(), std::uint16_t{1});
+  zones.back() = 12000;
+  ASSERT_TRUE(eb_board_zones(&host.board, 2, zones.data()));
+  EXPECT_FALSE(eb_board_zones(&host.board, 1, zones.data())) << "one at a time";
+  const std::vector<std::string> frames = host.frames();
+  ASSERT_EQ(frames.size(), 22U);
+  EXPECT_EQ(frames.front(), "2E1#1200010002000300");
+  EXPECT_EQ(frames[20], "2E1#12143D003E003F00");
+  EXPECT_EQ(frames.back(), "2E1#12150F27FFFFFFFF");
+  EXPECT_TRUE(eb_board_zones(&host.board, 1, zones.data()));
+  EXPECT_EQ(host.frames().front(), "2E1#2100010002000300");
+  EXPECT_FALSE(eb_board_zones(&host.board, 0, zones.data()));
+  EXPECT_FALSE(eb_board_zones(&host.board, 9, zones.data()));
 }
 
 TEST_F(CanNode, DistancesComeFromTheTable) {

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "eyebridge/bridges/can/messages.hpp"
+#include "eyebridge/bridges/can/zones.hpp"
 #include "eyebridge/bridges/io7/help_list.hpp"
 #include "eyebridge/bridges/io7/reply_parser.hpp"
 #include "eyebridge/bridges/open.hpp"
@@ -88,6 +89,10 @@ inline void can_frame(std::string_view text) {
   const auto again = can::encode_any(*message);
   require(again.has_value() && again->id == frame.id && again->fd == frame.fd);
   require(can::decode_any(*again) == *message);
+  if (const auto* zones = std::get_if<can::ZoneChunk>(&message->message)) {
+    can::ZoneAssembler assembler;
+    require(assembler.push(*zones) == nullptr && assembler.push(*zones) == nullptr);
+  }
 }
 
 /// What a trace reader accepts is written and read the same, whatever the line breaks and comments.

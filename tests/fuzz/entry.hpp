@@ -183,12 +183,16 @@ inline void errors(std::string_view text) {
     files::Scenario scenario = files::default_scenario();
     robot::RobotModel& model = scenario.models.front();
     model.lidar = robot::LidarModel{};
+    model.range_matrices.emplace_back();
     for (auto& sensor : model.range_sensors) sensor.table = robot::RangeTable({0.1, 0.2, 0.4});
     files::apply_rules(files::read_error_rules(text, {}), scenario);
     for (robot::RobotModel& robot : scenario.models) {
       const auto share = [](double value) { return value >= 0.0 && value <= 1.0; };
       for (const auto& sensor : robot.range_sensors) {
         if (!share(sensor.error.dropout) || !(sensor.error.sigma >= 0.0)) found();
+      }
+      for (const auto& matrix : robot.range_matrices) {
+        if (!share(matrix.error.dropout) || !(matrix.error.sigma >= 0.0)) found();
       }
       const robot::RadioError& radio = robot.radio_error;
       if (!share(radio.loss) || !share(radio.corrupt) || !(radio.delay >= 0.0)) found();
@@ -260,13 +264,18 @@ inline void terminal_input(std::string_view bytes) {
 
 /// An image holds what its size says, is not much bigger than its file, and survives a round trip.
 inline void pnm(std::string_view text) {
-  using namespace eyebridge::robios;
-  const auto image =
-      read_pnm({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, "fuzz.pnm");
-  if (!image) return;
-  const auto again = read_pnm(write_pnm(*image), "again.pnm");
-  if (image->bytes.size() != image->size.pixels() * pnm_channels(image->kind) ||
-      image->bytes.size() > 8 * text.size() || !again || *again != *image) {
+  PnmPicture image;
+  try {
+    image = read_pnm(text, "fuzz.pnm");
+  } catch (const ConfigError&) {
+    return;  // the input is no picture
+  }
+  const std::size_t pixels =
+      static_cast<std::size_t>(image.columns) * static_cast<std::size_t>(image.rows);
+  const std::vector<std::uint8_t> written = robios::write_pnm(image);
+  const std::string again(written.begin(), written.end());
+  if (image.bytes.size() != pixels * pnm_channels(image.kind) ||
+      image.bytes.size() > 8 * text.size() || read_pnm(again, "again.pnm") != image) {
     found();
   }
 }

@@ -37,7 +37,7 @@ inline void map_yaml(std::string_view text) {
     const files::MapTexts texts = files::write_map(grid, "fuzz.pgm");
     const mapping::OccupancyGrid again =
         files::map_of(files::read_map_description(texts.yaml, "again.yaml", warnings),
-                      files::read_pgm(texts.pgm, "again.pgm"));
+                      files::read_map_picture(texts.pgm, "again.pgm"));
     if (again.geometry() != grid.geometry()) found();
     for (std::size_t i = 0; i < grid.raster().cells.size(); ++i) {
       if (again.state_of(again.raster().cells[i]) != grid.state_of(grid.raster().cells[i])) found();
@@ -50,10 +50,10 @@ inline void map_yaml(std::string_view text) {
 /// A picture is as large as it says, and takes no more memory than its file.
 inline void map_pgm(std::string_view bytes) {
   try {
-    const files::GreyPicture picture = files::read_pgm(bytes, "fuzz.pgm");
+    const files::GreyPicture picture = files::read_map_picture(bytes, "fuzz.pgm");
     const std::size_t count =
         static_cast<std::size_t>(picture.columns) * static_cast<std::size_t>(picture.rows);
-    if (count < 1 || count != picture.greys.size() || count > bytes.size()) found();
+    if (count < 1 || count != picture.greys.size() || count > 8 * bytes.size()) found();
     check_map(files::map_of({}, picture));
   } catch (const ConfigError&) {  // the input is no picture
   }

@@ -1,4 +1,4 @@
-// The central test: scans. Its rows are in backend_contract_test.cpp.
+// The central test: scans, and matrices of ranges. Its rows are in backend_contract_test.cpp.
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -114,6 +114,33 @@ TEST_P(BackendContract, LidarLooksStraightDownAndUp) {
     const double seen = tilt > 0 ? rig_model().lidar->height : lidar->max_range();
     EXPECT_THAT(ranges, Each(DoubleNear(seen, 1e-9)));
   }
+}
+
+TEST_P(BackendContract, ARangeMatrixMeasuresAlongItsAxis) {
+  const Rig rig = make(0.1);
+  RangeMatrix* matrix = rig.backend->range_matrix(3);
+  ASSERT_EQ(matrix != nullptr, traits().range_matrix);
+  EXPECT_EQ(rig.backend->range_matrix(1), nullptr);
+  EXPECT_EQ(rig.backend->range_matrix(0), nullptr);
+  EXPECT_EQ(rig.backend->range_matrix(9), nullptr);
+  if (matrix == nullptr) return;
+  EXPECT_EQ(matrix->out_of_range(), 9.999);
+  const Result<RangeMatrix::Ranges> ranges = matrix->read();
+  ASSERT_TRUE(ranges) << ranges.error().what;
+  // The sensor is 50 mm high: its lowest row would see the floor 121 mm ahead.
+  EXPECT_THAT(*ranges, Each(DoubleNear(0.1, traits().range)));
+}
+
+TEST_P(BackendContract, ARangeMatrixGoesFromTheTopLeftToTheBottomRight) {
+  // The wall on the left is nearer than the one ahead, and the floor than both.
+  const Rig rig = make_at({1.0, 2 * kSideWall - 0.2, 0.5});
+  RangeMatrix* matrix = rig.backend->range_matrix(3);
+  ASSERT_EQ(matrix != nullptr, traits().range_matrix);
+  if (matrix == nullptr) return;
+  const Result<RangeMatrix::Ranges> ranges = matrix->read();
+  ASSERT_TRUE(ranges) << ranges.error().what;
+  EXPECT_LT(ranges->at(0), ranges->at(RangeMatrix::kSize - 1));
+  EXPECT_NEAR(ranges->back(), 0.05 / std::tan(kPi / 8), traits().range);
 }
 
 }  // namespace

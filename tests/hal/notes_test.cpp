@@ -103,6 +103,16 @@ TEST_F(Notes, AreWhatTheProgramWanted) {
   EXPECT_EQ(note("servo", 1, Quantity::Position).values[0], 0.75);
 }
 
+TEST_F(Notes, KeepTheNearestZoneOfARangeMatrix) {
+  const RangeMatrix::Ranges ranges = robot_->range_matrix(3)->read().value();
+  const auto nearest = std::ranges::min_element(ranges) - ranges.begin();
+  const Note seen = note("tof", 3, Quantity::Nearest);
+  EXPECT_EQ(seen.values[0], *std::ranges::min_element(ranges));
+  // Of eight columns over 45 degrees, the left-most first, the middle.
+  EXPECT_NEAR(seen.values[1], deg_to_rad(22.5 - 5.625 * (static_cast<double>(nearest % 8) + 0.5)),
+              1e-9);
+}
+
 TEST_F(Notes, KeepTheNearestPointOfAScan) {
   Lidar& lidar = *robot_->lidar();
   for (const double field_of_view : {deg_to_rad(90), 2 * kPi}) {

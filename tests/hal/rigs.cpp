@@ -64,6 +64,10 @@ robot::RobotModel rig_model() {
   model.bumpers.push_back(bumper);
   model.lidar = robot::LidarModel{};
   model.lidar->points = 8;
+  robot::RangeMatrixModel& matrix = model.range_matrices.emplace_back();
+  matrix.id = 3;
+  matrix.name = "TOF_FRONT";
+  matrix.pose_in_robot = {kFrontOffset, 0, 0};
   model.camera = robot::CameraModel{};
   return model;
 }

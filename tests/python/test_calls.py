@@ -129,6 +129,27 @@ class Calls(ProgramTest):
             err=None,
         )
 
+    def test_a_range_matrix(self):
+        world = self.write("world.sim", "robot tof.robi\nSeer 1000 1000 0\n")
+        self.write("tof.robi", "name Seer\ndiameter 100\ntof 1 TOF_FRONT 140 0 100 0\n")
+        self.expect(
+            """
+            from eye import *
+            zones = EYEBRIDGERangeMatrixGet(1)
+            print(type(zones).__name__, len(zones), zones[0], zones[63])
+            try:
+                EYEBRIDGERangeMatrixGet(2)
+            except RobotError as error:
+                print(error)
+            """,
+            """
+            list 64 855 241
+            EYEBRIDGERangeMatrixGet: this robot has no tof 2
+            """,
+            {"world": world},
+            err=None,
+        )
+
     def test_a_robot_without_lidar_says_so_and_goes_on(self):
         world = self.write("world.sim", """
             robot bare.robi

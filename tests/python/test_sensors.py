@@ -26,6 +26,20 @@ class Sensors(unittest.TestCase):
             rates = np.array([robot.gyroscope() for _ in range(2000)])
             np.testing.assert_allclose((rates.mean(), rates.std()), (0.5 + math.radians(5), math.radians(1)), rtol=0.1)
 
+    def test_a_range_matrix_sees_the_wall_and_the_floor(self):
+        with tempfile.TemporaryDirectory() as folder:
+            world = pathlib.Path(folder) / "one.sim"
+            (pathlib.Path(folder) / "tof.robi").write_text("name Seer\ndiameter 100\ntof 3 TOF_FRONT 50 0 100 0\n")
+            world.write_text("robot tof.robi\nSeer 1000 1000 0\n")
+            with eyebridge.Simulation(eyebridge.load_scenario(world)) as sim:
+                ranges = sim.robots[0].range_matrix(3)
+                self.assertEqual(ranges.shape, (8, 8))
+                down = np.radians(45 / 8) * np.arange(-3, 5)  # lower edges of the rows
+                floor = np.where(down > 0, 0.1 / np.tan(np.maximum(down, 1e-9)), np.inf)
+                np.testing.assert_allclose(ranges, np.minimum(0.945, floor)[:, None].repeat(8, axis=1), atol=1e-9)
+                with self.assertRaises(IndexError):
+                    sim.robots[0].range_matrix(1)
+
     def test_how_likely_a_reading_is(self):
         with eyebridge.Simulation() as sim:
             robot = sim.robots[0]

@@ -81,6 +81,7 @@ TEST(HeaderValues, FunctionsHaveTheSignaturesThatProgramsUse) {
   EXPECT_TRUE((std::is_same_v<decltype(&RADIOStatus), int (*)(int*)>));
   EXPECT_TRUE((std::is_same_v<decltype(&EYEBRIDGELastError), const char* (*)(void)>));
   EXPECT_TRUE((std::is_same_v<decltype(&EYEBRIDGEGyroscopeGet), int (*)(int*)>));
+  EXPECT_TRUE((std::is_same_v<decltype(&EYEBRIDGERangeMatrixGet), int (*)(int, int*)>));
   EXPECT_TRUE((std::is_same_v<decltype(&EYEBRIDGEAccelerometerGet), int (*)(int*, int*)>));
 }
 

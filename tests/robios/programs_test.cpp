@@ -117,6 +117,20 @@ TEST(Programs, GyroscopeAndAccelerometerFeelACurve) {
                          "nowhere 1 1 1: EYEBRIDGE[A-Za-z]+: a null pointer was given\n"));
 }
 
+TEST(Programs, ARangeMatrixSeesTheWallAndTheFloor) {
+  const ScratchFolder folder;
+  folder.write("tof.robi", "name Seer\ndiameter 100\ntof 1 TOF_FRONT 140 0 100 0\n");
+  const std::string world = folder.write("world.sim", "robot tof.robi\nSeer 1000 1000 0\n");
+  const ProgramRun r = run_named("range_matrix", {{"EYEBRIDGE_WORLD", world}});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  // The wall is 855 mm ahead of the sensor; from a height of 100 mm the lower edge of the lowest
+  // row, 22.5 degrees down, meets the floor after 241 mm.
+  EXPECT_THAT(r.out, HasSubstr("ahead 0: 855 855, floor 241\n"));
+  EXPECT_THAT(r.out,
+              HasSubstr("missing 1, -7: EYEBRIDGERangeMatrixGet: this robot has no tof 2\n"));
+  EXPECT_THAT(r.out, HasSubstr("nowhere 1: EYEBRIDGERangeMatrixGet: a null pointer was given\n"));
+}
+
 TEST(Programs, DrivingEndsWhereItShould) {
   const ProgramRun r = run_named("driving");
   EXPECT_EQ(r.exit_code, 0) << r.err;

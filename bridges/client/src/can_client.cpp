@@ -277,12 +277,30 @@ Result<void> CanClient::latest_scan(can::LidarScan& out) const {
 
 bool CanClient::has_lidar() const {
   const std::lock_guard lock(mutex_);
-  return has_lidar_ || announces_scans();
+  return has_lidar_ || is_capable_of(EYECAN_CAPABLE_OF_SCANS);
 }
 
-bool CanClient::announces_scans() const {
+Result<can::Zones> CanClient::latest_zones(int id) const {
+  const std::lock_guard lock(mutex_);
+  if (auto ready = check_ready(); !ready) return tl::unexpected(ready.error());
+  if (id < 1 || id > can::kMostMatrices) return fail(Errc::NoDevice, "no range matrix");
+  const RangeMatrix& matrix = range_matrices_[static_cast<std::size_t>(id) - 1];
+  if (!matrix.at || clock_.now() - *matrix.at > kScanAge) {
+    return fail(Errc::Timeout, who_ + " sends no readings of range matrix " + std::to_string(id));
+  }
+  return matrix.zones;
+}
+
+bool CanClient::has_range_matrix(int id) const {
+  const std::lock_guard lock(mutex_);
+  if (id < 1 || id > can::kMostMatrices) return false;
+  return range_matrices_[static_cast<std::size_t>(id) - 1].at ||
+         is_capable_of(EYECAN_CAPABLE_OF_ZONES << static_cast<unsigned>(id - 1));
+}
+
+bool CanClient::is_capable_of(unsigned capability) const {
   const auto& version = std::get<Latest<can::VersionStatus>>(latest_);
-  return version.at && (version.value.capabilities & EYECAN_CAPABLE_OF_SCANS) != 0;
+  return version.at && (version.value.capabilities & capability) != 0;
 }
 
 RobotWatch::Phase CanClient::phase() const {

@@ -20,6 +20,7 @@ constexpr Time kReportPeriod = 1s;
 // Longer would let the next heartbeat be late; what does not go out now is old by then.
 constexpr Time kSendTime = 5ms;
 constexpr Time kEchoLimit = 500ms;
+constexpr Time kLongestGap = 200ms;  ///< Between frames of a reading of a range matrix.
 constexpr std::array<std::uint8_t, 2> kMotorModes = {EYECAN_MOTOR_PERCENT, EYECAN_MOTOR_TICKS};
 
 std::string fault_text(const can::FaultStatus& fault) {
@@ -242,11 +243,24 @@ void CanClient::take_message(const can::AnyMessage& message, Time now) {
     scan = lidar_->push(*chunk);
   } else if (const auto* chunk_fd = std::get_if<can::LidarChunkFd>(&message)) {
     scan = lidar_->push(*chunk_fd);
+  } else if (const auto* zones = std::get_if<can::ZoneChunk>(&message)) {
+    take_zones(*zones, now);
   }
   // One with gaps is none: a range is never invented.
   if (scan != nullptr && scan->missing == 0) {
     scan_ = *scan;
     scan_at_ = now;
+  }
+}
+
+void CanClient::take_zones(const can::ZoneChunk& chunk, Time now) {
+  RangeMatrix& matrix = range_matrices_.at(chunk.matrix - 1U);
+  // The frames of a reading follow each other: an old one's, of the same number, are not added.
+  if (now - matrix.chunk_at > kLongestGap) matrix.assembler.reset();
+  matrix.chunk_at = now;
+  if (const can::Zones* const whole = matrix.assembler.push(chunk); whole != nullptr) {
+    matrix.zones = *whole;
+    matrix.at = now;
   }
 }
 
@@ -301,7 +315,12 @@ std::string CanClient::missing() const {
   std::apply([&](const auto&... entries) { (look(entries), ...); }, latest_);
   const auto& version = std::get<Latest<can::VersionStatus>>(latest_);
   if (!version.at) add(can::spec_of<can::VersionStatus>().name);
-  if (announces_scans() && !scan_at_) add("a whole scan of its LIDAR");
+  if (is_capable_of(EYECAN_CAPABLE_OF_SCANS) && !scan_at_) add("a whole scan of its LIDAR");
+  for (unsigned i = 0; i < range_matrices_.size(); ++i) {
+    if (is_capable_of(EYECAN_CAPABLE_OF_ZONES << i) && !range_matrices_[i].at) {
+      add("a whole reading of range matrix " + std::to_string(i + 1));
+    }
+  }
   return names.empty() ? "" : who_ + " does not send " + names;
 }
 

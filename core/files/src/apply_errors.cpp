@@ -10,29 +10,13 @@
 namespace eyebridge::files {
 namespace {
 
-using Part = ErrorKind::Part;
-
-template <class Error>
-constexpr Part part() {
-  if constexpr (std::is_same_v<Error, robot::DriveError>) return Part::Drive;
-  if constexpr (std::is_same_v<Error, robot::RangeError>) return Part::Range;
-  if constexpr (std::is_same_v<Error, robot::ProximityError>) return Part::Proximity;
-  if constexpr (std::is_same_v<Error, robot::BumperError>) return Part::Bumper;
-  if constexpr (std::is_same_v<Error, robot::LidarError>) return Part::Lidar;
-  if constexpr (std::is_same_v<Error, robot::CompassError>) return Part::Compass;
-  if constexpr (std::is_same_v<Error, robot::CameraError>) return Part::Camera;
-  if constexpr (std::is_same_v<Error, robot::RadioError>) return Part::Radio;
-  if constexpr (std::is_same_v<Error, robot::GyroscopeError>) return Part::Gyroscope;
-  if constexpr (std::is_same_v<Error, robot::AccelerometerError>) return Part::Accelerometer;
-}
-
 /// Calls `visit(error, id)` for the devices that `rule`, which is no preset, is about.
 template <class Model, class Visit>
 void for_each_meant(const ErrorRule& rule, Model& model, Visit&& visit) {
   robot::for_each_error(model, [&](auto& error, int id) {
     using Error = std::remove_cvref_t<decltype(error)>;
     const bool meant = !rule.device || *rule.device == id;
-    if (rule.kind->part == part<Error>() && meant) visit(error, id);
+    if (rule.kind->part == robot::kErrorPart<Error> && meant) visit(error, id);
   });
 }
 

@@ -24,6 +24,10 @@ const std::vector<robot::RobotModel>& builtin_robots() {
 }
 
 bool has(const robot::RobotModel& robot, std::string_view kind, int id) {
+  if (kind == "tof") {
+    return std::ranges::any_of(robot.range_matrices,
+                               [&](const auto& matrix) { return matrix.id == id; });
+  }
   if (kind == "lidar") return robot.lidar.has_value();
   if (id < 1) return false;
   const auto number = static_cast<unsigned>(id);

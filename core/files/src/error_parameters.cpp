@@ -8,7 +8,7 @@ namespace eyebridge::files {
 namespace {
 
 using robot::ErrorModels;
-using Part = ErrorKind::Part;
+using robot::kErrorPart;
 
 constexpr double kPercent = 100;
 constexpr double kMilli = 1000;
@@ -76,6 +76,17 @@ constexpr auto kLidar = std::to_array<ErrorParameter>({
     {"dropout", "%", 0, 100, kPercent, [](ErrorModels& m, double v) { m.lidar.dropout = v; }},
 });
 
+constexpr auto kTof = std::to_array<ErrorParameter>({
+    {"sigma", "mm", 0, kLongestMm, kMilli,
+     [](ErrorModels& m, double v) { m.range_matrix.sigma = v; }},
+    {"relative", "%", 0, 100, kPercent,
+     [](ErrorModels& m, double v) { m.range_matrix.sigma_relative = v; }},
+    {"bias", "mm", -kLongestMm, kLongestMm, kMilli,
+     [](ErrorModels& m, double v) { m.range_matrix.bias = v; }},
+    {"dropout", "%", 0, 100, kPercent,
+     [](ErrorModels& m, double v) { m.range_matrix.dropout = v; }},
+});
+
 constexpr auto kRadio = std::to_array<ErrorParameter>({
     {"loss", "%", 0, 100, kPercent, [](ErrorModels& m, double v) { m.radio.loss = v; }},
     {"delay", "ms", 0, kLongestMs, kMilli, [](ErrorModels& m, double v) { m.radio.delay = v; }},
@@ -103,18 +114,19 @@ constexpr auto kAccelerometer = std::to_array<ErrorParameter>({
 });
 
 constexpr auto kKinds = std::to_array<ErrorKind>({
-    {"psd", Part::Range, true, 2, kPsd},
-    {"drive", Part::Drive, false, 2, kDrive},
-    {"wheels", Part::Drive, false, 2, kWheels},
-    {"encoder", Part::Drive, false, 0, kEncoder},
-    {"compass", Part::Compass, false, 1, kCompass},
-    {"camera", Part::Camera, false, 2, kCamera},
-    {"ir", Part::Proximity, true, 1, kIr},
-    {"bump", Part::Bumper, true, 1, kBump},
-    {"lidar", Part::Lidar, false, 2, kLidar},
-    {"radio", Part::Radio, false, 2, kRadio},
-    {"gyroscope", Part::Gyroscope, false, 2, kGyroscope},
-    {"accelerometer", Part::Accelerometer, false, 1, kAccelerometer},
+    {"psd", kErrorPart<robot::RangeError>, true, 2, kPsd},
+    {"drive", kErrorPart<robot::DriveError>, false, 2, kDrive},
+    {"wheels", kErrorPart<robot::DriveError>, false, 2, kWheels},
+    {"encoder", kErrorPart<robot::DriveError>, false, 0, kEncoder},
+    {"compass", kErrorPart<robot::CompassError>, false, 1, kCompass},
+    {"camera", kErrorPart<robot::CameraError>, false, 2, kCamera},
+    {"ir", kErrorPart<robot::ProximityError>, true, 1, kIr},
+    {"bump", kErrorPart<robot::BumperError>, true, 1, kBump},
+    {"lidar", kErrorPart<robot::LidarError>, false, 2, kLidar},
+    {"tof", kErrorPart<robot::RangeMatrixError>, true, 2, kTof},
+    {"radio", kErrorPart<robot::RadioError>, false, 2, kRadio},
+    {"gyroscope", kErrorPart<robot::GyroscopeError>, false, 2, kGyroscope},
+    {"accelerometer", kErrorPart<robot::AccelerometerError>, false, 1, kAccelerometer},
 });
 
 }  // namespace

@@ -19,21 +19,8 @@ struct ErrorParameter {
 
 /// What of a robot a rule is about.
 struct ErrorKind {
-  enum class Part {
-    Drive,
-    Range,
-    Proximity,
-    Bumper,
-    Lidar,
-    Compass,
-    Camera,
-    Radio,
-    Gyroscope,
-    Accelerometer
-  };
-
   std::string_view name;  ///< "psd"
-  Part part;              ///< Where its numbers are.
+  std::size_t part;       ///< Where its numbers are: robot::kErrorPart.
   bool numbered;          ///< A robot may have several: "psd:2" names one.
   std::size_t in_order;   ///< So many of the parameters may be given without their names.
   std::span<const ErrorParameter> parameters;

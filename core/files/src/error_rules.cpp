@@ -10,8 +10,6 @@
 namespace eyebridge::files {
 namespace {
 
-using Part = ErrorKind::Part;
-
 [[noreturn]] void reject(const SourceLocation& where, const std::string& text) {
   throw ConfigError(where, text);
 }

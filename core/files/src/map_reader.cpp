@@ -212,7 +212,7 @@ mapping::OccupancyGrid load_map(const std::filesystem::path& path, std::vector<W
   if (!std::filesystem::exists(image, error)) {
     throw ConfigError(description.image_where, "no such file: " + in_quotes(image.string(), 200));
   }
-  return map_of(description, read_pgm(read_bytes(image, "a picture"), image.string()));
+  return map_of(description, read_map_picture(read_bytes(image, "a picture"), image.string()));
 }
 
 }  // namespace eyebridge::files

@@ -14,12 +14,13 @@
 namespace eyebridge::files {
 namespace {
 
+constexpr int kMostRangeMatrices = 8;
 constexpr double kMaxSize = 10000;  // millimetres: no robot or mounting is larger
-constexpr std::array<std::string_view, 28> kRobiKeywords = {
-    "name",   "diameter", "speed", "turn",      "model",     "axis",     "axel",
-    "psd",    "camera",   "wheel", "drive",     "mass",      "collider", "fisheye",
-    "lidar",  "ir",       "bump",  "psd_range", "psd_table", "accel",    "error",
-    "kicker", "psd_kind", "axles", "steering",  "friction",  "servo",    "dive"};
+constexpr std::array<std::string_view, 29> kRobiKeywords = {
+    "name",     "diameter",  "speed",     "turn",  "model",    "axis",    "axel",     "psd",
+    "camera",   "wheel",     "drive",     "mass",  "collider", "fisheye", "lidar",    "ir",
+    "bump",     "psd_range", "psd_table", "accel", "error",    "kicker",  "psd_kind", "axles",
+    "steering", "friction",  "servo",     "dive",  "tof"};
 
 class RobiReader {
  public:
@@ -87,6 +88,8 @@ class RobiReader {
       fisheye_ = deg_to_rad(s.number(1, "the angle of view", 60, 150));
     } else if (keyword == "lidar") {
       read_lidar(s);
+    } else if (keyword == "tof") {
+      read_range_matrix(s);
     } else if (keyword == "collider") {
       read_collider(s);
     } else if (keyword == "mass") {
@@ -216,6 +219,22 @@ class RobiReader {
     }
     s.fail(1, in_quotes(s.text(1)) + " found: expected the number of points, or " +
                   one_of(robot::kLidarPresets));
+  }
+
+  /// "tof id NAME x y z angle [tilt [range]]"
+  void read_range_matrix(const Statement& s) {
+    s.expect_arguments({6, 7, 8}, "tof id NAME x y z angle [tilt [range]]");
+    robot::RangeMatrixModel matrix;
+    matrix.id = s.integer(1, "the number of the matrix", 1, kMostRangeMatrices);
+    matrix.name = std::string(s.text(2));
+    matrix.pose_in_robot = {offset(s, 3, "x"), offset(s, 4, "y"), s.degrees(6, "the angle")};
+    matrix.height = s.millimetres(5, "z", 0, kMaxSize);
+    if (s.size() > 7) matrix.tilt = deg_to_rad(s.number(7, "the tilt", -60, 60));
+    if (s.size() > 8) matrix.max_range = s.millimetres(8, "the range", 1, 9998);
+    for (const robot::RangeMatrixModel& other : model().range_matrices) {
+      if (other.id == matrix.id) s.fail(1, "a second tof of this number: expected one");
+    }
+    model().range_matrices.push_back(matrix);
   }
 
   void read_collider(const Statement& s) {

@@ -29,6 +29,7 @@ ErrorModels realistic() {
   errors.lidar.sigma = 0.005;
   errors.lidar.sigma_relative = 0.01;
   errors.lidar.dropout = 0.005;
+  errors.range_matrix = {{{0.0, 0.005, 0.02}, 0.01}};
   errors.compass.sigma = deg_to_rad(2);
   errors.camera.salt_and_pepper = 0.0005;
   errors.camera.sigma = 3;
@@ -60,6 +61,7 @@ ErrorModels harsh() {
   errors.lidar.sigma = 0.02;
   errors.lidar.sigma_relative = 0.03;
   errors.lidar.dropout = 0.03;
+  errors.range_matrix = {{{0.0, 0.02, 0.08}, 0.04}};
   errors.compass.bias = deg_to_rad(4);
   errors.compass.sigma = deg_to_rad(8);
   errors.camera = {0.005, 12, 0.005, 1.5, -0.5, 0.15};
@@ -97,6 +99,7 @@ void copy_errors(const RobotModel& from, RobotModel& to) {
   if (from.range_sensors.size() != to.range_sensors.size() ||
       from.proximity_sensors.size() != to.proximity_sensors.size() ||
       from.bumpers.size() != to.bumpers.size() || from.lidar.has_value() != to.lidar.has_value() ||
+      from.range_matrices.size() != to.range_matrices.size() ||
       from.camera.has_value() != to.camera.has_value()) {
     throw std::invalid_argument("errors: expected those of a robot with the same devices");
   }
@@ -108,6 +111,7 @@ void copy_errors(const RobotModel& from, RobotModel& to) {
   copy(from.proximity_sensors, to.proximity_sensors);
   copy(from.bumpers, to.bumpers);
   if (from.lidar) to.lidar->error = from.lidar->error;
+  copy(from.range_matrices, to.range_matrices);
   to.compass_error = from.compass_error;
   if (from.camera) to.camera->error = from.camera->error;
   to.radio_error = from.radio_error;

@@ -19,7 +19,8 @@ enum class NoiseSource : std::uint64_t {
   Slip,
   Encoder,
   Gyroscope,
-  Accelerometer
+  Accelerometer,
+  RangeMatrix
 };
 
 /// The stream of device number `index` of kind `source` on robot `robot`: no two devices share

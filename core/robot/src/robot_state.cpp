@@ -168,6 +168,9 @@ RobotDevices::RobotDevices(const RobotModel& robot_model, std::uint64_t seed, st
   for (std::size_t i = 0; i < model.bumpers.size(); ++i) {
     bumpers.push_back(noise_stream(seed, robot, NoiseSource::Bumper, i));
   }
+  for (std::size_t i = 0; i < model.range_matrices.size(); ++i) {
+    range_matrices.push_back(noise_stream(seed, robot, NoiseSource::RangeMatrix, i));
+  }
   servos.fill(0.5);
 }
 

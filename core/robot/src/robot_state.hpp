@@ -132,6 +132,7 @@ struct RobotDevices {
   std::vector<Random> bumpers;
   Random compass;
   Random lidar;
+  std::vector<Random> range_matrices;
   Random gyroscope;
   Random accelerometer;
   double gyroscope_stray = 0.0;         ///< Of its bias, radians per second,

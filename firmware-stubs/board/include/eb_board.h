@@ -60,6 +60,9 @@ void eb_board_can_lost(struct eb_board* board);
  * or when it has no points or too many. */
 bool eb_board_lidar(struct eb_board* board, const struct eb_scan* scan);
 
+/* The same of a reading of range matrix 1 ... 8, mm: the top row first, each from the left. */
+bool eb_board_zones(struct eb_board* board, int matrix, const uint16_t range_mm[EB_ZONES]);
+
 /* For the parts of the board. */
 #define EB_DEMO_DUTY 3000
 void eb_board_run(struct eb_board* board, const struct eb_request* request);

@@ -10,6 +10,8 @@ extern "C" {
 
 #define EB_MAX_SIGNALS 33
 #define EB_LIDAR_POINTS 360
+#define EB_ZONES 64
+#define EB_ZONES_A_FRAME 3
 
 /* A frame as the controller takes it. */
 struct eb_can_frame {
@@ -64,6 +66,7 @@ enum eb_can_due {
   EB_DUE_STATUS,
   EB_DUE_LIDAR_HEADER,
   EB_DUE_LIDAR_CHUNK,
+  EB_DUE_ZONES,
   EB_DUE_VERSION,
   EB_DUE_HEARTBEAT,
   EB_DUE_COUNT
@@ -104,6 +107,9 @@ struct eb_node {
   uint8_t scan_id;
   uint16_t scan_time_ms;
   uint16_t next_chunk, chunks;
+  /* A reading of a range matrix on its way. */
+  uint16_t zones_mm[EB_ZONES];
+  uint8_t zones_matrix, zones_reading, zones_chunk;
 };
 
 #ifdef __cplusplus

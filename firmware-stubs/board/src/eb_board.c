@@ -17,6 +17,7 @@ static const struct eb_config default_config = {
     0,
     false,
     false,
+    0,
     0};
 
 void eb_config_default(struct eb_config* config) { *config = default_config; }

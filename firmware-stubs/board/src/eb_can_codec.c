@@ -49,6 +49,7 @@ static const struct eb_signal chunk[] = {U(4), U(12), MM, MM, MM};
 static const struct eb_signal chunk_fd[] = {U(8),    FROM(8, 1, 30), FROM(16, 0, LIDAR_INDEX_LAST),
                                             FIVE_MM, FIVE_MM,        FIVE_MM,
                                             FIVE_MM, FIVE_MM,        FIVE_MM};
+static const struct eb_signal zones[] = {FROM(4, 1, 8), U(4), FROM(8, 0, 21), MM, MM, MM};
 static const struct eb_signal version[] = {U(8),      CHARACTER, CHARACTER, CHARACTER,
                                            CHARACTER, U(8),      U(16)};
 static const struct eb_signal heartbeat[] = {FROM(8, 0, 0x7F)};
@@ -81,6 +82,7 @@ static const struct eb_message messages[] = {
     {EYECAN_S_LIDAR_HDR, false, 1, 14, 8, COUNT(lidar)},
     {EYECAN_S_LIDAR_CHUNK, false, 1, 14, 8, COUNT(chunk)},
     {EYECAN_S_LIDAR_CHUNK, true, 1, 14, 64, COUNT(chunk_fd)},
+    {EYECAN_S_ZONES, false, 1, 14, 8, COUNT(zones)},
     {EYECAN_S_VERSION, false, 1, 14, 8, COUNT(version)},
     {EYECAN_HEARTBEAT, false, 1, 15, 1, COUNT(heartbeat)}};
 

@@ -84,7 +84,8 @@ static void fill_version(const struct eb_board* board, int32_t* v) {
   v[0] = EYECAN_PROTOCOL_VERSION;
   for (i = 0; i < IO7_VERSION_LENGTH; ++i) v[1 + i] = board->config.io7.version[i];
   v[5] = EYECAN_HARDWARE_EYEBOT_IO;
-  v[6] = EYECAN_CAPABLE_OF_MOVES | (board->config.lidar ? EYECAN_CAPABLE_OF_SCANS : 0);
+  v[6] = EYECAN_CAPABLE_OF_MOVES | (board->config.lidar ? EYECAN_CAPABLE_OF_SCANS : 0) |
+         EYECAN_CAPABLE_OF_ZONES * board->config.matrices;
 }
 
 static bool scan_header(const struct eb_node* node, struct eb_can_frame* frame) {
@@ -120,6 +121,23 @@ static bool scan_chunk(struct eb_node* node, struct eb_can_frame* frame) {
   return eb_can_pack(frame, EYECAN_S_LIDAR_CHUNK, node->fd, node->id, v);
 }
 
+static bool zones(struct eb_node* node, struct eb_can_frame* frame) {
+  const int first = node->zones_chunk * EB_ZONES_A_FRAME;
+  int32_t v[3 + EB_ZONES_A_FRAME];
+  int i;
+  v[0] = node->zones_matrix;
+  v[1] = node->zones_reading & 0x0F;
+  v[2] = node->zones_chunk;
+  for (i = 0; i < EB_ZONES_A_FRAME; ++i) {
+    v[3 + i] = first + i < EB_ZONES
+                   ? eb_clamp(node->zones_mm[first + i], 0, EYECAN_PSD_OUT_OF_RANGE)
+                   : EYECAN_ABSENT;
+  }
+  ++node->zones_chunk;
+  if (node->zones_chunk * EB_ZONES_A_FRAME < EB_ZONES) node->due |= (uint32_t)1 << EB_DUE_ZONES;
+  return eb_can_pack(frame, EYECAN_S_ZONES, false, node->id, v);
+}
+
 static void fill_digital(struct eb_board* board, int32_t* v) {
   board->node.digital_in = eb_board_levels(board);
   board->node.digital_out = board->digital_out;
@@ -133,7 +151,8 @@ bool eb_node_frame(struct eb_board* board, int due, struct eb_can_frame* frame) 
       EYECAN_S_FAULT,     EYECAN_S_POSE,        EYECAN_S_SPEED,    EYECAN_S_ENC12,
       EYECAN_S_ENC34,     EYECAN_S_PSD_A,       EYECAN_S_PSD_B,    EYECAN_S_PSD_RAW,
       EYECAN_S_DIGITAL,   EYECAN_S_ANALOG_A,    EYECAN_S_ANALOG_B, EYECAN_S_STATUS,
-      EYECAN_S_LIDAR_HDR, EYECAN_S_LIDAR_CHUNK, EYECAN_S_VERSION,  EYECAN_HEARTBEAT};
+      EYECAN_S_LIDAR_HDR, EYECAN_S_LIDAR_CHUNK, EYECAN_S_ZONES,    EYECAN_S_VERSION,
+      EYECAN_HEARTBEAT};
   struct eb_node* node = &board->node;
   int32_t v[EB_MAX_SIGNALS];
   int i;
@@ -172,6 +191,8 @@ bool eb_node_frame(struct eb_board* board, int due, struct eb_can_frame* frame) 
       return scan_header(node, frame);
     case EB_DUE_LIDAR_CHUNK:
       return scan_chunk(node, frame);
+    case EB_DUE_ZONES:
+      return zones(node, frame);
     case EB_DUE_VERSION:
       fill_version(board, v);
       break;

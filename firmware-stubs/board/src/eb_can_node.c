@@ -26,6 +26,7 @@ static const uint32_t period_us[EB_DUE_COUNT] = {0,      /* EB_DUE_FAULT */
                                                  100000, /* EB_DUE_STATUS */
                                                  0,      /* EB_DUE_LIDAR_HEADER */
                                                  0,      /* EB_DUE_LIDAR_CHUNK */
+                                                 0,      /* EB_DUE_ZONES */
                                                  5000000 /* EB_DUE_VERSION */,
                                                  100000 /* EB_DUE_HEARTBEAT */};
 
@@ -365,5 +366,18 @@ bool eb_board_lidar(struct eb_board* board, const struct eb_scan* scan) {
   node->next_chunk = 0;
   node->chunks = (uint16_t)(node->fd ? (scan->points + 29) / 30 : (scan->points + 2) / 3);
   node->due |= waiting;
+  return true;
+}
+
+bool eb_board_zones(struct eb_board* board, int matrix, const uint16_t range_mm[EB_ZONES]) {
+  struct eb_node* node = &board->node;
+  if (node->id == 0 || (node->due & bit_of(EB_DUE_ZONES)) != 0 || matrix < 1 || matrix > 8) {
+    return false;
+  }
+  memcpy(node->zones_mm, range_mm, sizeof node->zones_mm);
+  node->zones_matrix = (uint8_t)matrix;
+  node->zones_chunk = 0;
+  ++node->zones_reading;
+  node->due |= bit_of(EB_DUE_ZONES);
   return true;
 }

@@ -1,6 +1,7 @@
 #include "eyebridge/pins/board_world.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -12,7 +13,12 @@ namespace eyebridge::pins {
 namespace {
 
 constexpr Time kScanPeriod = std::chrono::milliseconds(200);
+constexpr Time kZonesPeriod = std::chrono::milliseconds(66);
 constexpr Time kMostLate = std::chrono::milliseconds(500);
+
+std::uint16_t in_mm(double range) {
+  return static_cast<std::uint16_t>(std::clamp(std::lround(m_to_mm(range)), 0L, 9999L));
+}
 
 }  // namespace
 
@@ -20,6 +26,8 @@ struct BoardWorld::PlacedBoard {
   robot::RobotIndex robot = 0;
   eb_board board{};
   Time next_scan{};
+  Time next_zones{};
+  std::size_t next_matrix = 0;
 };
 
 struct BoardWorld::PlacedRover {
@@ -52,6 +60,10 @@ eb_board& BoardWorld::add_board(robot::RobotIndex index, const eb_config& config
   complete.drive = drive_config(simulation_.model(index).drive, config.drive.stall_timeout_us);
   complete.psd_mm = psd_table().data();
   complete.lidar = simulation_.model(index).lidar.has_value();
+  complete.matrices = 0;
+  for (const robot::RangeMatrixModel& matrix : simulation_.model(index).range_matrices) {
+    complete.matrices |= static_cast<std::uint8_t>(1U << (matrix.id - 1));
+  }
   read_pins(simulation_, placed.robot, placed.board.pins);
   const eb_pins pins = placed.board.pins;
   eb_board_init(&placed.board, &complete, &pins);
@@ -87,10 +99,22 @@ void BoardWorld::offer_scan(PlacedBoard& placed) {
   std::vector<double> ranges(scan.points);
   simulation_.read_lidar(placed.robot, lidar->field_of_view, ranges);
   for (std::size_t i = 0; i < ranges.size(); ++i) {
-    scan.range_mm[i] =
-        static_cast<std::uint16_t>(std::clamp(std::lround(m_to_mm(ranges[i])), 0L, 9999L));
+    scan.range_mm[i] = in_mm(ranges[i]);
   }
   eb_board_lidar(&placed.board, &scan);
+}
+
+void BoardWorld::offer_zones(PlacedBoard& placed) {
+  const auto& matrices = simulation_.model(placed.robot).range_matrices;
+  const Time now = from_seconds(simulation_.time());
+  if (matrices.empty() || placed.board.node.id == 0 || now < placed.next_zones) return;
+  placed.next_zones = now + kZonesPeriod / static_cast<int>(matrices.size());
+  const std::size_t index = placed.next_matrix++ % matrices.size();
+  std::array<double, EB_ZONES> ranges{};
+  simulation_.read_range_matrix(placed.robot, index, ranges);
+  std::array<std::uint16_t, EB_ZONES> range_mm{};
+  std::ranges::transform(ranges, range_mm.begin(), in_mm);
+  eb_board_zones(&placed.board, matrices[index].id, range_mm.data());
 }
 
 void BoardWorld::step() {
@@ -98,6 +122,7 @@ void BoardWorld::step() {
   for (const auto& placed : boards_) {
     read_pins(simulation_, placed->robot, placed->board.pins);
     offer_scan(*placed);
+    offer_zones(*placed);
     eb_board_process(&placed->board, static_cast<std::uint32_t>(elapsed.count()));
     obey_pins(placed->board.pins, simulation_, placed->robot);
   }

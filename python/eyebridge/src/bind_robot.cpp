@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -5,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <pybind11/stl.h>
 
 #include "arrays.hpp"
@@ -69,6 +71,21 @@ py::array_t<double> lidar(const RobotHandle& robot, std::optional<int> points,
     sim.read_lidar(index, view, down, ranges);
     return ranges;
   }));
+}
+
+/// Eight rows of eight.
+py::array_t<double> range_matrix(const RobotHandle& robot, int id) {
+  constexpr auto kSize = static_cast<py::ssize_t>(robot::kMatrixSize);
+  py::array_t<double> ranges({kSize, kSize});
+  of(robot, [&](auto& sim, auto index) {
+    const auto& models = sim.model(index).range_matrices;
+    const auto found = std::ranges::find(models, id, &robot::RangeMatrixModel::id);
+    if (found == models.end()) throw py::index_error(fmt::format("no range matrix {}", id));
+    sim.read_range_matrix(index, static_cast<std::size_t>(found - models.begin()),
+                          {ranges.mutable_data(), static_cast<std::size_t>(ranges.size())});
+    return 0;
+  });
+  return ranges;
 }
 
 void set_pose(RobotHandle& robot, double x, double y, double theta) {
@@ -197,6 +214,7 @@ void bind_robot(py::module_& module) {
                                  return ids;
                                });
                              })
+      .def("range_matrix", &range_matrix, py::arg("id"))
       .def("lidar", &lidar, py::arg("points") = py::none(), py::arg("field_of_view") = py::none(),
            py::arg("tilt") = py::none())
       .def("compass",

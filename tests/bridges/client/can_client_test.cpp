@@ -53,6 +53,19 @@ TEST_F(CanClientStart, WaitsForAScanOfARobotThatCanScan) {
   EXPECT_TRUE(client->wait_ready(100ms));
 }
 
+TEST_F(CanClientStart, WaitsForAReadingOfEachRangeMatrixThatTheRobotTellsOf) {
+  robot.capabilities = 4 * EYECAN_CAPABLE_OF_ZONES;
+  const auto without = client->wait_ready(2s);
+  ASSERT_FALSE(without);
+  EXPECT_THAT(without.error().what, HasSubstr("does not send a whole reading of range matrix 3"));
+  EXPECT_TRUE(client->has_range_matrix(3));
+  EXPECT_FALSE(client->has_range_matrix(1));
+  for (std::uint8_t chunk = 0; chunk < 22; ++chunk) {
+    robot.send(0x2E, {0x53, chunk, 1, 1, 2, 2, 3, 3});
+  }
+  EXPECT_TRUE(client->wait_ready(100ms));
+}
+
 TEST_F(CanClientStart, SaysThatNobodyIsThere) {
   robot.silent = true;
   live(1s);
@@ -213,6 +226,35 @@ TEST_F(CanClientTest, PutsTheChunksOfAScanTogether) {
   EXPECT_EQ(scan->points()[3], 0x0404);
   live(1100ms);
   EXPECT_EQ(client->latest_scan(*scan).error().code, Errc::Timeout);
+}
+
+TEST_F(CanClientTest, PutsTheZonesOfARangeMatrixTogether) {
+  EXPECT_FALSE(client->has_range_matrix(2));
+  EXPECT_FALSE(client->has_range_matrix(0));
+  EXPECT_FALSE(client->has_range_matrix(9));
+  EXPECT_EQ(client->latest_zones(2).error().code, Errc::Timeout);
+  EXPECT_EQ(client->latest_zones(9).error().code, Errc::NoDevice);
+  for (std::uint8_t chunk = 0; chunk < 22; ++chunk) {
+    robot.send(0x2E, {0x52, chunk, chunk, 0, 2, 2, 3, 3});
+  }
+  live(20ms);
+  EXPECT_TRUE(client->has_range_matrix(2));
+  const can::Zones zones = client->latest_zones(2).value();
+  EXPECT_EQ(zones[0], 0);
+  EXPECT_EQ(zones[61], 0x0202);
+  EXPECT_EQ(zones[63], 21);
+  live(1100ms);
+  EXPECT_EQ(client->latest_zones(2).error().code, Errc::Timeout);
+}
+
+TEST_F(CanClientTest, FramesOfAnOldReadingAreNotMixedWithOnesOfTheSameNumber) {
+  for (std::uint8_t chunk = 1; chunk < 22; ++chunk) {
+    robot.send(0x2E, {0x51, chunk, 1, 1, 2, 2, 3, 3});
+  }
+  live(300ms);
+  robot.send(0x2E, {0x51, 0, 1, 1, 2, 2, 3, 3});
+  live(20ms);
+  EXPECT_FALSE(client->has_range_matrix(1));
 }
 
 TEST_F(CanClientTest, FramesThatAreTooShortAreCountedAndReported) {

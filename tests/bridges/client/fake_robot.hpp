@@ -43,7 +43,7 @@ struct FakeRobot {
   int move_state = 0;   ///< 0 idle, 2 running, 3 done, 4 aborted.
   int x_mm = 0, y_mm = 0, phi_cdeg = 0;
   int psd_mm = 500;
-  int capabilities = 1;         ///< 1 moves, 2 scans.
+  int capabilities = 1;         ///< 1 moves, 2 scans, 256 zones of the first range matrix.
   std::vector<CanFrame> heard;  ///< What came, oldest first.
 
  private:

@@ -126,21 +126,31 @@ const BadMap kBadMaps[] = {
 INSTANTIATE_TEST_SUITE_P(Cases, BadMapDescription, testing::ValuesIn(kBadMaps),
                          [](const auto& row) { return std::string(row.param.name); });
 
+TEST(MapPicture, MayBeOfAnyKindOfPnm) {
+  const GreyPicture black_and_white{2, 1, {0, 255}};
+  EXPECT_EQ(read_map_picture("P1 2 1 1 0", "p.pbm"), black_and_white);
+  EXPECT_EQ(read_map_picture("P4 2 1\n\x80", "p.pbm"), black_and_white);
+  EXPECT_EQ(read_map_picture("P3 2 1 255 0 0 0 255 255 255", "p.ppm"), black_and_white);
+  EXPECT_EQ(read_map_picture("P3 1 1 255 10 20 31", "p.ppm"), (GreyPicture{1, 1, {20}}));
+  EXPECT_EQ(read_map_picture("P2 2 1 65535 0 65535", "p.pgm"), black_and_white);
+}
+
 TEST(Pgm, IsReadInBothForms) {
   const GreyPicture expected{3, 2, {0, 128, 255, 7, 8, 9}};
-  EXPECT_EQ(read_pgm("P2 # plain\n3 2\n255\n0 128 255\n7 8 9\n", "p.pgm"), expected);
-  EXPECT_EQ(read_pgm(std::string("P5\n# map_saver\n3 2\n255\n\0\x80\xFF\7\x8\x9", 29), "p.pgm"),
-            expected);
-  EXPECT_EQ(read_pgm("P2 2 1 100 50 100", "p.pgm"), (GreyPicture{2, 1, {128, 255}}));
+  EXPECT_EQ(read_map_picture("P2 # plain\n3 2\n255\n0 128 255\n7 8 9\n", "p.pgm"), expected);
+  EXPECT_EQ(
+      read_map_picture(std::string("P5\n# map_saver\n3 2\n255\n\0\x80\xFF\7\x8\x9", 29), "p.pgm"),
+      expected);
+  EXPECT_EQ(read_map_picture("P2 2 1 100 50 100", "p.pgm"), (GreyPicture{2, 1, {128, 255}}));
 }
 
 TEST(Pgm, ThatIsBadIsAnErrorThatSaysWhatAndWhere) {
   const auto error = [](const std::string& bytes) {
-    return error_of([&] { read_pgm(bytes, "p.pgm"); });
+    return error_of([&] { read_map_picture(bytes, "p.pgm"); });
   };
-  EXPECT_EQ(error(""), "p.pgm:1:1: no PGM picture: expected a file that begins with P5 or P2");
+  EXPECT_EQ(error(""), "p.pgm:1:1: no PNM picture: expected a file that begins with P1 to P6");
   EXPECT_EQ(error("\x89PNG\r\n"),
-            "p.pgm:1:1: no PGM picture: expected a file that begins with P5 or P2");
+            "p.pgm:1:1: no PNM picture: expected a file that begins with P1 to P6");
   EXPECT_EQ(error("P5\n2 x\n255\n"), "p.pgm:2:3: no number: expected the height");
   EXPECT_EQ(error("P5\n2"), "p.pgm:2:2: file ends: expected the height");
   EXPECT_EQ(error("P5\n-2 2\n255\n"), "p.pgm:2:1: no number: expected the width");
@@ -149,14 +159,15 @@ TEST(Pgm, ThatIsBadIsAnErrorThatSaysWhatAndWhere) {
             "p.pgm:2:1: the width is 99999999999999999999: expected 1 to 16777216");
   EXPECT_EQ(error("P5\n5000 5000\n255\n"),
             "p.pgm:2:10: picture of 5000 x 5000 pixels: expected at most 16777216");
-  EXPECT_EQ(error("P5\n2 2\n65535\n"), "p.pgm:3:1: the value of white is 65535: expected 1 to 255");
+  EXPECT_EQ(error("P5\n2 2\n65536\n"),
+            "p.pgm:3:1: the largest value is 65536: expected 1 to 65535");
   EXPECT_EQ(error("P5\n2 2\n255\nabc"), "p.pgm:4:1: file has 3 bytes of pixels: expected 4, 2 x 2");
   EXPECT_EQ(error("P5\n2 2\n255"),
             "p.pgm:3:4: expected a blank or the end of the line before the pixels");
-  EXPECT_EQ(error("P2\n2 2\n9\n1 2 3\n"), "p.pgm:5:1: file ends: expected a grey");
+  EXPECT_EQ(error("P2\n2 2\n9\n1 2 3\n"), "p.pgm:5:1: file ends: expected a value");
   EXPECT_EQ(error("P2\n4000 4000\n9\n1 2 3\n"),
-            "p.pgm:3:2: file ends within its pixels: expected 4000 x 4000");
-  EXPECT_EQ(error("P2\n1 1\n9\n10\n"), "p.pgm:4:1: a grey is 10: expected 0 to 9");
+            "p.pgm:3:2: file has 7 bytes of pixels: expected 31999999, 4000 x 4000");
+  EXPECT_EQ(error("P2\n1 1\n9\n10\n"), "p.pgm:4:1: a value is 10: expected 0 to 9");
 }
 
 TEST(Map, StandsForWhatMapServerMakesOfIt) {
@@ -208,7 +219,7 @@ TEST(Map, SurvivesBeingWrittenAndRead) {
   const OccupancyGrid grid = checkered();
   for (const MapMode mode : {MapMode::Trinary, MapMode::Scale, MapMode::Raw}) {
     const MapTexts texts = write_map(grid, "a map.pgm", mode);
-    const OccupancyGrid again = map_of(described(texts.yaml), read_pgm(texts.pgm, "p.pgm"));
+    const OccupancyGrid again = map_of(described(texts.yaml), read_map_picture(texts.pgm, "p.pgm"));
     ASSERT_EQ(again.geometry(), grid.geometry());
     for (int row = 0; row < 5; ++row) {
       for (int column = 0; column < 7; ++column) {

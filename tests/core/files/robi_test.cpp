@@ -40,6 +40,32 @@ TEST(Robi, ReadsTheOldDialect) {
   EXPECT_TRUE(robi_warnings.empty());
 }
 
+TEST(Robi, ReadsRangeMatrices) {
+  const auto robot = robi_of(
+      "diameter 100\ntof 2 TOF_LEFT 10 20 55 90\ntof 1 TOF_FRONT 45 0 60 0 12 2500\n"
+      "error tof 10 2 dropout=5\nerror tof:2 bias=3\n");
+  EXPECT_TRUE(robi_warnings.empty());
+  ASSERT_EQ(robot.range_matrices.size(), 2u);
+  const robot::RangeMatrixModel& left = robot.range_matrices[0];
+  EXPECT_EQ(left.id, 2);
+  EXPECT_EQ(left.name, "TOF_LEFT");
+  EXPECT_EQ(left.pose_in_robot, (Pose{0.01, 0.02, kPi / 2}));
+  EXPECT_EQ(left.height, 0.055);
+  EXPECT_EQ(left.tilt, 0.0);
+  EXPECT_EQ(left.max_range, 4.0);
+  EXPECT_EQ(left.error, (robot::RangeMatrixError{{{0.003, 0.01, 0.02}, 0.05}}));
+  const robot::RangeMatrixModel& front = robot.range_matrices[1];
+  EXPECT_EQ(front.tilt, deg_to_rad(12));
+  EXPECT_EQ(front.max_range, 2.5);
+  EXPECT_EQ(front.error.bias, 0.0);
+  EXPECT_THAT(robi_error("diameter 99\ntof 1 A 0 0 0 0\ntof 1 B 0 0 0 0\n"),
+              testing::HasSubstr("a second tof of this number"));
+  EXPECT_THAT(robi_error("diameter 99\ntof 9 A 0 0 0 0\n"), testing::HasSubstr("1 to 8"));
+  EXPECT_THAT(robi_error("diameter 99\ntof 1 A 0 0 0 0 61\n"), testing::HasSubstr("-60 to 60"));
+  EXPECT_THAT(robi_error("diameter 99\ntof 1 A 0 0\n"),
+              testing::HasSubstr("tof id NAME x y z angle [tilt [range]]"));
+}
+
 TEST(Robi, ReadsTheNewDialect) {
   const auto robot = robi_of(
       "drive DIFFERENTIAL_DRIVE\nname \"S 4\"\nmass 50 0 30 -30\n"

@@ -21,6 +21,7 @@ RobotModel full_model() {
   model.proximity_sensors[0].threshold = 1.5;
   model.bumpers = {{1, "ring", 0.0, 2 * kPi, {}}};
   model.lidar = LidarModel{};
+  model.range_matrices.emplace_back();
   model.camera = CameraModel{};
   return model;
 }
@@ -47,7 +48,7 @@ TEST(ErrorPresets, PerfectIsNoErrorAndTheOthersHaveOneOfEveryKind) {
       EXPECT_FALSE(error.perfect()) << name << ", device " << id;
       ++kinds;
     });
-    EXPECT_EQ(kinds, 11);
+    EXPECT_EQ(kinds, 12);
   }
 }
 

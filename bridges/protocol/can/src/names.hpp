@@ -37,7 +37,7 @@ inline constexpr Name kAbsentNames[] = {
 inline constexpr NameGroup kAbsents{"", "Unsigned 16-bit values that may be absent", kAbsentNames,
                                     4};
 inline constexpr Name kPsdNames[] = {{"OUT_OF_RANGE", kOutOfRange, "Nothing within reach"}};
-inline constexpr NameGroup kPsd{"PSD_", "Ranges of PSDs and LIDAR points, mm", kPsdNames};
+inline constexpr NameGroup kPsd{"PSD_", "Ranges of PSDs, LIDAR points and zones, mm", kPsdNames};
 
 inline constexpr Name kNmtNames[] = {
     {"ENABLE", 0x01, "Become operational, with speed 0; ends an emergency stop that is over"},
@@ -145,6 +145,8 @@ inline constexpr NameGroup kHardware{
 inline constexpr Name kCapableNames[] = {
     {"MOVES", 0x0001, "Executes C_VWMove by itself"},
     {"SCANS", 0x0002, "Sends LIDAR scans: the host waits for the first one when it starts"},
+    {"ZONES", 0x0100,
+     "Sends readings of range matrix 1, the next bits up to 0x8000: of 2 to 8; as for SCANS"},
 };
 inline constexpr NameGroup kCapable{"CAPABLE_OF_", "S_Version Capabilities; other bits are 0",
                                     kCapableNames, 4, true};

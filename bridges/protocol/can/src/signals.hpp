@@ -184,6 +184,13 @@ inline constexpr Signal kLidarChunk[] = {
     note("Lowest 4 bits of the header's ScanId", u("ScanIdLow", 0, 4)),
     note("Counts from 0", u("Chunk", 4, 12)), range_mm("Range0", 16), range_mm("Range1", 32),
     range_mm("Range2", 48)};
+inline constexpr Signal kZones[] = {
+    note("Number of the range matrix", from(1, kMostMatrices, u("Matrix", 0, 4))),
+    note("Counts up; the same in all frames of one reading", u("Reading", 4, 4)),
+    note("Counts from 0 to 21", from(0, kLastZoneChunk, u("Chunk", 8, 8))),
+    range_mm("Range0", 16),
+    range_mm("Range1", 32),
+    range_mm("Range2", 48)};
 inline constexpr Signal kVersion[] = {
     note("Version of this protocol: 1", u("Protocol", 0, 8)),
     note("ASCII, as the letter v of IO7 answers", character("Firmware1", 8)),

@@ -131,6 +131,8 @@ constexpr MessageSpec kMessages[] = {
                           status("S_LidarChunkFD", "S_LIDAR_CHUNK", 0x2D, 0, kLidarChunkFd, "",
                                  "Points First to First + Count - 1, on CAN FD buses instead of "
                                  "S_LidarChunk")))),
+    status("S_Zones", "S_ZONES", 0x2E, 0, kZones, "2E1#5207D2040F27FFFF",
+           "Zones 3 Chunk to 3 Chunk + 2 of a range matrix: the top row first, each from the left"),
     status("S_Version", "S_VERSION", 0x48, 5000, kVersion, "481#01312E3034020301",
            "Who the robot is; also after a restart and when a remote frame asks"),
     nodes(kFirstNode, kNodeHost,

@@ -58,6 +58,7 @@ class Backend {
   /// An infrared switch.
   SwitchSensor* proximity(int id) { return device<DeviceKind::Proximity>(id); }
   SwitchSensor* bumper(int id) { return device<DeviceKind::Bumper>(id); }
+  RangeMatrix* range_matrix(int id) { return device<DeviceKind::Tof>(id); }
   Lidar* lidar() { return device<DeviceKind::Lidar>(); }
   Compass* compass() { return device<DeviceKind::Compass>(); }
   /// Null on real hardware, and of a robot that is not driven but put where another one is.

@@ -18,6 +18,7 @@
 #include "eyebridge/hal/lidar.hpp"
 #include "eyebridge/hal/motor.hpp"
 #include "eyebridge/hal/radio.hpp"
+#include "eyebridge/hal/range_matrix.hpp"
 #include "eyebridge/hal/range_sensor.hpp"
 #include "eyebridge/hal/remote.hpp"
 #include "eyebridge/hal/serial_port.hpp"
@@ -37,6 +38,7 @@ enum class DeviceKind : std::uint8_t {
   Proximity,
   Bumper,
   Lidar,
+  Tof,
   Compass,
   Gyroscope,
   Accelerometer,
@@ -70,6 +72,7 @@ inline constexpr std::tuple kKinds{
     KindOfDevice<SwitchSensor>{"proximity", 1, kLastDeviceId},
     KindOfDevice<SwitchSensor>{"bumper", 1, kLastDeviceId},
     KindOfDevice<Lidar>{"lidar"},
+    KindOfDevice<RangeMatrix>{"tof", 1, RangeMatrix::kLastId},
     KindOfDevice<Compass>{"compass"},
     KindOfDevice<Gyroscope>{"gyroscope"},
     KindOfDevice<Accelerometer>{"accelerometer"},

@@ -52,9 +52,8 @@ inline constexpr std::size_t kMaxMapCells = 1U << 24U;
 /// origin that is turned is an error: grids lie along the axes. Throws ConfigError.
 MapDescription read_map_description(std::string_view text, const std::string& file,
                                     std::vector<Warning>& warnings);
-/// Reads a PGM picture, binary (P5) or plain (P2), with comments, of at most 255 as white and
-/// kMaxMapCells pixels; other values of white are scaled. Throws ConfigError.
-GreyPicture read_pgm(std::string_view bytes, const std::string& file);
+/// Reads a PNM picture by read_pnm(), of at most kMaxMapCells pixels. Throws ConfigError.
+GreyPicture read_map_picture(std::string_view bytes, const std::string& file);
 /// The grid that a map stands for; thresholds become those of its settings.
 mapping::OccupancyGrid map_of(const MapDescription& description, const GreyPicture& picture);
 /// Reads the map at `path`, a .yaml, with its picture. Throws ConfigError.

@@ -99,6 +99,12 @@ struct LidarError : GaussianError {
   friend bool operator==(const LidarError&, const LidarError&) = default;
 };
 
+/// Of a range matrix, zone by zone.
+struct RangeMatrixError : LidarError {
+  [[nodiscard]] RangeMatrixError scaled(double share) const { return {LidarError::scaled(share)}; }
+  friend bool operator==(const RangeMatrixError&, const RangeMatrixError&) = default;
+};
+
 /// Of a compass; radians. The sum of heading and error is wrapped.
 struct CompassError : GaussianError {
   [[nodiscard]] CompassError scaled(double share) const { return {GaussianError::scaled(share)}; }

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include "eyebridge/robot/robot_model.hpp"
 
@@ -16,6 +20,7 @@ struct ErrorModels {
   ProximityError proximity;
   BumperError bumper;
   LidarError lidar;
+  RangeMatrixError range_matrix;
   CompassError compass;
   CameraError camera;
   RadioError radio;
@@ -25,19 +30,24 @@ struct ErrorModels {
   friend bool operator==(const ErrorModels&, const ErrorModels&) = default;
 };
 
+/// All members of `models`, each of a type of its own.
+inline auto parts_of(ErrorModels& models) {
+  return std::tie(models.drive, models.range, models.proximity, models.bumper, models.lidar,
+                  models.range_matrix, models.compass, models.camera, models.radio,
+                  models.gyroscope, models.accelerometer);
+}
+/// The place of `Error` among them.
+template <class Error>
+inline constexpr std::size_t kErrorPart =
+    []<class... Parts>(std::type_identity<std::tuple<Parts&...>>) {
+      constexpr std::array<bool, sizeof...(Parts)> kIs{std::is_same_v<Parts, Error>...};
+      return static_cast<std::size_t>(std::ranges::find(kIs, true) - kIs.begin());
+    }(std::type_identity<decltype(parts_of(std::declval<ErrorModels&>()))>{});
+
 /// The member of `models` that is an `Error`.
 template <class Error>
 Error& part_of(ErrorModels& models) {
-  if constexpr (std::is_same_v<Error, DriveError>) return models.drive;
-  if constexpr (std::is_same_v<Error, RangeError>) return models.range;
-  if constexpr (std::is_same_v<Error, ProximityError>) return models.proximity;
-  if constexpr (std::is_same_v<Error, BumperError>) return models.bumper;
-  if constexpr (std::is_same_v<Error, LidarError>) return models.lidar;
-  if constexpr (std::is_same_v<Error, CompassError>) return models.compass;
-  if constexpr (std::is_same_v<Error, CameraError>) return models.camera;
-  if constexpr (std::is_same_v<Error, RadioError>) return models.radio;
-  if constexpr (std::is_same_v<Error, GyroscopeError>) return models.gyroscope;
-  if constexpr (std::is_same_v<Error, AccelerometerError>) return models.accelerometer;
+  return std::get<Error&>(parts_of(models));
 }
 
 /// Calls `visit(error, id)` for the error model of each device of `model`, a RobotModel that may be
@@ -49,6 +59,7 @@ void for_each_error(Model& model, Visit&& visit) {
   for (auto& sensor : model.proximity_sensors) visit(sensor.error, sensor.id);
   for (auto& bumper : model.bumpers) visit(bumper.error, bumper.id);
   if (model.lidar) visit(model.lidar->error, 0);
+  for (auto& matrix : model.range_matrices) visit(matrix.error, matrix.id);
   visit(model.compass_error, 0);
   if (model.camera) visit(model.camera->error, 0);
   visit(model.radio_error, 0);

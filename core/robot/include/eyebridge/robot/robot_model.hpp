@@ -99,6 +99,26 @@ struct LidarModel {
   friend bool operator==(const LidarModel&, const LidarModel&) = default;
 };
 
+/// Rows, and zones of a row, of every range matrix.
+inline constexpr std::size_t kMatrixSize = 8;
+
+/// A matrix of ranges by time of flight, as the VL53L5CX has: `kMatrixSize` rows of as many zones,
+/// each a cone of its own.
+struct RangeMatrixModel {
+  int id = 1;
+  std::string name;
+  Pose pose_in_robot;
+  double height = 0.05;                     ///< Metres above the floor.
+  double tilt = 0.0;                        ///< Radians, positive down.
+  double field_of_view = deg_to_rad(45.0);  ///< Of all zones, to either side and up and down.
+  double max_range = 4.0;                   ///< Metres; what is farther reads as `out_of_range`.
+  double out_of_range = 9.999;              ///< Metres.
+  RangeMatrixError error{};
+  int semantics = 0;  ///< As RangeSensorModel's.
+
+  friend bool operator==(const RangeMatrixModel&, const RangeMatrixModel&) = default;
+};
+
 /// Where the camera sits and how it looks.
 struct CameraModel {
   double x = 0.06;                   ///< Forward of the robot's centre, metres.
@@ -195,6 +215,7 @@ struct RobotModel {
   std::vector<ProximityModel> proximity_sensors;
   std::vector<BumperModel> bumpers;
   std::optional<LidarModel> lidar;
+  std::vector<RangeMatrixModel> range_matrices;
   std::optional<CameraModel> camera;
   std::optional<KickerModel> kicker;
   std::vector<ServoModel> servos;

@@ -192,6 +192,13 @@ class Simulation {
   void read_lidar(RobotIndex robot, double field_of_view, std::span<double> ranges);
   /// The same with another tilt, radians, -pi/2 … pi/2.
   void read_lidar(RobotIndex robot, double field_of_view, double tilt, std::span<double> ranges);
+  /// Ranges of the zones of the model's range matrix number `matrix`, the top row first, each from
+  /// the left. A range is that of the nearest thing in the zone's cone, measured along the axis of
+  /// the sensor, which is what such sensors tell: all zones that see a wall straight ahead read the
+  /// same. Walls and bodies count as high enough for every zone; zones that look down see the
+  /// floor. Throws std::out_of_range without such a matrix, and unless `ranges` has a place for
+  /// each zone.
+  void read_range_matrix(RobotIndex robot, std::size_t matrix, std::span<double> ranges);
   /// Heading in the world, radians counter-clockwise from +x, with the model's error.
   [[nodiscard]] double read_compass(RobotIndex robot);
 

@@ -18,7 +18,8 @@ namespace eyebridge::pins {
 ///
 /// Motors and encoders 1 and 2 are the left and right wheel. PSD n is the range sensor with number
 /// n. Bumpers, then proximity switches, drive digital ports 0, 1, …: 1 is touched or near. Servos
-/// 1 and 2 turn from 1.0 to 2.0 ms. The battery has 7.40 V. A lidar is scanned five times a second.
+/// 1 and 2 turn from 1.0 to 2.0 ms. The battery has 7.40 V. A lidar is scanned five times a second,
+/// range matrices are read fifteen times.
 class BoardWorld {
  public:
   /// Robots as `scenario` places them. Throws std::invalid_argument as Simulation does.
@@ -28,8 +29,9 @@ class BoardWorld {
 
   [[nodiscard]] std::size_t robots() const;
   /// Gives robot `index` a board that speaks as `config` says; what `config.drive`, the PSD
-  /// table and `config.lidar` are is set here. A robot that had one gets a new one. The board lives
-  /// as long as the world. Throws std::out_of_range when there is no such robot.
+  /// table, `config.lidar` and `config.matrices` are is set here. A robot that had one gets a new
+  /// one. The board lives as long as the world. Throws std::out_of_range when there is no such
+  /// robot.
   eb_board& add_board(robot::RobotIndex index, const eb_config& config);
 
   /// Gives robot `index` the electronics of a rover. They live as long as the world. Throws
@@ -48,6 +50,7 @@ class BoardWorld {
   struct PlacedBoard;  // a robot and its board
   struct PlacedRover;  // a robot and its rover
   void offer_scan(PlacedBoard& placed);
+  void offer_zones(PlacedBoard& placed);
 
   robot::Simulation simulation_;
   std::vector<std::unique_ptr<PlacedBoard>> boards_;

@@ -15,6 +15,7 @@
 #include "eyebridge/base/log.hpp"
 #include "eyebridge/bridges/can/lidar.hpp"
 #include "eyebridge/bridges/can/messages.hpp"
+#include "eyebridge/bridges/can/zones.hpp"
 #include "eyebridge/bridges/can_bus.hpp"
 #include "eyebridge/bridges/client/robot_watch.hpp"
 #include "eyebridge/bridges/client/sender_watch.hpp"
@@ -63,7 +64,8 @@ class CanClient {
   /// without stop(). Fails with Disconnected; Unsupported where the bus has no socket.
   Result<void> guard();
   /// Waits until the robot is ready, has told what it is, and every cyclic message has come, and a
-  /// scan from one that can; at most for `patience`. Fails with what is missing.
+  /// scan or a reading of a range matrix from one that can; at most for `patience`. Fails with what
+  /// is missing.
   Result<void> wait_ready(Time patience);
 
   /// The last status of a kind. Fails with Disconnected or Corrupt while the robot is not ready;
@@ -82,6 +84,11 @@ class CanClient {
   Result<void> latest_scan(can::LidarScan& out) const;
   /// Whether the robot says that it can scan, or has ever announced a scan.
   [[nodiscard]] bool has_lidar() const;
+  /// The last whole reading of range matrix `id`. Fails as latest() does; Timeout: none in a
+  /// second.
+  [[nodiscard]] Result<can::Zones> latest_zones(int id) const;
+  /// Whether the robot says that it has range matrix `id`, or has ever sent a reading of it.
+  [[nodiscard]] bool has_range_matrix(int id) const;
 
   /// Drives at this speed from now on; repeated every 50 ms.
   Result<void> drive(std::int16_t v_mm_s, std::int16_t w_cdeg_s);
@@ -190,8 +197,9 @@ class CanClient {
   Result<void> send_all(const Outbox& out);  // under sending_
   Result<void> send_ready(const Result<CanFrame>& frame);
   bool wait_for(const std::function<bool()>& done, Time deadline);
-  [[nodiscard]] std::string missing() const;   // under mutex_
-  [[nodiscard]] bool announces_scans() const;  // under mutex_
+  [[nodiscard]] std::string missing() const;                    // under mutex_
+  [[nodiscard]] bool is_capable_of(unsigned capability) const;  // under mutex_
+  void take_zones(const can::ZoneChunk& chunk, Time now);       // under mutex_
   [[nodiscard]] CanFrame version_request() const;
   std::uint8_t next_seq() { return seq_ = static_cast<std::uint8_t>(seq_ + 1U); }
 
@@ -217,6 +225,13 @@ class CanClient {
   can::LidarScan scan_{};
   std::optional<Time> scan_at_;
   bool has_lidar_ = false;
+  struct RangeMatrix {
+    can::ZoneAssembler assembler;
+    Time chunk_at{0};
+    can::Zones zones{};
+    std::optional<Time> at;  ///< Of `zones`.
+  };
+  std::array<RangeMatrix, can::kMostMatrices> range_matrices_;  ///< 1 is the first.
   std::optional<std::uint8_t> emergency_;
   Time next_heartbeat_{0};
   Time next_point_{0};

@@ -16,7 +16,7 @@ using AnyMessage =
                  Encoder34Status, PsdAStatus, PsdBStatus, PsdRawStatus, DigitalStatus, SpeedCommand,
                  MoveCommand, PoseCommand, MotorCommand, PidCommand, ServoCommand, DigitalCommand,
                  PortCommand, AnalogAStatus, AnalogBStatus, BoardStatus, LidarHeader, LidarChunk,
-                 LidarChunkFd, VersionStatus, Heartbeat>;
+                 LidarChunkFd, ZoneChunk, VersionStatus, Heartbeat>;
 
 /// A message, and which robot it is to or from.
 struct Received {

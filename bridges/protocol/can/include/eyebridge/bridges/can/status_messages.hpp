@@ -249,6 +249,23 @@ struct LidarChunkFd {
   friend bool operator==(const LidarChunkFd&, const LidarChunkFd&) = default;
 };
 
+/// Three zones of a range matrix.
+struct ZoneChunk {
+  static constexpr int kFunction = EYECAN_S_ZONES;
+  static constexpr bool kFd = false;
+
+  std::uint8_t matrix = 1;
+  std::uint8_t reading = 0;                 ///< Lowest 4 bits of a count.
+  std::uint8_t chunk = 0;                   ///< Index of the first zone / 3.
+  std::array<std::uint16_t, 3> range_mm{};  ///< 9999: out of range; EYECAN_ABSENT: not measured.
+
+  template <class Self, class Visitor>
+  static void visit(Self& self, Visitor&& visitor) {
+    visitor(self.matrix, self.reading, self.chunk, self.range_mm);
+  }
+  friend bool operator==(const ZoneChunk&, const ZoneChunk&) = default;
+};
+
 /// Who a robot is.
 struct VersionStatus {
   static constexpr int kFunction = EYECAN_S_VERSION;

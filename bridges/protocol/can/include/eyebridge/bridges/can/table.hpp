@@ -21,6 +21,10 @@ inline constexpr std::int64_t kAbsent = 0xFFFF;
 inline constexpr std::int64_t kOutOfRange = 9999;
 /// The most points of one LIDAR scan: 12 bits of chunk index, 3 points a chunk.
 inline constexpr int kMaxLidarPoints = 12288;
+/// Zones of a range matrix: eight rows of eight, three a frame.
+inline constexpr int kMostMatrices = 8;
+inline constexpr int kZoneCount = 64;
+inline constexpr int kLastZoneChunk = (kZoneCount - 1) / 3;
 
 /// A number with a name.
 struct Name {
