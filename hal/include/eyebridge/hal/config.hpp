@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "eyebridge/base/config_error.hpp"
@@ -117,6 +118,22 @@ class Config {
   std::map<std::string, ConfigValue, std::less<>> values_;
   std::filesystem::path program_;
 };
+
+/// What `read` makes of the text of `key`, and of an unknown place if it takes one. A ConfigError
+/// of it is thrown at the place where the value was set.
+template <class Read>
+auto from_setting(const Config& config, std::string_view key, Read&& read) {
+  const ConfigValue& value = config.value(key);
+  try {
+    if constexpr (std::is_invocable_v<Read, const std::string&, SourceLocation>) {
+      return read(value.text, SourceLocation{});
+    } else {
+      return read(value.text);
+    }
+  } catch (const ConfigError& error) {
+    throw error_in(value, error);
+  }
+}
 
 /// "560x400": width and height. Throws ConfigError at `where`; checks no range.
 PixelSize parse_size(std::string_view text, const SourceLocation& where);
