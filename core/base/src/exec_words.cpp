@@ -1,8 +1,12 @@
 #include "eyebridge/base/exec_words.hpp"
 
+#include <cstdlib>
+#include <cstring>
 #include <string_view>
 
 #include <unistd.h>
+
+#include "eyebridge/base/own_place.hpp"
 
 namespace eyebridge {
 
@@ -23,6 +27,37 @@ std::vector<char*> pointers_to(const std::vector<std::string>& words) {
   for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
   pointers.push_back(nullptr);
   return pointers;
+}
+
+void execute(char* const* words, char* const* environment) {
+  // Not execvpe() for a path: it would hand what the kernel refuses to sh.
+  if (std::strchr(words[0], '/') == nullptr) {
+    execvpe(words[0], words, environment);
+  } else {
+    execve(words[0], words, environment);
+  }
+}
+
+std::vector<std::string> words_to_start(const std::filesystem::path& program,
+                                        const std::vector<std::string>& arguments) {
+  // Not one that is looked for in PATH.
+  std::vector<std::string> words = {program.has_parent_path() ? program.string()
+                                                              : "./" + program.string()};
+  if (program.extension() == ".py") {
+    // Through our module, so that it is ours even beside another eye.py, and its time from the
+    // start.
+    words = {"python3", (python_folder() / "eye").string(), program.string()};
+  }
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return words;
+}
+
+std::map<std::string, std::string> python_variables() {
+  const std::string folder = python_folder().string();
+  if (folder.empty()) return {};
+  const char* const others = std::getenv("PYTHONPATH");
+  const std::string rest = others != nullptr ? others : "";
+  return {{"PYTHONPATH", rest.empty() || rest == folder ? folder : folder + ":" + rest}};
 }
 
 }  // namespace eyebridge
