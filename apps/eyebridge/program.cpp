@@ -4,12 +4,14 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <map>
 #include <string_view>
 #include <system_error>
 
 #include <unistd.h>
 
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/exec_words.hpp"
 #include "eyebridge/base/own_place.hpp"
 
 namespace eyebridge::apps {
@@ -43,36 +45,6 @@ void check(const fs::path& program) {
                       std::string("not executable (") + std::strerror(errno) +
                           "); expected a program built with eyebridge-cc, or a Python file (.py)");
   }
-}
-
-/// Whatever Python starts from here on, a script with #! too, finds our packages first.
-void offer_python_packages() {
-  std::string folders = python_folder().string();
-  if (folders.empty()) return;
-  if (const char* others = std::getenv("PYTHONPATH"); others != nullptr && *others != '\0') {
-    folders += std::string(":") + others;
-  }
-  setenv("PYTHONPATH", folders.c_str(), 1);
-}
-
-/// Becomes the program words[0]; python3 is that of PATH.
-[[noreturn]] void become_words(std::vector<std::string> words) {
-  offer_python_packages();
-  std::vector<char*> argv;
-  argv.reserve(words.size() + 1);
-  for (std::string& word : words) argv.push_back(word.data());
-  argv.push_back(nullptr);
-  // Not execvp for a program itself: it would hand what the kernel refuses to sh.
-  if (words.front().find('/') == std::string::npos) {
-    execvp(argv.front(), argv.data());
-  } else {
-    execv(argv.front(), argv.data());
-  }
-  const int error = errno;
-  const char* reason = error == ENOEXEC
-                           ? "neither a program for this machine nor a script that starts with #!"
-                           : std::strerror(error);
-  throw ConfigError({words.front()}, std::string("cannot be started: ") + reason);
 }
 
 }  // namespace
@@ -114,22 +86,16 @@ fs::path find_program(const std::string& name) {
   return program;
 }
 
-void become(const fs::path& program, const std::vector<std::string>& arguments) {
-  std::vector<std::string> words;
-  // Through our package, so that it is ours even beside another eye.py, and its time from the
-  // start.
-  if (is_python(program)) words = {"python3", (python_folder() / "eye").string()};
-  words.push_back(program.string());
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  become_words(std::move(words));
-}
-
-void become_control(const fs::path& program, const std::vector<std::string>& arguments) {
-  // -P: a folder `eyebridge` where the user is is not our package.
-  std::vector<std::string> words{python_of_modules(), "-P", "-m", "eyebridge.control",
-                                 program.string()};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  become_words(std::move(words));
+void become(const std::vector<std::string>& words, const hal::Config* config) {
+  std::map<std::string, std::string> variables = python_variables();
+  if (config != nullptr) variables["EYEBRIDGE_PLAN"] = config->plan();
+  const std::vector<std::string> environment = environment_with(variables);
+  execute(pointers_to(words).data(), pointers_to(environment).data());
+  const int error = errno;
+  const char* reason = error == ENOEXEC
+                           ? "neither a program for this machine nor a script that starts with #!"
+                           : std::strerror(error);
+  throw ConfigError({words.front()}, std::string("cannot be started: ") + reason);
 }
 
 }  // namespace eyebridge::apps

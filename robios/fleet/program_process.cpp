@@ -13,6 +13,7 @@
 #include <sys/time.h>
 #include <sys/wait.h>
 
+#include "eyebridge/base/exec_words.hpp"
 #include "eyebridge/hal/registry.hpp"
 #include "eyebridge/hal/robot_server.hpp"
 #include "process_start.hpp"
@@ -71,7 +72,7 @@ void ProgramProcess::start() {
     const timeval patience{0, 200'000};
     setsockopt(ends[0], SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
     const UniqueFd theirs(ends[1]);
-    process_ = std::make_unique<ChildProcess>(command_of(program_.file, program_.arguments),
+    process_ = std::make_unique<ChildProcess>(words_to_start(program_.file, program_.arguments),
                                               environment_of(config_, index_, theirs.get(), out_),
                                               theirs.get());
   } catch (const std::system_error& error) {
