@@ -12,7 +12,6 @@
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/exec_words.hpp"
-#include "eyebridge/base/own_place.hpp"
 
 namespace eyebridge::apps {
 namespace {
@@ -22,29 +21,6 @@ namespace fs = std::filesystem;
 bool is_there(const fs::path& path) {
   std::error_code ignored;  // A folder that may not be searched holds nothing for us.
   return fs::exists(path, ignored);
-}
-
-/// Throws unless `program` can be started.
-void check(const fs::path& program) {
-  const SourceLocation where{program.string()};
-  std::error_code ignored;
-  if (fs::is_directory(program, ignored)) {
-    throw ConfigError(where, "found a folder, expected a robot program");
-  }
-  if (is_python(program)) {
-    if (access(program.c_str(), R_OK) != 0) {
-      throw ConfigError(where, std::string("cannot be read: ") + std::strerror(errno));
-    }
-    if (python_folder().empty()) {
-      throw ConfigError(where,
-                        "found no Python packages of this EyeBridge, which a program in Python "
-                        "needs: install python3-eyebridge, or build with EYEBRIDGE_WITH_PYTHON=ON");
-    }
-  } else if (access(program.c_str(), X_OK) != 0) {
-    throw ConfigError(where,
-                      std::string("not executable (") + std::strerror(errno) +
-                          "); expected a program built with eyebridge-cc, or a Python file (.py)");
-  }
 }
 
 }  // namespace
@@ -69,14 +45,14 @@ std::string python_of_modules() {
   return !is_own && access(EYEBRIDGE_PYTHON, X_OK) == 0 ? EYEBRIDGE_PYTHON : "python3";
 }
 
-bool is_python(const fs::path& program) { return program.extension() == ".py"; }
-
 fs::path find_program(const std::string& name) {
   if (name.empty()) throw ConfigError({"program"}, "found an empty name, expected a robot program");
   if (name.find('/') != std::string::npos || is_there(name)) {
     fs::path program = name.find('/') != std::string::npos ? fs::path(name) : "." / fs::path(name);
     if (!is_there(program)) throw ConfigError({name}, "no such program");
-    check(program);
+    if (const std::string why = trouble_with(program); !why.empty()) {
+      throw ConfigError({program.string()}, why);
+    }
     return program;
   }
   fs::path program = find_in_path(name);

@@ -19,9 +19,6 @@ std::filesystem::path find_in_path(const std::string& name);
 /// The Python that our compiled modules are for; in a virtual environment its own.
 std::string python_of_modules();
 
-/// True for a program that python3 runs.
-bool is_python(const std::filesystem::path& program);
-
 /// Becomes the program words[0], a path or a name in PATH; Python finds our packages there, and a
 /// robot program its settings in `config`, unless null. Throws ConfigError when the system refuses;
 /// returns never.

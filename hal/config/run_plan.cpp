@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <system_error>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -13,17 +12,11 @@
 namespace eyebridge::hal {
 namespace {
 
-constexpr std::pair<char, char> kEscapes[] = {{'\\', '\\'}, {'\n', 'n'}, {'\t', 't'}};
-
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : text) {
-    const auto* escape = std::ranges::find(kEscapes, c, &std::pair<char, char>::first);
-    if (escape == std::end(kEscapes)) {
-      out += c;
-    } else {
-      out += {'\\', escape->second};
-    }
+    if (c == '\\' || c == '\n' || c == '\t') out += '\\';
+    out += c == '\n' ? 'n' : c == '\t' ? 't' : c;
   }
   return out;
 }
@@ -32,10 +25,8 @@ std::string unescaped(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool begins = text[i] == '\\' && i + 1 < text.size();
-    const auto* escape =
-        std::ranges::find(kEscapes, begins ? text[i + 1] : '\0', &std::pair<char, char>::second);
-    out += escape == std::end(kEscapes) ? text[i] : escape->first;
-    if (escape != std::end(kEscapes)) ++i;
+    const char c = text[begins ? ++i : i];
+    out += begins && c == 'n' ? '\n' : begins && c == 't' ? '\t' : c;
   }
   return out;
 }
