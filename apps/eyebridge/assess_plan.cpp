@@ -180,7 +180,7 @@ Assessment make_assessment(const AssessFlags& flags, const std::vector<std::stri
   check_controller(words);
   const std::vector<AxisValue> worlds = worlds_of(flags, words.front());
   std::vector<AxisValue> seeds = seeds_of(flags.seeds);
-  const hal::Config config = hal::Config::from_process({});
+  const hal::Config config = hal::Config::from_command_line({}, {});
   std::string robot = config.text("robot");
   for (const auto& [key, text] : flags.sweep.settings) {
     if (key == "robot") robot = text;

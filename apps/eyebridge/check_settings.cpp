@@ -11,7 +11,6 @@
 #include <unistd.h>
 
 #include "eyebridge/base/log.hpp"
-#include "eyebridge/camera/source.hpp"
 #include "eyebridge/files/error_rules.hpp"
 #include "eyebridge/files/load.hpp"
 #include "eyebridge/hal/hand.hpp"
@@ -23,26 +22,6 @@ namespace eyebridge::apps {
 namespace {
 
 namespace fs = std::filesystem;
-
-void check_keys(const hal::ConfigValue& keys) {
-  try {
-    robios::parse_key_script(keys.text);
-  } catch (const ConfigError& error) {
-    throw hal::error_in(keys, error);
-  }
-}
-
-/// A default camera may be missing until the program wants it; one that was asked for may not.
-void check_camera(const hal::ConfigValue& camera, hal::Backend* backend, LogSink& log) {
-  camera::View* view = backend == nullptr ? nullptr : backend->camera_view();
-  if (camera.text == "none" || (camera.is_default() && view == nullptr)) return;
-  try {
-    camera::check_source(camera.text,
-                         {backend == nullptr ? nullptr : &backend->clock(), view, &log});
-  } catch (const ConfigError& error) {
-    throw hal::error_in(camera, error);
-  }
-}
 
 [[noreturn]] void refuse(const SourceLocation& where, const fs::path& path,
                          const std::string& reason) {
@@ -72,11 +51,11 @@ void check_out(const fs::path& out, const SourceLocation& where) {
 
 }  // namespace
 
-void check_settings(const hal::Config& config) {
+bool check_settings(const hal::Config& config) {
   NullLog log;
   files::named_robot(config.text("robot"), config.value("robot").where);
   files::read_error_rules(config.text("errors"), config.value("errors").where);
-  check_keys(config.value("keys"));
+  hal::from_setting(config, "keys", robios::parse_key_script);
   const bool several = hal::programs_wanted(config) > 1;
   std::unique_ptr<hal::Backend> backend;
   // The program opens it again, which is free for a world but not for a board.
@@ -90,9 +69,10 @@ void check_settings(const hal::Config& config) {
     backend = hal::open_backend({alone, log});
     hal::check_hand({config, log}, *backend);
   }
-  check_camera(config.value("camera"), backend.get(), log);
+  hal::check_camera(config, backend.get(), log);
   if (config.is_set("report")) check_file(config.path("report"), config.value("report").where);
   if (config.is_set("out")) check_out(config.path("out"), config.value("out").where);
+  return several;
 }
 
 }  // namespace eyebridge::apps

@@ -17,7 +17,7 @@ void add_config(CLI::App& root, int& code) {
   command->add_option("program", *program, "Also look for eyebridge.toml beside this program")
       ->type_name("FILE");
   command->callback([flags, program, &code] {
-    std::fputs(hand_on(*flags, *program).describe().c_str(), stdout);
+    std::fputs(hal::Config::from_command_line(*program, *flags).describe().c_str(), stdout);
     code = kFine;
   });
 }

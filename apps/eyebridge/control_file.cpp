@@ -5,7 +5,7 @@
 #include <regex>
 #include <string>
 
-#include "program.hpp"
+#include "eyebridge/base/exec_words.hpp"
 
 namespace eyebridge::apps {
 

@@ -28,7 +28,7 @@ struct LabFlags {
   if (!std::filesystem::exists(script)) {
     throw ConfigError({script.string()}, "the lab is not here: the installation is not complete");
   }
-  std::vector<std::string> words;
+  std::vector<std::string> words = {script.string()};
   if (flags.time_travel) words.emplace_back("--time-travel");
   if (flags.vivid) words.emplace_back("--vivid");
   const auto add = [&](const char* option, const std::string& value) {
@@ -40,7 +40,7 @@ struct LabFlags {
   add("--memory", flags.memory);
   words.emplace_back("--");
   words.insert(words.end(), flags.command.begin(), flags.command.end());
-  become(script, words);
+  become(words, nullptr);
 }
 
 }  // namespace

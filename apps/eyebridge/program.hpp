@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "eyebridge/hal/config.hpp"
+
 namespace eyebridge::apps {
 
 /// Finds the robot program `name`: with a slash as it stands, else in the working folder, else in
@@ -17,16 +19,9 @@ std::filesystem::path find_in_path(const std::string& name);
 /// The Python that our compiled modules are for; in a virtual environment its own.
 std::string python_of_modules();
 
-/// True for a program that python3 runs.
-bool is_python(const std::filesystem::path& program);
-
-/// Becomes python3 with eyebridge.control, which runs the control file `program`. As become().
-[[noreturn]] void become_control(const std::filesystem::path& program,
-                                 const std::vector<std::string>& arguments);
-
-/// Becomes `program` with `arguments`; a .py is run by python3, and Python finds our packages
-/// (PYTHONPATH). Throws ConfigError when the system refuses; returns never.
-[[noreturn]] void become(const std::filesystem::path& program,
-                         const std::vector<std::string>& arguments);
+/// Becomes the program words[0], a path or a name in PATH; Python finds our packages there, and a
+/// robot program its settings in `config`, unless null. Throws ConfigError when the system refuses;
+/// returns never.
+[[noreturn]] void become(const std::vector<std::string>& words, const hal::Config* config);
 
 }  // namespace eyebridge::apps

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -10,21 +11,26 @@
 #include "check_settings.hpp"
 #include "command.hpp"
 #include "control_file.hpp"
+#include "eyebridge/base/exec_words.hpp"
 #include "eyebridge/base/own_place.hpp"
-#include "eyebridge/hal/shared_world.hpp"
 #include "program.hpp"
 
 namespace eyebridge::apps {
 namespace {
 
+/// Becomes the launcher of several robots, of whichever generation: it sees to that.
+[[noreturn]] void become_launcher(std::vector<std::string> words, const hal::Config& config) {
+  words.insert(words.begin(), (plugin_folder() / "eyebridge-robots").string());
+  become(words, &config);
+}
+
 /// Becomes the programs that the robots of a .sim file name; returns when there is no such file.
-void run_scenario(SettingFlags flags) {
-  const hal::Config config = hand_on(flags, {});
+void run_scenario(const SettingFlags& flags) {
+  hal::Config config = hal::Config::from_command_line({}, flags);
   if (config.path("world").extension() != ".sim") return;
-  if (config.value("robots").is_default()) flags["robots"] = "all";
-  check_settings(hand_on(flags, {}));
-  // Of whichever generation they are: the launcher sees to that.
-  become(plugin_folder() / "eyebridge-robots", {});
+  if (config.value("robots").is_default()) config = config.with("robots", {"all", {"--robots"}});
+  check_settings(config);
+  become_launcher({}, config);
 }
 
 }  // namespace
@@ -46,22 +52,23 @@ void run_words(const std::string& command, const SettingFlags& flags,
                       "unknown option; eyebridge " + command + " --help lists those there are");
   }
   const auto program = find_program(name);
-  const hal::Config config = hand_on(flags, program);
-  check_settings(config);
+  const hal::Config config = hal::Config::from_command_line(program, flags);
+  const std::vector<std::string> arguments(words.begin() + 1, words.end());
+  const bool several = check_settings(config);
+  std::vector<std::string> all{program.string()};
+  all.insert(all.end(), arguments.begin(), arguments.end());
   if (is_control_file(program)) {
     if (command != "run") {
       throw ConfigError({program.string()}, "found a control file, expected a robot program: " +
                                                 command + " takes no control files");
     }
-    become_control(program, {words.begin() + 1, words.end()});
+    // -P: a folder `eyebridge` where the user is is not our package.
+    all.insert(all.begin(), {python_of_modules(), "-P", "-m", "eyebridge.control"});
+    become(all, &config);
   }
-  if (is_python(program) && hal::programs_wanted(config) > 1) {
-    // A binary sees to that itself.
-    std::vector<std::string> all{program.string()};
-    all.insert(all.end(), words.begin() + 1, words.end());
-    become(plugin_folder() / "eyebridge-robots", all);
-  }
-  become(program, {words.begin() + 1, words.end()});
+  // A binary sees to that itself.
+  if (is_python(program) && several) become_launcher(std::move(all), config);
+  become(words_to_start(program, arguments), &config);
 }
 
 void add_run(CLI::App& root, int& /*code*/) {

@@ -1,9 +1,6 @@
 #include "setting_flags.hpp"
 
-#include <cerrno>
-#include <cstdlib>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include <CLI/CLI.hpp>
@@ -81,13 +78,6 @@ std::string setting_type(const hal::Setting& setting) {
 
 void add_setting_flags(CLI::App& command, SettingFlags& flags) {
   for (const hal::Setting& setting : hal::settings()) add_flag(command, flags, setting);
-}
-
-hal::Config hand_on(const SettingFlags& flags, const std::filesystem::path& program) {
-  if (setenv("EYEBRIDGE_FLAGS", hal::Config::flags_variable(flags).c_str(), 1) != 0) {
-    throw std::system_error(errno, std::generic_category(), "setting EYEBRIDGE_FLAGS");
-  }
-  return hal::Config::from_process(program);
 }
 
 }  // namespace eyebridge::apps

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <string>
 
@@ -21,9 +20,5 @@ void add_setting_flags(CLI::App& command, SettingFlags& flags);
 
 /// The word that says in --help what the values of `setting` are: WORLD, FOLDER, "auto|on|off".
 std::string setting_type(const hal::Setting& setting);
-
-/// Hands `flags` on to this process and the program it becomes, as EYEBRIDGE_FLAGS, and returns the
-/// configuration that `program` will see. Throws ConfigError.
-hal::Config hand_on(const SettingFlags& flags, const std::filesystem::path& program);
 
 }  // namespace eyebridge::apps

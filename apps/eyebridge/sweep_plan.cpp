@@ -1,11 +1,11 @@
 #include "sweep_plan.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <set>
 #include <thread>
+#include <utility>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -105,7 +105,7 @@ void make_paths_absolute(SweepPlan& plan) {
 /// Settings of the eyebridge.toml in this folder, which the runs do not see, and --fast.
 std::map<std::string, std::string> settings_from_here() {
   std::map<std::string, std::string> out;
-  const hal::Config config = hal::Config::from_process({});
+  const hal::Config config = hal::Config::from_command_line({}, {});
   for (const hal::Setting& setting : hal::settings()) {
     const hal::ConfigValue& value = config.value(setting.key);
     if (value.where.file != "eyebridge.toml") continue;
@@ -134,22 +134,20 @@ std::map<std::string, std::string> settings_from_here() {
 }
 
 void check_all_settings(const SweepPlan& plan, const RunSettings& settings) {
-  std::set<std::string> checked;
+  std::set<std::pair<std::string, SettingFlags>> checked;
   for (const Cell& cell : cells_of(plan)) {
     SettingFlags flags = settings.base;
     for (const auto& [key, text] : cell.settings) flags[key] = text;
     // Of all seeds one tells enough.
     SettingFlags distinct = flags;
     distinct.erase("seed");
-    if (!checked.insert(cell.program + '\n' + hal::Config::flags_variable(distinct)).second)
-      continue;
+    if (!checked.emplace(cell.program, std::move(distinct)).second) continue;
     try {
-      check_settings(hand_on(flags, cell.program));
+      check_settings(hal::Config::from_command_line(cell.program, flags));
     } catch (const ConfigError& error) {
       rethrow_in_place(plan, cell, error);
     }
   }
-  unsetenv("EYEBRIDGE_FLAGS");
 }
 
 }  // namespace

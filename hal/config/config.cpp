@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "config/run_plan.hpp"
 #include "config/toml_text.hpp"
 #include "config/values.hpp"
 
@@ -12,12 +13,11 @@ namespace eyebridge::hal {
 namespace {
 
 constexpr std::string_view kPrefix = "EYEBRIDGE_";
-constexpr std::string_view kFlagsVariable = "EYEBRIDGE_FLAGS";
 
 using Values = std::map<std::string, ConfigValue, std::less<>>;
 
 bool is_no_setting(std::string_view variable) {
-  return variable == kFlagsVariable || variable == "EYEBRIDGE_DATA" ||
+  return variable == kPlanVariable || variable == "EYEBRIDGE_DATA" ||
          variable.starts_with("EYEBRIDGE_TEST_");
 }
 
@@ -29,11 +29,14 @@ void put(Values& values, const Setting& setting, ConfigValue value) {
   values.insert_or_assign(std::string(setting.key), std::move(value));
 }
 
-void put_flag(Values& values, std::string_view key, const std::string& text,
-              const std::string& origin) {
+void put_flag(Values& values, const std::string& key, const std::string& text) {
+  const std::string flag = Config::flag_name(key);
   const Setting* setting = find_setting(key);
-  if (setting == nullptr) throw unknown_key("setting", key, {origin});
-  put(values, *setting, {text, {Config::flag_name(key)}});
+  if (setting == nullptr) throw unknown_key("setting", key, {flag});
+  if (text.find('\n') != std::string::npos) {
+    throw ConfigError({flag}, "found a line end in the value, expected one line");
+  }
+  put(values, *setting, {text, {flag}});
 }
 
 void put_variable(Values& values, const std::string& name, const std::string& text) {
@@ -47,31 +50,23 @@ void put_variable(Values& values, const std::string& name, const std::string& te
   put(values, *setting, {text, {name}});
 }
 
-void put_flags_variable(Values& values, std::string_view text) {
-  int line = 0;
-  while (!text.empty()) {
-    ++line;
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view entry = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (entry.empty()) continue;
-    const std::size_t equals = entry.find('=');
-    if (equals == std::string_view::npos) {
-      throw ConfigError({std::string(kFlagsVariable), line},
-                        fmt::format("found {}, expected key=value", in_quotes(entry)));
-    }
-    put_flag(values, entry.substr(0, equals), std::string(entry.substr(equals + 1)),
-             std::string(kFlagsVariable));
-  }
-}
-
 }  // namespace
 
 Config Config::load(const Sources& sources) {
   Config config;
+  config.sources_ = fingerprint(sources);
   Values& values = config.values_;
   for (const Setting& setting : settings()) {
     put(values, setting, {std::string(setting.fallback), {"default"}});
+  }
+  RunPlan plan;
+  if (const auto text = sources.environment.find(std::string(kPlanVariable));
+      sources.flags.empty() && text != sources.environment.end()) {
+    plan = read_run_plan(text->second);
+  }
+  if (plan.holds_for(config.sources_)) {
+    for (auto& [key, value] : plan.values) values.insert_or_assign(key, std::move(value));
+    return config;
   }
   for (auto file = sources.toml_files.rbegin(); file != sources.toml_files.rend(); ++file) {
     const auto text = read_toml_file(*file);
@@ -83,9 +78,10 @@ Config Config::load(const Sources& sources) {
   for (const auto& [name, text] : sources.environment) {
     if (name.starts_with(kPrefix) && !is_no_setting(name)) put_variable(values, name, text);
   }
-  const auto handed_on = sources.environment.find(std::string(kFlagsVariable));
-  if (handed_on != sources.environment.end()) put_flags_variable(values, handed_on->second);
-  for (const auto& [key, text] : sources.flags) put_flag(values, key, text, flag_name(key));
+  for (const auto& [key, value] : plan.values) {
+    if (value.where.file == flag_name(key)) put_flag(values, key, value.text);
+  }
+  for (const auto& [key, text] : sources.flags) put_flag(values, key, text);
   return config;
 }
 
@@ -137,16 +133,9 @@ std::string Config::variable_name(std::string_view key) {
   return out;
 }
 
-std::string Config::flags_variable(const std::map<std::string, std::string>& flags) {
-  std::string out;
-  for (const auto& [key, text] : flags) {
-    if (text.find('\n') != std::string::npos) {
-      throw ConfigError({flag_name(key)}, "found a line end in the value, expected one line");
-    }
-    out += key + '=' + text + '\n';
-  }
-  return out;
-}
+std::string Config::plan() const { return run_plan_text({sources_, values_}); }
+
+std::string Config::sealed_plan() const { return run_plan_text({kAnySources, values_}); }
 
 std::string Config::describe() const {
   std::size_t widest_key = 0;

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include "config/run_plan.hpp"
 #include "eyebridge/files/search.hpp"
 #include "eyebridge/hal/config.hpp"
 #include "eyebridge/hal/world_file.hpp"
@@ -33,6 +34,21 @@ std::filesystem::path user_file(const std::map<std::string, std::string>& enviro
   const auto home = environment.find("HOME");
   if (home == environment.end() || home->second.empty()) return {};
   return std::filesystem::path(home->second) / ".config" / "eyebridge" / kFileName;
+}
+
+/// Without flags.
+Config::Sources sources_of_process(const std::filesystem::path& program) {
+  Config::Sources sources;
+  sources.process = getpid();
+  sources.environment = process_environment();
+  sources.toml_files = {kFileName};
+  if (program.has_parent_path()) {
+    sources.toml_files.push_back(program.parent_path() / kFileName);
+  }
+  if (const auto user = user_file(sources.environment); !user.empty()) {
+    sources.toml_files.push_back(user);
+  }
+  return sources;
 }
 
 struct Written {
@@ -70,15 +86,18 @@ std::filesystem::path find_world(const ConfigValue& world, const std::filesystem
 }
 
 Config Config::from_process(const std::filesystem::path& program) {
-  Sources sources;
-  sources.environment = process_environment();
-  sources.toml_files = {kFileName};
-  if (program.has_parent_path()) {
-    sources.toml_files.push_back(program.parent_path() / kFileName);
-  }
-  if (const auto user = user_file(sources.environment); !user.empty()) {
-    sources.toml_files.push_back(user);
-  }
+  return of_program(program, sources_of_process(program));
+}
+
+Config Config::from_command_line(const std::filesystem::path& program,
+                                 const std::map<std::string, std::string>& flags) {
+  Sources sources = sources_of_process(program);
+  sources.environment.erase(std::string(kPlanVariable));
+  sources.flags = flags;
+  return of_program(program, sources);
+}
+
+Config Config::of_program(const std::filesystem::path& program, const Sources& sources) {
   Config config = load(sources);
   config.program_ = program;
   ConfigValue& world = config.values_.at("world");

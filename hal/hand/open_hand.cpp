@@ -18,21 +18,7 @@
 namespace eyebridge::hal {
 namespace {
 
-/// What `use` makes of the setting `name`; a mistake in it is reported where the setting was made.
-template <class Use>
-auto from_setting(const Config& config, const char* name, Use&& use) {
-  const ConfigValue& value = config.value(name);
-  try {
-    return use(value.text);
-  } catch (const ConfigError& error) {
-    throw error_in(value, error);
-  }
-}
-
-HandSetting hand_of(const Config& config) {
-  return from_setting(config, "drive",
-                      [](const std::string& text) { return parse_hand(text, {}); });
-}
+HandSetting hand_of(const Config& config) { return from_setting(config, "drive", parse_hand); }
 
 std::vector<camera::Fiducial> fiducials_of(Backend& backend, const HandSetting& setting) {
   const auto scene = backend.camera_view()->scene();
@@ -50,12 +36,6 @@ void check_mix(const Config& config) {
 /// Fits `found` and `expected` into one message.
 [[noreturn]] void refuse(std::string_view found, std::string_view expected) {
   throw ConfigError({}, fmt::format("found {}, expected {}", found, expected));
-}
-
-void check_camera(const BackendContext& context, Backend& backend) {
-  from_setting(context.config, "camera", [&](const std::string& url) {
-    camera::check_source(url, {&backend.clock(), nullptr, &context.log});
-  });
 }
 
 /// Of the pictures that the source gives. With a calibration they are without distortion.
@@ -106,12 +86,25 @@ void check_drive(const Config& config) {
   });
 }
 
+void check_camera(const Config& config, Backend* backend, LogSink& log) {
+  const ConfigValue& camera = config.value("camera");
+  camera::View* const view = backend == nullptr ? nullptr : backend->camera_view();
+  if (camera.text == "none" || (camera.is_default() && view == nullptr)) return;
+  from_setting(config, "camera", [&](const std::string& url) {
+    camera::check_source(url, {backend == nullptr ? nullptr : &backend->clock(), view, &log});
+  });
+}
+
 void check_hand(const BackendContext& context, Backend& backend) {
   const Config& config = context.config;
   if (!config.is_set("drive")) return;
   check_drive(config);
   const HandSetting setting = hand_of(config);
-  if (!setting.is_free) check_camera(context, backend);
+  if (!setting.is_free) {
+    from_setting(config, "camera", [&](const std::string& url) {
+      camera::check_source(url, {&backend.clock(), nullptr, &context.log});
+    });
+  }
   from_setting(config, "drive", [&](const std::string&) {
     if (setting.is_free) {
       if (backend.drive() == nullptr) refuse("a robot without a drive", "one that moves");

@@ -20,19 +20,8 @@ namespace {
 
 using Medium = RadioSetting::Medium;
 
-/// What `parse` makes of the setting `key`; its mistakes are where the setting was made.
-template <class Parse>
-auto read_setting(const Config& config, const char* key, Parse&& parse) {
-  const ConfigValue& value = config.value(key);
-  try {
-    return parse(value.text, SourceLocation{});
-  } catch (const ConfigError& error) {
-    throw error_in(value, error);
-  }
-}
-
 RadioSetting radio_setting(const Config& config) {
-  RadioSetting setting = read_setting(config, "radio", parse_radio);
+  RadioSetting setting = from_setting(config, "radio", parse_radio);
   if (setting.medium == Medium::Udp && config.boolean("fast")) {
     throw ConfigError(config.value("radio").where,
                       "found a radio among processes, which live in real time, and this robot in "
@@ -42,7 +31,7 @@ RadioSetting radio_setting(const Config& config) {
 }
 
 SerialDevices serial_devices(const Config& config) {
-  SerialDevices devices = read_setting(config, "serial", parse_serial_devices);
+  SerialDevices devices = from_setting(config, "serial", parse_serial_devices);
   if (!config.is_set("hdt")) return devices;
   const std::string path = config.path("hdt").string();
   std::vector<Warning> known;  // the board tells them
@@ -98,7 +87,7 @@ std::unique_ptr<Radio> make_radio(Backend& robot, const BackendContext& context,
 
 void check_host_settings(const Config& config) {
   static_cast<void>(radio_setting(config));
-  static_cast<void>(read_setting(config, "serial", parse_serial_devices));
+  static_cast<void>(from_setting(config, "serial", parse_serial_devices));
 }
 
 std::unique_ptr<Backend> with_host_devices(std::unique_ptr<Backend> inner,

@@ -51,14 +51,11 @@ const BackendFactory& row_of(const std::string& text, const SourceLocation& wher
 }
 
 std::vector<MixEntry> mix_of(const Config& config) {
-  const ConfigValue& value = config.value("mix");
-  try {
-    auto entries = parse_mix(value.text, {});
-    for (const MixEntry& entry : entries) static_cast<void>(row_of(entry.url, value.where));
-    return entries;
-  } catch (const ConfigError& error) {
-    throw error_in(value, error);
+  std::vector<MixEntry> entries = from_setting(config, "mix", parse_mix);
+  for (const MixEntry& entry : entries) {
+    static_cast<void>(row_of(entry.url, config.value("mix").where));
   }
+  return entries;
 }
 
 /// The robot of `row`, and what this computer adds to it, unless the row does so itself.
@@ -85,20 +82,13 @@ std::unique_ptr<Backend> mixed(std::unique_ptr<Backend> main, const BackendConte
     }
     part->devices.push_back(std::move(entry.device));
   }
-  try {
+  return from_setting(config, "mix", [&](const std::string&) {
     return make_mix(std::move(main), std::move(parts));
-  } catch (const ConfigError& error) {
-    throw error_in(mix, error);
-  }
+  });
 }
 
 FaultScript faults_of(const Config& config) {
-  const ConfigValue& value = config.value("faults");
-  try {
-    return parse_fault_script(value.text, {});
-  } catch (const ConfigError& error) {
-    throw error_in(value, error);
-  }
+  return from_setting(config, "faults", parse_fault_script);
 }
 
 /// How this process was started, its words between blanks.
@@ -128,15 +118,12 @@ void check_record_is_not_read(const Config& config) {
 }
 
 std::unique_ptr<Backend> recorded(std::unique_ptr<Backend> backend, const BackendContext& context) {
-  const ConfigValue& record = context.config.value("record");
-  try {
-    const Config& config = context.config;
-    return with_recording(std::move(backend), config.path("record"), context.log,
+  const Config& config = context.config;
+  return from_setting(config, "record", [&](const std::string& path) {
+    return with_recording(std::move(backend), path, context.log,
                           {command_line(), config.text("hal"), config.text("world")},
                           camera::find_frame_codec(config.text("record_frames")));
-  } catch (const ConfigError& error) {
-    throw error_in(record, error);
-  }
+  });
 }
 
 }  // namespace

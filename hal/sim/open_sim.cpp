@@ -49,11 +49,8 @@ void report_scenario(const files::Scenario& scenario, LogSink& log) {
 
 void begin_report(const Config& config, SimWorld& world) {
   if (!config.is_set("report")) return;
-  try {
-    world.report_to(RunReport(config.path("report")));
-  } catch (const ConfigError& error) {
-    throw error_in(config.value("report"), error);
-  }
+  from_setting(config, "report",
+               [&](const std::string& path) { world.report_to(RunReport(path)); });
 }
 
 }  // namespace eyebridge::hal

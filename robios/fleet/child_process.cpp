@@ -3,7 +3,6 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <ctime>
 #include <system_error>
 
@@ -24,7 +23,7 @@ namespace {
 }
 
 /// In the child of fork(), where other threads may have left anything locked: system calls only.
-/// What execvpe() refuses is told by `report`.
+/// What the system refuses is told by `report`.
 [[noreturn]] void become(char* const* words, char* const* environment, int descriptor, int report,
                          pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -35,12 +34,7 @@ namespace {
   // Ctrl-C at the terminal comes to all: who started us ends us in order.
   ::signal(SIGINT, SIG_IGN);
   fcntl(descriptor, F_SETFD, 0);
-  // Not execvpe() for a path: it would hand what the kernel refuses to sh.
-  if (std::strchr(words[0], '/') == nullptr) {
-    execvpe(words[0], words, environment);
-  } else {
-    execve(words[0], words, environment);
-  }
+  execute(words, environment);
   const int error = errno;
   [[maybe_unused]] const auto written = write(report, &error, sizeof error);
   _exit(127);

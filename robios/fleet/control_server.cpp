@@ -8,9 +8,9 @@
 #include <pthread.h>
 
 #include "eyebridge/base/deaf_thread.hpp"
+#include "eyebridge/base/exec_words.hpp"
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/base/units.hpp"
-#include "robot_programs.hpp"
 
 namespace eyebridge::robios {
 namespace {

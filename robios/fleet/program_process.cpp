@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <map>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -13,13 +14,15 @@
 #include <sys/time.h>
 #include <sys/wait.h>
 
+#include "eyebridge/base/exec_words.hpp"
 #include "eyebridge/hal/registry.hpp"
 #include "eyebridge/hal/robot_server.hpp"
-#include "process_start.hpp"
 #include "session_parts.hpp"
 
 namespace eyebridge::robios {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr double kEndPatience_s = 2.0;
 
@@ -28,6 +31,33 @@ std::unique_ptr<hal::Backend> open_robot(const hal::Config& config, LogSink& log
                                          const hal::WorldSlot& slot) {
   const hal::Config faultless = config.with("faults", {"", config.value("faults").where});
   return hal::open_backend({faultless, log, &slot});
+}
+
+/// The variables of a process that runs the program of robot `index`, whose line to its server is
+/// `descriptor` there: this process's, with the settings `config` as they count here, but for those
+/// of one robot alone. Its results go to `out`; "" for none.
+std::vector<std::string> environment_of(const hal::Config& config, std::size_t index,
+                                        int descriptor, const fs::path& out) {
+  hal::Config own = config;
+  const auto put = [&own](std::string_view key, const std::string& text) {
+    own = own.with(key, {text, {hal::Config::flag_name(key)}});
+  };
+  // The program may change its working folder before its first call.
+  for (const hal::Setting& setting : hal::settings()) {
+    if (setting.kind != hal::Setting::Kind::Path || !config.is_set(setting.key)) continue;
+    const fs::path path = fs::absolute(config.path(setting.key));
+    own = own.with(setting.key, {path.string(), config.value(setting.key).where});
+  }
+  put("hal", fmt::format("remote:{}?robot={}", descriptor, index + 1));
+  put("robots", "1");
+  put("out", out.empty() ? "" : fs::absolute(out).string());
+  put("report", "");  // of the world
+  put("panel", "none");
+  std::map<std::string, std::string> variables = python_variables();
+  // Sealed: a file beside the program must not change what all robots live by.
+  variables["EYEBRIDGE_PLAN"] = own.sealed_plan();
+  variables["EYEBRIDGE_ROBOTS"] = "1";
+  return environment_with(variables);
 }
 
 /// While it lives, all wait for `process`.
@@ -71,7 +101,7 @@ void ProgramProcess::start() {
     const timeval patience{0, 200'000};
     setsockopt(ends[0], SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
     const UniqueFd theirs(ends[1]);
-    process_ = std::make_unique<ChildProcess>(command_of(program_.file, program_.arguments),
+    process_ = std::make_unique<ChildProcess>(words_to_start(program_.file, program_.arguments),
                                               environment_of(config_, index_, theirs.get(), out_),
                                               theirs.get());
   } catch (const std::system_error& error) {

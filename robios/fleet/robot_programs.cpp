@@ -1,23 +1,17 @@
 #include "robot_programs.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <string_view>
 #include <system_error>
 
-#include <unistd.h>
-
-#include "eyebridge/base/text.hpp"
+#include "eyebridge/base/exec_words.hpp"
 #include "program_file.hpp"
 
 namespace eyebridge::robios {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_python(const fs::path& program) { return program.extension() == ".py"; }
 
 bool begins_with(const fs::path& file, std::string_view bytes) {
   std::ifstream stream(file, std::ios::binary);
@@ -37,19 +31,6 @@ fs::path found(const std::string& name, const fs::path& scenario) {
 }
 
 }  // namespace
-
-std::string trouble_with(const fs::path& program) {
-  std::error_code error;
-  if (!fs::exists(program, error)) return "no such program";
-  if (fs::is_directory(program, error)) return "found a folder, expected a robot program";
-  if (is_python(program)) {
-    return access(program.c_str(), R_OK) == 0
-               ? ""
-               : std::string("cannot be read: ") + std::strerror(errno);
-  }
-  if (access(program.c_str(), X_OK) == 0) return "";
-  return std::string("not executable (") + std::strerror(errno) + ")";
-}
 
 bool is_script(const fs::path& program) { return is_python(program) || begins_with(program, "#!"); }
 

@@ -25,7 +25,4 @@ bool is_script(const std::filesystem::path& program);
 /// ConfigError when a binary is to share its variables and cannot.
 bool needs_process(const std::filesystem::path& program, const hal::Config& config);
 
-/// Why `program` cannot be run, in words; "" when nothing speaks against it.
-std::string trouble_with(const std::filesystem::path& program);
-
 }  // namespace eyebridge::robios

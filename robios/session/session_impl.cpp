@@ -7,6 +7,7 @@
 #include "eyebridge/camera/frame_sink.hpp"
 #include "eyebridge/camera/view.hpp"
 #include "eyebridge/hal/environment.hpp"
+#include "eyebridge/hal/hand.hpp"
 #include "eyebridge/hal/registry.hpp"
 #include "host.hpp"
 #include "open_panel.hpp"
@@ -75,11 +76,12 @@ Session::Impl::Impl(SessionStart* start, hal::Config configuration)
       recorder(clock, timers),
       out(results_folder(config, start)) {
   tell_of_pause(backend->environment(), windows, name, log);
-  check_camera(config, {&clock, backend->camera_view(), &log});
+  hal::check_camera(config, backend.get(), log);
   if (config.is_set("time_limit")) limit = from_seconds(config.number("time_limit"));
   if (!out.empty()) {
-    from_setting(config, "out",
-                 [&](const std::string&) { output.emplace(out, config.integer("save_frames")); });
+    hal::from_setting(config, "out", [&](const std::string&) {
+      output.emplace(out, config.integer("save_frames"));
+    });
     backend->trace_to(&*output);
   }
   camera.on_frame([this, sink = backend->frame_sink()](const camera::FramePtr& frame) {

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "eyebridge/camera/view.hpp"
 #include "eyebridge/hal/url.hpp"
 #include "terminal/terminal_panel.hpp"
 
@@ -30,7 +29,7 @@ std::string text_of(const Screen& screen) {
 
 std::unique_ptr<Keys> make_keys(const hal::Config& config, int robot, Clock& clock, Screen& screen,
                                 std::unique_ptr<KeyInput> input) {
-  auto script = from_setting(config, "keys", parse_key_script);
+  auto script = hal::from_setting(config, "keys", parse_key_script);
   std::erase_if(script,
                 [robot](const ScriptedKey& key) { return key.robot != 0 && key.robot != robot; });
   auto keys = std::make_unique<Keys>(clock, std::move(script), std::move(input));
@@ -42,13 +41,6 @@ std::unique_ptr<KeyInput> person_at(const TerminalPanel* panel) {
   if (panel == nullptr) return terminal_keys();
   return std::make_unique<TerminalKeys>(
       panel->descriptor(), [panel](int column, int row) { return panel->pixel_at(column, row); });
-}
-
-void check_camera(const hal::Config& config, const camera::SourceContext& context) {
-  const hal::ConfigValue& value = config.value("camera");
-  if (value.text == "none" || (value.is_default() && context.view == nullptr)) return;
-  from_setting(config, "camera",
-               [&](const std::string& url) { camera::check_source(url, context); });
 }
 
 }  // namespace eyebridge::robios

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "eyebridge/base/log.hpp"
-#include "eyebridge/camera/source.hpp"
 #include "eyebridge/hal/config.hpp"
 #include "keys.hpp"
 #include "screen.hpp"
@@ -14,17 +13,6 @@ namespace eyebridge::robios {
 class TerminalPanel;
 
 // What a session is made of, by the settings; a mistake in one is a ConfigError where it was made.
-
-/// What `use` makes of the setting `name`.
-template <class Use>
-auto from_setting(const hal::Config& config, const char* name, Use&& use) {
-  const hal::ConfigValue& value = config.value(name);
-  try {
-    return use(value.text);
-  } catch (const ConfigError& error) {
-    throw hal::error_in(value, error);
-  }
-}
 
 /// "robot 2" where the settings say that this process has the program of one of several robots,
 /// whose world another process has; else "".
@@ -40,9 +28,5 @@ std::unique_ptr<Keys> make_keys(const hal::Config& config, int robot, Clock& clo
 
 /// A person's keys: at the panel, or at the terminal where there is none.
 std::unique_ptr<KeyInput> person_at(const TerminalPanel* panel);
-
-/// A camera that the user asked for must be possible; one that nobody mentioned may be missing
-/// until the program wants it.
-void check_camera(const hal::Config& config, const camera::SourceContext& context);
 
 }  // namespace eyebridge::robios

@@ -107,7 +107,7 @@ TEST_F(Assess, JudgesWhatWasRunByOtherCriteriaWithoutARun) {
 TEST_F(Assess, EndsOfOtherKindsAreFailuresAndStopNoOtherRun) {
   write_program(
       "prog",
-      "#!/bin/sh\ncase \"$EYEBRIDGE_FLAGS\" in\n*seed=1*) echo 'no, \"never\"' >&2; exit 3;;\n"
+      "#!/bin/sh\ncase \"$EYEBRIDGE_PLAN\" in\n*seed=1*) echo 'no, \"never\"' >&2; exit 3;;\n"
       "*seed=2*) kill -SEGV $$;;\nesac\nexec " +
           cell_ + " $1\n");
   const ProgramRun r = assess({"--worlds", room_, "--seeds", "4", "--goal", "1500,1000,20",

@@ -47,7 +47,7 @@ class Record : public ::testing::Test {
 
 TEST_F(Record, IsRunWithAFileToRecordTo) {
   const std::string program =
-      folder_.write("prog", "#!/bin/sh\necho \"$EYEBRIDGE_FLAGS\"\nexit 7\n");
+      folder_.write("prog", "#!/bin/sh\necho \"$EYEBRIDGE_PLAN\" | cut -f1 | tail -n +2\nexit 7\n");
   chmod(program.c_str(), 0755);
   const ProgramRun r = record({"run.ebrec", "--fast", "prog", "--show"});
   EXPECT_EQ(r.exit_code, 7) << r.err;

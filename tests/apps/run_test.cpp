@@ -9,6 +9,7 @@
 namespace eyebridge {
 namespace {
 
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using testing::ProgramRun;
 using testing::run_command;
@@ -18,9 +19,9 @@ using testing::ScratchFolder;
 class Run : public ::testing::Test {
  protected:
   Run() {
-    write_program(
-        "prog",
-        "#!/bin/sh\necho started \"$EYEBRIDGE_FLAGS\"\nfor a; do echo \"<$a>\"; done\nexit 7\n");
+    write_program("prog",
+                  "#!/bin/sh\necho started \"$(echo \"$EYEBRIDGE_PLAN\" | tail -n +2)\"\n"
+                  "for a; do echo \"<$a>\"; done\nexit 7\n");
   }
   void write_program(const std::string& name, const std::string& text) {
     const std::string path = folder_.write(name, text);
@@ -50,22 +51,50 @@ TEST_F(Run, TheProgramGetsItsArgumentsAndItsExitCodeIsReturned) {
 TEST_F(Run, FlagsBeforeTheProgramAreHandedOn) {
   const ProgramRun r = run({"--fast", "--seed", "42", "--keys", "KEY1@2s", "./prog"});
   EXPECT_EQ(r.exit_code, 7) << r.err;
-  EXPECT_EQ(r.out, "started fast=true\nkeys=KEY1@2s\nseed=42\n\n");
+  EXPECT_EQ(r.out,
+            "started fast=true\t--fast\t0\t0\nkeys=KEY1@2s\t--keys\t0\t0\nseed=42\t--seed\t0\t0\n");
 }
 
 TEST_F(Run, ABooleanFlagCanBeTurnedOff) {
   const ProgramRun r = run({"--fast=false", "prog"});
-  EXPECT_EQ(r.out, "started fast=false\n\n") << r.err;
+  EXPECT_EQ(r.out, "started fast=false\t--fast\t0\t0\n") << r.err;
 }
 
 TEST_F(Run, TheLastOfTwoFlagsWins) {
   const ProgramRun r = run({"--seed=1", "--seed=2", "prog"});
-  EXPECT_EQ(r.out, "started seed=2\n\n") << r.err;
+  EXPECT_EQ(r.out, "started seed=2\t--seed\t0\t0\n") << r.err;
 }
 
 TEST_F(Run, FlagsOfAnOuterRunAreNotInherited) {
-  const ProgramRun r = run({"--seed=2", "prog"}, {{"EYEBRIDGE_FLAGS", "fast=true\n"}});
-  EXPECT_EQ(r.out, "started seed=2\n\n") << r.err;
+  const ProgramRun r =
+      run({"--seed=2", "prog"}, {{"EYEBRIDGE_PLAN", "any\nfast=true\t--fast\t0\t0\n"}});
+  EXPECT_EQ(r.out, "started seed=2\t--seed\t0\t0\n") << r.err;
+}
+
+TEST_F(Run, ProgramsThatAProgramStartsTakeTheFlagsAndSeeVariablesAndFilesOfTheirOwn) {
+  write_program("prog",
+                "#!/bin/sh\n"
+                "EYEBRIDGE_REPORT=variable.txt " EYEBRIDGE_SQUARE
+                " || exit\n"
+                "echo 'report = \"late.txt\"' > eyebridge.toml\n" EYEBRIDGE_SQUARE
+                " || exit\n"
+                "exec env EYEBRIDGE_REPORT=same_process.txt " EYEBRIDGE_SQUARE "\n");
+  const ProgramRun r = run({"--fast", "--time-limit", "1s", "prog"});
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  for (const char* report : {"variable.txt", "late.txt", "same_process.txt"}) {
+    EXPECT_THAT(testing::file_text(folder_.path() + "/" + report), ContainsRegex("^time = +1\\.0"))
+        << report;
+  }
+}
+
+TEST_F(Run, TheProgramDoesNotReadFilesAgainThatWereChecked) {
+  // Same places of eyebridge.toml, and the same process.
+  folder_.write("eyebridge.toml", "report = 'checked.txt'\n");
+  write_program("prog", "#!/bin/sh\necho 'what?' > eyebridge.toml\nexec ./square\n");
+  std::filesystem::copy_file(EYEBRIDGE_SQUARE, folder_.path() + "/square");
+  const ProgramRun r = run({"--fast", "prog"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(testing::file_text(folder_.path() + "/checked.txt"), HasSubstr("time ="));
 }
 
 TEST_F(Run, AProgramThatIsNotInTheFolderIsFoundInPath) {

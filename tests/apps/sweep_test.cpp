@@ -220,7 +220,7 @@ TEST_F(Sweep, TwoSweepsDoNotWriteOneFile) {
 TEST_F(Sweep, SettingsOfThisFolderReachTheRuns) {
   folder_.write("eyebridge.toml", "world = 'here.wld'\ncost_scale = 2\n");
   folder_.write("here.wld", testing::file_text(worlds_ + "empty-room.wld"));
-  write_program("prog", "#!/bin/sh\necho \"result flags $(echo $EYEBRIDGE_FLAGS)\"\n");
+  write_program("prog", "#!/bin/sh\necho \"result flags $(echo $EYEBRIDGE_PLAN)\"\n");
   ASSERT_EQ(sweep({"--seed", "4", "./prog"}).exit_code, 0);
   const std::string flags = select("SELECT value FROM result").at(0);
   EXPECT_THAT(flags, HasSubstr("world=" + folder_.path() + "/here.wld"));

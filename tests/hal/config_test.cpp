@@ -78,22 +78,68 @@ TEST_F(ConfigTest, SaysWhereEachValueCameFrom) {
   EXPECT_EQ(config.value("fast").where.str(), file.string() + ":2:8");
 }
 
-TEST_F(ConfigTest, CountsTheFlagsThatEyebridgeRunHandsOnAsCommandLine) {
-  const std::string flags = Config::flags_variable({{"seed", "9"}, {"keys", "KEY1@2s,KEY2=x"}});
+TEST_F(ConfigTest, APlanBringsEveryValueAndItsPlaceToTheProgramThatWouldReadTheSame) {
+  const auto file = write("eyebridge.toml", "# mine\nrobot = \"a\\tb\\\\n\"\nfactor = 2\n");
+  const std::map<std::string, std::string> variables = {
+      {"EYEBRIDGE_SEED", "3"}, {"EYEBRIDGE_FACTOR", "3"}, {"EYEBRIDGE_WORLD", "two\nlines.maz"}};
+  const Config made =
+      Config::load({{{"seed", "9"}, {"keys", "KEY1@2s,KEY2=x"}}, variables, {file}});
+  auto handed_on = variables;
+  handed_on["EYEBRIDGE_PLAN"] = made.plan();
+  write("eyebridge.toml", "not read again");
+  const Config read = Config::load({{}, handed_on, {file}});
+  EXPECT_EQ(read.describe(), made.describe());
+  EXPECT_EQ(read.text("robot"), "a\tb\\n");
+  EXPECT_EQ(read.value("robot").where, (SourceLocation{file.string(), 2, 9}));
+  EXPECT_EQ(read.text("world"), "two\nlines.maz");
+  EXPECT_EQ(read.text("keys"), "KEY1@2s,KEY2=x");
+  EXPECT_EQ(read.value("seed").where.str(), "--seed");
+  EXPECT_TRUE(read.value("camera").is_default());
+}
+
+TEST_F(ConfigTest, OfAPlanForOtherVariablesFilesOrProcessesOnlyTheFlagsCount) {
+  const auto file = write("eyebridge.toml", "robot = 'made'\n");
+  const auto other = write("other.toml", "robot = 'found'\n");
+  const std::string plan =
+      Config::load({{{"seed", "9"}}, {{"EYEBRIDGE_STEP", "1ms"}}, {file}}).plan();
+  const Config set = Config::load(
+      {{}, {{"EYEBRIDGE_PLAN", plan}, {"EYEBRIDGE_STEP", "2ms"}, {"EYEBRIDGE_SEED", "3"}}, {file}});
+  EXPECT_EQ(set.text("step"), "2ms");
+  EXPECT_EQ(set.integer("seed"), 9);
+  EXPECT_EQ(set.value("seed").where.str(), "--seed");
+  const Config unset = Config::load({{}, {{"EYEBRIDGE_PLAN", plan}}, {file}});
+  EXPECT_EQ(unset.text("step"), "10ms");
+  const Config elsewhere =
+      Config::load({{}, {{"EYEBRIDGE_PLAN", plan}, {"EYEBRIDGE_STEP", "1ms"}}, {other}});
+  EXPECT_EQ(elsewhere.text("robot"), "found");
+  EXPECT_EQ(elsewhere.integer("seed"), 9);
+  write("eyebridge.toml", "robot = 'written since'\n");
+  const Config of_child =
+      Config::load({{}, {{"EYEBRIDGE_PLAN", plan}, {"EYEBRIDGE_STEP", "1ms"}}, {file}, 7});
+  EXPECT_EQ(of_child.text("robot"), "written since");
+  EXPECT_EQ(of_child.integer("seed"), 9);
+}
+
+TEST_F(ConfigTest, ASealedPlanCountsWhateverIsFound) {
+  const auto file = write("eyebridge.toml", "robot = 'found'\n");
+  const std::string plan = Config::load({{{"seed", "9"}}, {}, {}}).sealed_plan();
   const Config config =
-      Config::load({{}, {{"EYEBRIDGE_FLAGS", flags}, {"EYEBRIDGE_SEED", "3"}}, {}});
+      Config::load({{}, {{"EYEBRIDGE_PLAN", plan}, {"EYEBRIDGE_STEP", "2ms"}}, {file}});
   EXPECT_EQ(config.integer("seed"), 9);
-  EXPECT_EQ(config.text("keys"), "KEY1@2s,KEY2=x");
-  EXPECT_EQ(config.value("seed").where.str(), "--seed");
+  EXPECT_EQ(config.text("robot"), "S4");
+  EXPECT_EQ(config.text("step"), "10ms");
 }
 
-TEST_F(ConfigTest, RefusesToHandOnAFlagOfTwoLines) {
-  EXPECT_THROW(Config::flags_variable({{"keys", "KEY1\nseed=2"}}), ConfigError);
+TEST_F(ConfigTest, RefusesAFlagOfTwoLines) {
+  EXPECT_EQ(complaint({{{"keys", "KEY1\nseed=2"}}, {}, {}}),
+            "--keys: found a line end in the value, expected one line");
 }
 
-TEST_F(ConfigTest, NamesTheLineOfABadHandedOnFlag) {
-  EXPECT_EQ(complaint({{}, {{"EYEBRIDGE_FLAGS", "seed=1\nfast"}}, {}}),
-            "EYEBRIDGE_FLAGS:2: found 'fast', expected key=value");
+TEST_F(ConfigTest, NamesTheLineOfABadPlan) {
+  EXPECT_EQ(complaint({{}, {{"EYEBRIDGE_PLAN", "any\nseed=1\t--seed\t0\t0\nfast\n"}}, {}}),
+            "EYEBRIDGE_PLAN:3: found 'fast', expected key=value, file, line and column");
+  EXPECT_EQ(complaint({{}, {{"EYEBRIDGE_PLAN", "any\nsede=1\t--sede\t0\t0\n"}}, {}}),
+            "EYEBRIDGE_PLAN:2: unknown setting 'sede', the nearest setting is 'seed'");
 }
 
 TEST_F(ConfigTest, TakesRelativePathsFromWhereTheyWereWritten) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "eyebridge/base/config_error.hpp"
@@ -68,23 +69,35 @@ class Config {
  public:
   /// Where to look; all explicit, so that tests need no real environment.
   struct Sources {
-    std::map<std::string, std::string>
-        flags;  ///< Key -> value, from the command line; they win over EYEBRIDGE_FLAGS.
+    std::map<std::string, std::string> flags;        ///< Key -> value, from the command line.
     std::map<std::string, std::string> environment;  ///< All variables of the process.
     std::vector<std::filesystem::path>
-        toml_files;  ///< Highest precedence first; missing ones skipped.
+        toml_files;    ///< Highest precedence first; missing ones skipped.
+    long process = 0;  ///< Its id.
   };
 
   /// Throws ConfigError: unknown key (with line and column, and the nearest known one), or a value
   /// that is not of the setting's kind, out of its range or not one of its choices. Every source is
   /// checked whole, also where another one wins. Variables that start with EYEBRIDGE_ count as
-  /// keys, but for EYEBRIDGE_FLAGS, EYEBRIDGE_DATA and EYEBRIDGE_TEST_*.
+  /// keys, but for EYEBRIDGE_PLAN, EYEBRIDGE_DATA and EYEBRIDGE_TEST_*. Without flags,
+  /// EYEBRIDGE_PLAN counts: see plan().
   static Config load(const Sources& sources);
-  /// From this process: EYEBRIDGE_* and EYEBRIDGE_FLAGS (set by `eyebridge run`), and the three
-  /// usual places of eyebridge.toml. The name of a world becomes the path of its file
-  /// (files::find_file()). A name without a file is kept: opening it throws the error that lists
-  /// the folders searched.
+  /// That of the robot program `program`, in its process: by the plan that it was started with, the
+  /// variables EYEBRIDGE_*, and the three usual places of eyebridge.toml. The name of a world
+  /// becomes the path of its file (files::find_file()). A name without a file is kept: opening it
+  /// throws the error that lists the folders searched.
   static Config from_process(const std::filesystem::path& program);
+  /// That of `program` when this command starts it with `flags`. A plan that this process was
+  /// started with does not count.
+  static Config from_command_line(const std::filesystem::path& program,
+                                  const std::map<std::string, std::string>& flags);
+
+  /// This configuration as the text of EYEBRIDGE_PLAN, in which it travels to the program that this
+  /// process becomes. That takes it as it is. Where it has set a variable EYEBRIDGE_* or changed
+  /// its folder meanwhile, and in other processes that it starts, only the flags count.
+  [[nodiscard]] std::string plan() const;
+  /// The same for a process that takes it as it is whatever it finds.
+  [[nodiscard]] std::string sealed_plan() const;
 
   [[nodiscard]] const ConfigValue& value(
       std::string_view key) const;                        ///< Key must be in settings().
@@ -105,18 +118,34 @@ class Config {
   static std::string flag_name(std::string_view key);
   /// How `key` is spelled as an environment variable: "EYEBRIDGE_TIME_LIMIT".
   static std::string variable_name(std::string_view key);
-  /// What EYEBRIDGE_FLAGS must hold to hand `flags` on to a robot program: lines "key=value".
-  /// Throws ConfigError when a value holds a line end, which such a line cannot carry.
-  static std::string flags_variable(const std::map<std::string, std::string>& flags);
   /// All settings as lines "key = value  # where", in the order of settings().
   [[nodiscard]] std::string describe() const;
   /// The robot program that from_process() was given: worlds are looked for beside it.
   [[nodiscard]] const std::filesystem::path& program() const { return program_; }
 
  private:
+  static Config of_program(const std::filesystem::path& program, const Sources& sources);
+
   std::map<std::string, ConfigValue, std::less<>> values_;
+  std::string sources_;  ///< Fingerprint of what it was loaded from.
   std::filesystem::path program_;
 };
+
+/// What `read` makes of the text of `key`, and of an unknown place if it takes one. A ConfigError
+/// of it is thrown at the place where the value was set.
+template <class Read>
+auto from_setting(const Config& config, std::string_view key, Read&& read) {
+  const ConfigValue& value = config.value(key);
+  try {
+    if constexpr (std::is_invocable_v<Read, const std::string&, SourceLocation>) {
+      return read(value.text, SourceLocation{});
+    } else {
+      return read(value.text);
+    }
+  } catch (const ConfigError& error) {
+    throw error_in(value, error);
+  }
+}
 
 /// "560x400": width and height. Throws ConfigError at `where`; checks no range.
 PixelSize parse_size(std::string_view text, const SourceLocation& where);

@@ -10,4 +10,9 @@ namespace eyebridge::hal {
 /// setting is unset.
 void check_hand(const BackendContext& context, Backend& backend);
 
+/// A camera that the user asked for must be possible; one that nobody mentioned may be missing
+/// until the program wants it. `backend`, whose world it may show, is null where it is not open.
+/// Throws ConfigError.
+void check_camera(const Config& config, Backend* backend, LogSink& log);
+
 }  // namespace eyebridge::hal
