@@ -12,6 +12,7 @@
 
 #include <unistd.h>
 
+#include "config/run_plan.hpp"
 #include "config/toml_text.hpp"
 #include "config/values.hpp"
 #include "eyebridge/base/text.hpp"
@@ -317,6 +318,19 @@ inline void config(std::string_view text) {
     if (hal::parse_backend_url(text, where).scheme.empty()) found();
   } catch (const ConfigError&) {  // the input is no URL
   }
+}
+
+/// The text as the plan that a process hands to a program: what is read is written the same.
+inline void run_plan(std::string_view text) {
+  hal::RunPlan plan;
+  try {
+    plan = hal::read_run_plan(text);
+  } catch (const ConfigError&) {
+    return;  // the input is no plan
+  }
+  const std::string written = hal::run_plan_text(plan);
+  const hal::RunPlan again = hal::read_run_plan(written);
+  if (again.sources != plan.sources || hal::run_plan_text(again) != written) found();
 }
 
 }  // namespace eyebridge::fuzz
