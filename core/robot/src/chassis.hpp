@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "drive_faults.hpp"
 #include "eyebridge/base/hash.hpp"
@@ -118,21 +117,6 @@ class Chassis {
   ChassisWheel& motor(unsigned index);
   ChassisWheel& encoder(unsigned index);
   std::span<ChassisWheel> wheels() { return wheels_; }
-  /// Of the rims, metres per second.
-  [[nodiscard]] Rims speeds() const {
-    Rims speeds{};
-    for (std::size_t i = 0; i < wheels_.size(); ++i) speeds[i] = wheels_[i].wheel.speed();
-    return speeds;
-  }
-  /// Wheel::settled() of all, which had `speeds` before.
-  [[nodiscard]] bool settled(const Rims& speeds) const {
-    for (std::size_t i = 0; i < wheels_.size(); ++i) {
-      if (!wheels_[i].wheel.settled(speeds[i])) return false;
-    }
-    return true;
-  }
-  /// Whether motors take time to follow.
-  [[nodiscard]] bool lags() const { return wheels_[0].motor.time_constant > 0.0; }
 
  protected:
   /// What the rims do when the motors do that: the same, unless a gear is between.
@@ -146,11 +130,12 @@ class Chassis {
 
   void add_wheels_to(StateHash& hash) const;
 
+  // At hand in one block: what a step touches.
   unsigned motor_count_;
   unsigned encoder_count_;
   double wheel_base_;
   std::span<ChassisWheel> wheels_;
-  std::array<ChassisWheel, kMostWheels> storage_;
+  std::array<ChassisWheel, kMostWheels> storage_;  ///< Of `wheels_`.
 };
 
 /// Throws std::invalid_argument, which says `what`, unless the model is `good`.

@@ -4,7 +4,8 @@
 
 namespace eyebridge::robot {
 
-/// A left and a right wheel, each with its motor. In a header, so that step.cpp knows it.
+/// A left and a right wheel, each with its motor. In a header for step.cpp, which is compiled for
+/// it beside all others.
 class DifferentialChassis final : public Chassis {
  public:
   DifferentialChassis(const DriveModel& model, const MotorModel& motor) : Chassis(model, motor) {
@@ -12,19 +13,12 @@ class DifferentialChassis final : public Chassis {
     wheels_[1].side = -1.0;
   }
 
+  /// As Chassis has it, but of a number that the compiler knows.
   std::span<ChassisWheel, 2> wheels() { return std::span<ChassisWheel, 2>(storage_.data(), 2); }
-  [[nodiscard]] Rims speeds() const {
-    return {storage_[0].wheel.speed(), storage_[1].wheel.speed()};
-  }
-  [[nodiscard]] bool settled(const Rims& speeds) const {
-    return storage_[0].wheel.settled(speeds[0]) && storage_[1].wheel.settled(speeds[1]);
-  }
-  [[nodiscard]] bool lags() const { return storage_[0].motor.time_constant > 0.0; }
 
   Rims follow(const DriveController& controller, const Twist& twist) override {
     const double turning = twist.angular * controller.limits().half_base;
-    return {storage_[0].wheel.drive_controlled(twist.linear - turning, storage_[0].motor),
-            storage_[1].wheel.drive_controlled(twist.linear + turning, storage_[1].motor)};
+    return {drive(0, twist.linear - turning), drive(1, twist.linear + turning)};
   }
 
   [[nodiscard]] BodyStep seen(const Rims& travel) const override {
@@ -33,14 +27,13 @@ class DifferentialChassis final : public Chassis {
   }
 
   [[nodiscard]] BodyStep ground(const Rims& travel, const Ground& ground) const override {
-    const PathStep path = path_of({travel[0], travel[1]}, wheel_base_);
-    return {path.distance * ground.way, 0.0, path.angle * ground.turn};
+    const BodyStep step = seen(travel);
+    return {step.forward * ground.way, 0.0, step.angle * ground.turn};
   }
 
   [[nodiscard]] PathStep rolling() const override {
-    return path_of({storage_[0].wheel.rolling(storage_[0].motor),
-                    storage_[1].wheel.rolling(storage_[1].motor)},
-                   wheel_base_);
+    const auto rolls = [](const ChassisWheel& w) { return w.wheel.rolling(w.motor); };
+    return path_of({rolls(storage_[0]), rolls(storage_[1])}, wheel_base_);
   }
 
   /// The wheels go on with what turns the robot.

@@ -10,6 +10,16 @@ namespace eyebridge::robot {
 ChassisMaker make_differential, make_ackermann, make_mecanum, make_swedish, make_synchro,
     make_submarine;
 
+namespace {
+
+constexpr DriveTraits kTwoWheels{.has_two_wheels = true};
+constexpr DriveTraits kCar{.wheel_base_share = 0.0, .steering = Steering::FrontWheels};
+constexpr DriveTraits kMecanum{.axle_share = 0.5};
+constexpr DriveTraits kSteered{.wheel_base_share = 0.0, .steering = Steering::AllWheels};
+constexpr DriveTraits kDiving{.right_motor = 2, .dives = true};
+
+}  // namespace
+
 std::span<const DriveFacts> drive_kinds() {
   static const std::vector<DrivePart> kTwo = {{"left", "_LEFT"}, {"right", "_RIGHT"}};
   static const std::vector<DrivePart> kFour = {
@@ -19,50 +29,15 @@ std::span<const DriveFacts> drive_kinds() {
   static const std::vector<DrivePart> kTurning = {{"drive", "_DRIVE"}, {"steer", "_TURN"}};
   static const std::vector<DrivePart> kThrusters = {
       {"left", "_LEFT"}, {"front", "_FRONT"}, {"right", "_RIGHT"}, {"back", "_BACK"}};
-  static const std::vector<DriveFacts> kKinds = {{.kind = DriveKind::Differential,
-                                                  .name = "differential",
-                                                  .keyword = "DIFFERENTIAL_DRIVE",
-                                                  .motors = kTwo,
-                                                  .encoders = kTwo,
-                                                  .make_chassis = make_differential,
-                                                  .has_two_wheels = true},
-                                                 {.kind = DriveKind::Ackermann,
-                                                  .name = "ackermann",
-                                                  .keyword = "ACKERMANN_DRIVE",
-                                                  .motors = {{"drive", ""}},
-                                                  .encoders = kTwo,
-                                                  .make_chassis = make_ackermann,
-                                                  .wheel_base_share = 0.0,
-                                                  .steering = Steering::FrontWheels},
-                                                 {.kind = DriveKind::Omni,
-                                                  .name = "omni",
-                                                  .keyword = "OMNI_DRIVE",
-                                                  .motors = kFour,
-                                                  .encoders = kFour,
-                                                  .make_chassis = make_mecanum,
-                                                  .axle_share = 0.5},
-                                                 {.kind = DriveKind::Swedish,
-                                                  .name = "swedish",
-                                                  .keyword = "SWEDISH_DRIVE",
-                                                  .motors = kThree,
-                                                  .encoders = kThree,
-                                                  .make_chassis = make_swedish},
-                                                 {.kind = DriveKind::Synchro,
-                                                  .name = "synchro",
-                                                  .keyword = "SYNCHRO_DRIVE",
-                                                  .motors = kTurning,
-                                                  .encoders = kTurning,
-                                                  .make_chassis = make_synchro,
-                                                  .wheel_base_share = 0.0,
-                                                  .steering = Steering::AllWheels},
-                                                 {.kind = DriveKind::Submarine,
-                                                  .name = "submarine",
-                                                  .keyword = "SUBMARINE_DRIVE",
-                                                  .motors = kThrusters,
-                                                  .encoders = {},
-                                                  .make_chassis = make_submarine,
-                                                  .right_motor = 2,
-                                                  .dives = true}};
+  using enum DriveKind;
+  static const DriveFacts kKinds[] = {
+      {kTwoWheels, Differential, "differential", "DIFFERENTIAL_DRIVE", kTwo, kTwo,
+       make_differential},
+      {kCar, Ackermann, "ackermann", "ACKERMANN_DRIVE", {{"drive", ""}}, kTwo, make_ackermann},
+      {kMecanum, Omni, "omni", "OMNI_DRIVE", kFour, kFour, make_mecanum},
+      {DriveTraits{}, Swedish, "swedish", "SWEDISH_DRIVE", kThree, kThree, make_swedish},
+      {kSteered, Synchro, "synchro", "SYNCHRO_DRIVE", kTurning, kTurning, make_synchro},
+      {kDiving, Submarine, "submarine", "SUBMARINE_DRIVE", kThrusters, {}, make_submarine}};
   return kKinds;
 }
 

@@ -4,7 +4,7 @@
 
 #include "simulation_impl.hpp"
 
-// The pipeline of a robot, from command to pose: step_robot() has its stages in their order.
+// The pipeline of a robot, from command to pose: run_pipeline() has its stages in their order.
 
 namespace eyebridge::robot {
 namespace {
@@ -25,11 +25,12 @@ bool rests(RobotState& state, Drive& chassis) {
   return true;
 }
 
-/// How far the rims go.
+/// How far the rims go by the commands.
 template <class Drive>
 Rims drive_motors(RobotState& state, Drive& chassis) {
   if (state.by_motors) return chassis.run();
-  const Twist twist = state.controller.next(chassis.lags() ? chassis.rolling() : PathStep{});
+  const bool lags = chassis.wheels()[0].motor.time_constant > 0.0;
+  const Twist twist = state.controller.next(lags ? chassis.rolling() : PathStep{});
   return chassis.follow(state.controller, twist);
 }
 
@@ -106,16 +107,30 @@ BodyStep measured_step(RobotState& state, Drive& chassis) {
   return chassis.seen(seen);
 }
 
+/// Of the rims, metres per second.
+template <class Drive>
+Rims speeds_of(Drive& chassis) {
+  const auto wheels = chassis.wheels();
+  Rims speeds{};
+  for (std::size_t i = 0; i < wheels.size(); ++i) speeds[i] = wheels[i].wheel.speed();
+  return speeds;
+}
+
 /// True when the next step, unless a command comes or something is in the way, is like this one
 /// and changes nothing but where the robot is. `speeds` are the rims' before it.
 template <class Drive>
-bool repeats(const RobotState& state, const Drive& chassis, const Rims& speeds) {
-  return (state.by_motors || state.controller.settled()) && state.is_told_to_move() &&
-         !state.error.moves_by_chance() && chassis.repeats() && chassis.settled(speeds);
+bool repeats(const RobotState& state, Drive& chassis, const Rims& speeds) {
+  const bool same_command = state.by_motors || state.controller.settled();
+  if (!same_command || state.error.moves_by_chance() || !chassis.repeats()) return false;
+  const auto wheels = chassis.wheels();
+  for (std::size_t i = 0; i < wheels.size(); ++i) {
+    if (!wheels[i].wheel.settled(speeds[i])) return false;
+  }
+  return state.is_told_to_move();
 }
 
 /// `use` of a robot's chassis. Most are differential ones: compiled for these, without virtual
-/// calls, a step takes a sixth less time (bench_simulation, pipeline).
+/// calls, a whole step takes a sixth less time (bench_simulation, pipeline).
 template <class Use>
 void with_chassis(RobotState& state, const Use& use) {
   if (state.differential != nullptr) {
@@ -149,7 +164,7 @@ void Simulation::Impl::run_pipeline(Cruise& cruise, RobotState& state, Drive& ch
                                     const world::MoveResult* met) {
   StepPlan& plan = state.plan;
   if (!plan.repeats) {
-    const Rims speeds = chassis.speeds();
+    const Rims speeds = speeds_of(chassis);
     // Command -> ramps -> wheel targets (PID) -> motors -> wheels.
     plan.rims = drive_motors(state, chassis);
     // Wheels -> arc.
@@ -166,7 +181,7 @@ void Simulation::Impl::run_pipeline(Cruise& cruise, RobotState& state, Drive& ch
   if (result.blocked()) plan.rims = chassis.blocked(plan.rims, result.progress);
   state.driven_before = state.driven;
   state.driven = chassis.speed(plan.step, result.progress, settings.step);
-  // Wheels -> encoders, odometry, controller.
+  // Wheels -> encoders -> odometry -> controller, stalls.
   turn_wheels(state, chassis, held);
   chassis.settle(plan.rims, plan.ground, held);
   const BodyStep seen = measured_step(state, chassis);
@@ -174,7 +189,7 @@ void Simulation::Impl::run_pipeline(Cruise& cruise, RobotState& state, Drive& ch
   state.odometry.add(as_planned ? plan.arc : screw_of(seen));
   state.measured = {seen.forward / settings.step, seen.angle / settings.step};
   tell_controller(state, chassis, seen, held || chassis.is_stuck());
-  // Robots without a goal do the same again, mostly.
+  // The next step: robots without a goal do the same again, mostly.
   const bool free = state.controller.state() != DriveState::Driving;
   plan.repeats = plan.repeats && free && !result.blocked();
   const bool stuck =

@@ -39,8 +39,24 @@ enum class Steering {
   AllWheels,    ///< By a motor.
 };
 
+/// What is special about a kind of drive; most have two wheels or more that turn the robot.
+struct DriveTraits {
+  /// Nothing but a left and a right wheel with a motor each: what boards, servos that turn wheels
+  /// and actions for two motors need.
+  bool has_two_wheels = false;
+  unsigned right_motor = 1;  ///< Which does on the right what motor 0 does on the left.
+  /// A turn takes these shares of DriveModel::wheel_base and axle_distance, metres a radian, from
+  /// the speed of a wheel's rim; none where the steering does it.
+  double wheel_base_share = 0.5;
+  double axle_share = 0.0;
+  Steering steering = Steering::None;
+  bool dives = false;  ///< Moves in water, by thrusters.
+
+  [[nodiscard]] bool steers_front() const { return steering == Steering::FrontWheels; }
+};
+
 /// What is to be known of a kind of drive without the numbers of a robot.
-struct DriveFacts {
+struct DriveFacts : DriveTraits {
   DriveKind kind;
   const char* name;     ///< "differential"
   const char* keyword;  ///< In files of robots: "DIFFERENTIAL_DRIVE".
@@ -50,19 +66,6 @@ struct DriveFacts {
   /// the model cannot be.
   std::unique_ptr<Chassis> (*make_chassis)(const RobotModel& robot, const MotorModel& motor,
                                            double water);
-  /// A turn takes these shares of DriveModel::wheel_base and axle_distance, metres a radian, from
-  /// the speed of a wheel's rim; none where the steering does it.
-  double wheel_base_share = 0.5;
-  double axle_share = 0.0;
-  Steering steering = Steering::None;
-  unsigned right_motor = 1;  ///< Which does on the right what motor 0 does on the left.
-  /// Nothing but a left and a right wheel with a motor each: what boards, servos that turn wheels
-  /// and actions for two motors need.
-  bool has_two_wheels = false;
-  bool dives = false;  ///< Moves in water, by thrusters.
-
-  [[nodiscard]] bool has_axles() const { return axle_share > 0.0 || steers_front(); }
-  [[nodiscard]] bool steers_front() const { return steering == Steering::FrontWheels; }
 };
 
 /// The table of kinds, each once.
