@@ -31,7 +31,7 @@ void check_wheel(const files::Hdt& hdt, std::size_t side) {
 
 void read_drive(const files::Hdt& hdt, BoardDriveShape& out) {
   const files::HdtDrive& drive = *hdt.drive;
-  if (drive.kind != robot::DriveKind::Differential) {
+  if (!robot::facts_of(drive.kind).has_two_wheels) {
     throw ConfigError(drive.where,
                       "found another drive than a differential one, expected two wheels");
   }

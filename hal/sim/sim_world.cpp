@@ -66,8 +66,7 @@ Result<robot::RobotIndex> SimWorld::add_robot(const robot::RobotModel& model, co
   try {
     return simulation_.add_robot(model, pose);
   } catch (const std::invalid_argument& error) {
-    const bool is_submarine = model.drive.kind == robot::DriveKind::Submarine;
-    if (is_submarine && model.height > simulation_.world().model().water_depth()) {
+    if (model.drive.facts().dives && model.height > simulation_.world().model().water_depth()) {
       return fail(Errc::OutOfRange, error.what());
     }
     return fail(Errc::OutOfRange,

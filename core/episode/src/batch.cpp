@@ -32,7 +32,7 @@ void check(const std::vector<std::shared_ptr<const files::Scenario>>& scenarios,
   check(settings.period > 0 && settings.period <= 1e6, "the period must be above 0, at most 1e6 s");
   check(settings.time_limit > 0, "the time limit must be above 0");
   check(settings.action != Action::Wheels ||
-            model_of(*scenarios.front()).drive.kind == robot::DriveKind::Differential,
+            model_of(*scenarios.front()).drive.facts().has_two_wheels,
         "found actions for a left and a right motor, expected a robot with a differential drive");
   for (const auto& scenario : scenarios) {
     check(model_of(*scenario) == model_of(*scenarios.front()),

@@ -8,8 +8,6 @@
 namespace eyebridge::files {
 namespace {
 
-using robot::DriveKind;
-
 constexpr double kLargestRobot = 10000;  // millimetres: no robot is larger
 
 std::string kind_names() {
@@ -117,8 +115,9 @@ void DriveLines::read_dive(const Statement& s) {
 
 void DriveLines::finish_axles(robot::DriveModel& drive) const {
   if (axles_) drive.axle_distance = *axles_;
-  if (drive.kind == DriveKind::Ackermann && rear_) drive.rear_axle = rear_->x;
-  if (drive.kind == DriveKind::Ackermann && rear_ && front_) {
+  const bool car = drive.facts().steers_front();
+  if (car && rear_) drive.rear_axle = rear_->x;
+  if (car && rear_ && front_) {
     if (front_->x <= rear_->x) {
       throw ConfigError(front_->where,
                         "the front axle is not before the rear one: expected 'axel turn' ahead of "
@@ -127,7 +126,7 @@ void DriveLines::finish_axles(robot::DriveModel& drive) const {
     if (!axles_) drive.axle_distance = front_->x - rear_->x;
   } else if (!axles_ && wheels_) {
     drive.axle_distance = drive.wheel_base;
-    if (drive.kind != DriveKind::Ackermann) return;
+    if (!car) return;
     warnings_.add(line_, 1,
                   "neither 'axel drive' and 'axel turn' nor 'axles' say how far apart the axles "
                   "are: it is as far as the wheels");
@@ -137,7 +136,7 @@ void DriveLines::finish_axles(robot::DriveModel& drive) const {
 void DriveLines::finish_steering(robot::RobotModel& model) const {
   if (!steering_) return;
   robot::DriveModel& drive = model.drive;
-  if (drive.kind != DriveKind::Ackermann) {
+  if (!drive.facts().steers_front()) {
     throw ConfigError(steering_->where, "steering without front wheels: expected ACKERMANN_DRIVE");
   }
   drive.max_steering = steering_->most;
@@ -150,7 +149,7 @@ void DriveLines::finish_steering(robot::RobotModel& model) const {
 }
 
 void DriveLines::finish_submarine(robot::DriveModel& drive) const {
-  if (drive.kind != DriveKind::Submarine) {
+  if (!drive.facts().dives) {
     if (!dive_) return;
     throw ConfigError(dive_->where, "dive without thrusters: expected SUBMARINE_DRIVE");
   }
@@ -182,18 +181,14 @@ void DriveLines::finish(robot::RobotModel& model) {
   finish_axles(drive);
   finish_steering(model);
   finish_submarine(drive);
-  if (drive.kind == DriveKind::Submarine) return;
+  if (drive.facts().dives) return;
   if (wheels_) drive.max_linear = drive.max_wheel_speed * drive.wheel_diameter / 2;
   if (speed_) drive.max_linear = *speed_;
-  if (wheels_ && drive.kind != DriveKind::Synchro) {
+  if (wheels_ && drive.turn_arm() > 0.0) {
     // As fast as the wheels can turn it.
-    const double rim = drive.max_wheel_speed * drive.wheel_diameter / 2;
-    drive.max_angular = 2 * rim / drive.wheel_base;
-    if (drive.kind == DriveKind::Omni) {
-      drive.max_angular = 2 * rim / (drive.wheel_base + drive.axle_distance);
-    }
+    drive.max_angular = drive.max_wheel_speed * drive.wheel_diameter / 2 / drive.turn_arm();
   }
-  if (drive.kind == DriveKind::Ackermann) {
+  if (drive.facts().steers_front()) {
     drive.max_angular = drive.max_linear * drive.max_curvature();
   }
   if (turn_) drive.max_angular = *turn_;

@@ -128,7 +128,7 @@ void Placer::warn_outside(std::size_t model, const Pose& pose, const SourceLocat
 void Placer::check_water(std::size_t model, const SourceLocation& where) const {
   const robot::RobotModel& robot = scenario_.models[model];
   const double water = scenario_.world.water_depth();
-  if (robot.drive.kind != robot::DriveKind::Submarine || robot.height <= water) return;
+  if (!robot.drive.facts().dives || robot.height <= water) return;
   throw ConfigError(where, robot.name + " is " + write_millimetres(robot.height) +
                                " mm high, in water of " + write_millimetres(water) +
                                " mm: expected deeper water ('water MM')");

@@ -274,7 +274,7 @@ class RobiReader {
       model().diameter = *diameter_;
     } else if (reach_ > 0) {
       model().diameter = 2 * reach_;
-    } else if (drive_.has_wheels() && model().drive.kind != robot::DriveKind::Submarine) {
+    } else if (drive_.has_wheels() && !model().drive.facts().dives) {
       model().diameter = 2 * model().drive.wheel_base;
     } else {
       warnings_.add(1, 1, "neither diameter, collider nor wheel is given: the diameter is 186 mm");

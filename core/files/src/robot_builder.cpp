@@ -147,8 +147,7 @@ void RobotBuilder::check_servos() const {
     if (model_.drive.steers(servo.servo)) {
       throw ConfigError(servo_where_[i], number + " steers already: expected another one");
     }
-    if (servo.wheel != robot::ServoModel::Wheel::None &&
-        model_.drive.kind != robot::DriveKind::Differential) {
+    if (servo.wheel != robot::ServoModel::Wheel::None && !model_.drive.facts().has_two_wheels) {
       throw ConfigError(servo_where_[i],
                         number + " turns a wheel: expected a DIFFERENTIAL_DRIVE for that");
     }

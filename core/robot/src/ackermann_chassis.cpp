@@ -16,7 +16,6 @@ class AckermannChassis final : public Chassis {
  public:
   AckermannChassis(const DriveModel& model, const MotorModel& motor)
       : Chassis(model, motor),
-        wheel_base_(model.wheel_base),
         axle_distance_(model.axle_distance),
         ahead_(-model.rear_axle),
         lock_(model.max_steering),
@@ -60,6 +59,7 @@ class AckermannChassis final : public Chassis {
   [[nodiscard]] bool can_turn_on_spot() const override { return false; }
   [[nodiscard]] bool is_stuck() const override { return is_stuck_; }
   [[nodiscard]] bool is_settled() const override { return steering_ == target_; }
+  [[nodiscard]] bool repeats() const override { return steering_ == target_ && !is_stuck_; }
 
   void start(const DriveGoal& goal, const Twist& present, DriveController& controller) override {
     const double most = max_curvature_ * std::abs(goal.distance);
@@ -114,7 +114,6 @@ class AckermannChassis final : public Chassis {
     return {way, ahead_ * angle, angle};
   }
 
-  double wheel_base_;
   double axle_distance_;
   double ahead_;
   double lock_;
@@ -129,8 +128,15 @@ class AckermannChassis final : public Chassis {
 
 }  // namespace
 
-std::unique_ptr<Chassis> make_ackermann(const DriveModel& model, const MotorModel& motor) {
-  return std::make_unique<AckermannChassis>(model, motor);
+std::unique_ptr<Chassis> make_ackermann(const RobotModel& robot, const MotorModel& motor,
+                                        double /*water*/) {
+  const DriveModel& drive = robot.drive;
+  check_axles(drive);
+  check_model(drive.max_steering > 0.0 && drive.max_steering < kPi / 2,
+              "robot: the front wheels must turn by more than 0 and less than 90 degrees");
+  check_model(std::isfinite(drive.rear_axle), "robot: the rear axle must be somewhere");
+  check_model(drive.steering_servo < kServoCount, "robot: the steering needs a servo");
+  return std::make_unique<AckermannChassis>(drive, motor);
 }
 
 }  // namespace eyebridge::robot

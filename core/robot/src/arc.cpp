@@ -44,8 +44,7 @@ world::Arc arc_of(const PathStep& path) {
   return {{path.distance * sine_by_angle, path.distance * versine_by_angle}, turn};
 }
 
-world::Arc screw_of(const BodyStep& step) {
-  if (step.left == 0.0) return arc_of(PathStep{step.forward, step.angle});
+world::Arc sideways_screw_of(const BodyStep& step) {
   // The chord is linear in the speed, and what it does to one to the left is what it does to one
   // forward, turned by a quarter.
   world::Arc arc = arc_of(PathStep{1.0, step.angle});

@@ -9,16 +9,21 @@
 
 namespace eyebridge::robot {
 
+void check_model(bool good, const char* what) {
+  if (!good) throw std::invalid_argument(what);
+}
+
 double DriveModel::max_curvature() const {
-  if (kind != DriveKind::Ackermann) return std::numeric_limits<double>::infinity();
+  if (!facts().steers_front()) return std::numeric_limits<double>::infinity();
   const SinCos lock = sin_cos(max_steering);
   return lock.sin / lock.cos / axle_distance;
 }
 
 Chassis::Chassis(const DriveModel& model, const MotorModel& motor)
-    : wheels_(std::max(model.encoder_count(), model.motor_count())),
-      motor_count_(model.motor_count()),
-      encoder_count_(model.encoder_count()) {
+    : motor_count_(model.motor_count()),
+      encoder_count_(model.encoder_count()),
+      wheel_base_(model.wheel_base),
+      wheels_(storage_.data(), std::max(motor_count_, encoder_count_)) {
   for (ChassisWheel& wheel : wheels_) wheel.motor = motor;
 }
 
@@ -34,12 +39,23 @@ double Chassis::obey(std::size_t index) {
                               : w.wheel.drive(w.command.speed, w.motor);
 }
 
+BodyStep Chassis::ground(const Rims& travel, const Ground& ground) const {
+  const BodyStep step = seen(travel);
+  return {step.forward * ground.way, step.left * ground.way, step.angle * ground.turn};
+}
+
 Rims Chassis::blocked(const Rims& travel, double progress) const {
   Rims rims = travel;
-  for (std::size_t i = 0; i < rims.size(); ++i) {
-    if (is_held(i)) rims[i] *= progress;
+  for (std::size_t i = 0; i < wheels_.size(); ++i) {
+    if (wheels_[i].rolls) rims[i] *= progress;
   }
   return rims;
+}
+
+HolonomicTwist Chassis::speed(const BodyStep& step, double progress, double dt) const {
+  const double share = progress / dt;
+  return {step.forward * share, step.left * share,
+          step.angle * (can_turn_on_spot() ? 1.0 / dt : share)};
 }
 
 void Chassis::settle(const Rims& /*travel*/, const Ground& /*ground*/, bool /*held*/) {}
@@ -54,6 +70,12 @@ void Chassis::set_twist(const HolonomicTwist& twist, const Twist& present,
 }
 
 void Chassis::add_to(StateHash& hash) const {
+  // Two wheels that no such robot has: hashes of older runs have them.
+  for (int i = 0; i < 4; ++i) hash.add(0.0);
+  add_wheels_to(hash);
+}
+
+void Chassis::add_wheels_to(StateHash& hash) const {
   for (const ChassisWheel& w : wheels_) {
     hash.add(w.wheel.speed());
     hash.add(w.wheel.travel());
@@ -77,15 +99,8 @@ PathStep Chassis::rolling() const {
 }
 
 bool Chassis::is_commanded() const {
-  for (std::size_t i = 0; i < wheels_.size(); ++i) {
-    if (wheels_[i].command.speed != 0.0 && !is_apart(i)) return true;
-  }
-  return false;
-}
-
-bool Chassis::stands(double speed) const {
-  return std::all_of(wheels_.begin(), wheels_.end(),
-                     [&](const ChassisWheel& w) { return std::abs(w.wheel.speed()) <= speed; });
+  return std::any_of(wheels_.begin(), wheels_.end(),
+                     [](const ChassisWheel& w) { return w.command.speed != 0.0 && !w.is_apart; });
 }
 
 void Chassis::halt() {
@@ -93,8 +108,8 @@ void Chassis::halt() {
 }
 
 void Chassis::drop_commands() {
-  for (std::size_t i = 0; i < wheels_.size(); ++i) {
-    if (!is_apart(i)) wheels_[i].command = {};
+  for (ChassisWheel& w : wheels_) {
+    if (!w.is_apart) w.command = {};
   }
 }
 
@@ -106,25 +121,6 @@ ChassisWheel& Chassis::motor(unsigned index) {
 ChassisWheel& Chassis::encoder(unsigned index) {
   if (index >= encoder_count_) throw std::out_of_range("no such encoder");
   return wheels_[index];
-}
-
-std::unique_ptr<Chassis> make_chassis(const RobotModel& robot, const MotorModel& motor,
-                                      double water) {
-  const DriveModel& model = robot.drive;
-  switch (model.kind) {
-    case DriveKind::Differential:
-      break;
-    case DriveKind::Ackermann:
-      return make_ackermann(model, motor);
-    case DriveKind::Omni:
-    case DriveKind::Swedish:
-      return make_omni(model, motor);
-    case DriveKind::Synchro:
-      return make_synchro(model, motor);
-    case DriveKind::Submarine:
-      return make_submarine(robot, motor, water);
-  }
-  return nullptr;
 }
 
 }  // namespace eyebridge::robot

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <vector>
+#include <span>
 
 #include "drive_faults.hpp"
 #include "eyebridge/base/hash.hpp"
@@ -32,10 +32,13 @@ struct ChassisWheel {
   MotorCommand command;
   std::int64_t seen_ticks = 0;  ///< By odometry, where it sees whole ticks only.
   double side = 0.0;            ///< 1 left, -1 right, 0 on the middle line.
+  double grip = 1.0;            ///< Of its travel, the share that the ground makes of it.
+  bool rolls = true;            ///< The ground moves it, and what holds the robot holds it.
+  bool is_apart = false;        ///< Its motor runs beside v-omega driving.
 };
 
-/// Wheels, motors and steering of a drive that is no differential one, and what they do to the
-/// robot. One step: follow() or run(), then ground() and seen(), then settle().
+/// Wheels, motors and steering of a drive, and what they do to the robot. What a step asks of it,
+/// and in which order, is in step.cpp.
 ///
 /// Which wheel is which: DriveKind. Metres, radians, seconds.
 class Chassis {
@@ -52,24 +55,26 @@ class Chassis {
   /// Likewise by the commands that motors and steering have of their own.
   virtual Rims run();
   /// What the ground makes of the rims' travel.
-  [[nodiscard]] virtual BodyStep ground(const Rims& travel, const Ground& ground) const = 0;
+  [[nodiscard]] virtual BodyStep ground(const Rims& travel, const Ground& ground) const;
   /// What odometry makes of it: `forward` and `angle` are what the controller counts.
   [[nodiscard]] virtual BodyStep seen(const Rims& travel) const = 0;
   /// What is left of the rims' travel where an obstacle lets the robot make only `progress` of its
   /// way, 0 … 1.
   [[nodiscard]] virtual Rims blocked(const Rims& travel, double progress) const;
+  /// How fast the robot was in a step of `dt` seconds that it made `progress` of.
+  [[nodiscard]] virtual HolonomicTwist speed(const BodyStep& step, double progress,
+                                             double dt) const;
   /// Whether the body turns, too, where something is in its way.
   [[nodiscard]] virtual bool can_turn_on_spot() const { return true; }
   /// The step is over: so far the rims went; with `held` an obstacle stopped them.
   virtual void settle(const Rims& travel, const Ground& ground, bool held);
-  /// Whether motor `motor` has nothing to do with v-omega driving and runs beside it.
-  [[nodiscard]] virtual bool is_apart(std::size_t /*motor*/) const { return false; }
-  /// Whether something that holds the robot holds wheel `wheel`.
-  [[nodiscard]] virtual bool is_held(std::size_t /*wheel*/) const { return true; }
   /// True while the controller wants what this drive cannot do at all: a turn on the spot.
   [[nodiscard]] virtual bool is_stuck() const { return false; }
   /// True when nothing but motors and controller would go on by itself.
   [[nodiscard]] virtual bool is_settled() const { return true; }
+  /// True when a step with the same commands to the same wheels does the same, for ever: nothing
+  /// else of this drive is under way. Only then a Cruise can take over.
+  [[nodiscard]] virtual bool repeats() const { return false; }
 
   /// Starts `goal` with `controller`, from the speed `present`.
   virtual void start(const DriveGoal& goal, const Twist& present, DriveController& controller);
@@ -105,15 +110,13 @@ class Chassis {
   [[nodiscard]] virtual PathStep rolling() const;
   /// True when a motor that moves it in the plane has a command to turn.
   [[nodiscard]] bool is_commanded() const;
-  /// True when no rim is faster than `speed`.
-  [[nodiscard]] bool stands(double speed) const;
   /// Drops the commands of these motors.
   void drop_commands();
 
   /// Throws std::out_of_range when there is no such motor, or encoder.
   ChassisWheel& motor(unsigned index);
   ChassisWheel& encoder(unsigned index);
-  std::vector<ChassisWheel>& wheels() { return wheels_; }
+  std::span<ChassisWheel> wheels() { return wheels_; }
 
  protected:
   /// What the rims do when the motors do that: the same, unless a gear is between.
@@ -125,20 +128,25 @@ class Chassis {
     return wheels_[index].wheel.drive_controlled(speed, wheels_[index].motor);
   }
 
-  std::vector<ChassisWheel> wheels_;
+  void add_wheels_to(StateHash& hash) const;
+
+  // At hand in one block: what a step touches.
   unsigned motor_count_;
   unsigned encoder_count_;
+  double wheel_base_;
+  std::span<ChassisWheel> wheels_;
+  std::array<ChassisWheel, kMostWheels> storage_;  ///< Of `wheels_`.
 };
 
-/// Mecanum wheels and three omnidirectional ones.
-std::unique_ptr<Chassis> make_omni(const DriveModel& model, const MotorModel& motor);
-std::unique_ptr<Chassis> make_ackermann(const DriveModel& model, const MotorModel& motor);
-std::unique_ptr<Chassis> make_synchro(const DriveModel& model, const MotorModel& motor);
-/// In water of the depth `water`, metres; at its surface at first.
-std::unique_ptr<Chassis> make_submarine(const RobotModel& model, const MotorModel& motor,
-                                        double water);
-/// Null for a differential drive.
-std::unique_ptr<Chassis> make_chassis(const RobotModel& robot, const MotorModel& motor,
-                                      double water);
+/// Throws std::invalid_argument, which says `what`, unless the model is `good`.
+void check_model(bool good, const char* what);
+/// Throws likewise when the axles have no distance. Written so that NaN fails, too.
+inline void check_axles(const DriveModel& drive) {
+  check_model(drive.axle_distance > 0.0, "robot: the distance between the axles must be positive");
+}
+
+/// DriveFacts::make_chassis.
+using ChassisMaker = std::unique_ptr<Chassis>(const RobotModel& robot, const MotorModel& motor,
+                                              double water);
 
 }  // namespace eyebridge::robot

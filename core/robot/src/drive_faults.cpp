@@ -37,9 +37,8 @@ DriveFaults::DriveFaults(std::uint64_t seed, std::uint32_t robot)
     : slip_(streams(seed, robot, NoiseSource::Slip)),
       encoder_(streams(seed, robot, NoiseSource::Encoder)) {}
 
-void DriveFaults::slip(double probability, WheelTravel& ground) {
-  if (slip_[0].chance(probability)) ground.left = 0.0;
-  if (slip_[1].chance(probability)) ground.right = 0.0;
+bool DriveFaults::slips(double probability, std::size_t wheel) {
+  return slip_[wheel].chance(probability);
 }
 
 std::int64_t DriveFaults::missed(double probability, std::size_t side, std::int64_t ticks) {

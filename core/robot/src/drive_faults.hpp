@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "eyebridge/base/random.hpp"
-#include "eyebridge/robot/arc.hpp"
 
 namespace eyebridge::robot {
 
@@ -17,10 +16,8 @@ class DriveFaults {
   /// Of robot number `robot` in a run with `seed`.
   DriveFaults(std::uint64_t seed, std::uint32_t robot);
 
-  /// With `probability` each wheel finds no hold in this step: its part of `ground` is zero.
-  void slip(double probability, WheelTravel& ground);
-  /// The same of one wheel: true when it finds no hold in this step.
-  bool slips(double probability, std::size_t wheel) { return slip_[wheel].chance(probability); }
+  /// True when wheel `wheel` finds no hold in this step, with `probability`.
+  bool slips(double probability, std::size_t wheel);
   /// How many of the `ticks` of wheel `side` (0 left, 1 right …) are not counted, each with
   /// `probability`; signed as `ticks`.
   std::int64_t missed(double probability, std::size_t side, std::int64_t ticks);

@@ -27,11 +27,11 @@ double Simulation::read_gyroscope(RobotIndex robot) {
 
 Vec2 Simulation::read_accelerometer(RobotIndex robot) {
   const RobotState& state = impl_->at(robot);
+  const HolonomicTwist& now = state.driven;
+  const HolonomicTwist& before = state.driven_before;
   const double dt = impl_->settings.step;
-  const double turn = state.driven.angular;
-  const Vec2 felt{
-      (state.driven.linear - state.driven_before.linear) / dt - state.driven_left * turn,
-      (state.driven_left - state.driven_left_before) / dt + state.driven.linear * turn};
+  const Vec2 felt{(now.linear - before.linear) / dt - now.lateral * now.angular,
+                  (now.lateral - before.lateral) / dt + now.linear * now.angular};
   RobotDevices& devices = impl_->devices_of(robot);
   const AccelerometerError& error = devices.model.accelerometer_error;
   if (error.perfect()) return felt;

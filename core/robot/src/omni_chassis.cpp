@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "chassis.hpp"
 
@@ -21,23 +22,23 @@ struct OmniRow {
 /// Neuman, Kinematic modeling for feedback control of an omnidirectional wheeled mobile robot, ICRA
 /// 1987.
 std::vector<OmniRow> mecanum_rows(const DriveModel& model) {
-  const double arm = (model.wheel_base + model.axle_distance) / 2;
+  const double arm = model.turn_arm();
   return {{1, -1, -arm}, {1, 1, arm}, {1, 1, -arm}, {1, -1, arm}};
 }
 
 /// Siegwart, Nourbakhsh and Scaramuzza, Introduction to Autonomous Mobile Robots, 2nd ed., 2011,
 /// section 3.2: wheels at 60, -60 and 180 degrees, the left one counted the other way round.
 std::vector<OmniRow> swedish_rows(const DriveModel& model) {
-  const double arm = model.wheel_base / 2;
+  const double arm = model.turn_arm();
   const double root = std::sqrt(3.0) / 2;
   return {{root, -0.5, -arm}, {root, 0.5, arm}, {0.0, -1.0, arm}};
 }
 
 class OmniChassis final : public Chassis {
  public:
-  OmniChassis(const DriveModel& model, const MotorModel& motor)
+  OmniChassis(const DriveModel& model, const MotorModel& motor, std::vector<OmniRow> rows)
       : Chassis(model, motor),
-        rows_(model.kind == DriveKind::Omni ? mecanum_rows(model) : swedish_rows(model)),
+        rows_(std::move(rows)),
         top_linear_(model.max_linear),
         lateral_step_(model.linear_acceleration > 0.0 ? model.linear_acceleration * motor.dt
                                                       : std::numeric_limits<double>::infinity()) {
@@ -64,14 +65,6 @@ class OmniChassis final : public Chassis {
     const Rims rims = Chassis::run();
     lateral_ = seen(rims).left / wheels_[0].motor.dt;
     return rims;
-  }
-
-  [[nodiscard]] BodyStep ground(const Rims& travel, const Ground& ground) const override {
-    BodyStep step = seen(travel);
-    step.forward *= ground.way;
-    step.left *= ground.way;
-    step.angle *= ground.turn;
-    return step;
   }
 
   /// The motion that fits the wheels best, if they contradict each other (least squares; the
@@ -102,6 +95,7 @@ class OmniChassis final : public Chassis {
   [[nodiscard]] bool is_settled() const override {
     return lateral_target_ == 0.0 && std::abs(lateral_) <= kNoSpeed;
   }
+  [[nodiscard]] bool repeats() const override { return lateral_ == lateral_target_; }
 
   void set_twist(const HolonomicTwist& twist, const Twist& present,
                  DriveController& controller) override {
@@ -154,8 +148,15 @@ class OmniChassis final : public Chassis {
 
 }  // namespace
 
-std::unique_ptr<Chassis> make_omni(const DriveModel& model, const MotorModel& motor) {
-  return std::make_unique<OmniChassis>(model, motor);
+std::unique_ptr<Chassis> make_mecanum(const RobotModel& robot, const MotorModel& motor,
+                                      double /*water*/) {
+  check_axles(robot.drive);
+  return std::make_unique<OmniChassis>(robot.drive, motor, mecanum_rows(robot.drive));
+}
+
+std::unique_ptr<Chassis> make_swedish(const RobotModel& robot, const MotorModel& motor,
+                                      double /*water*/) {
+  return std::make_unique<OmniChassis>(robot.drive, motor, swedish_rows(robot.drive));
 }
 
 }  // namespace eyebridge::robot

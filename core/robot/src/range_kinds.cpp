@@ -49,10 +49,7 @@ double Simulation::Impl::measure(RobotIndex robot, std::size_t sensor) {
   const RobotDevices& own = devices_of(robot);
   const RangeSensorModel& model = own.model.range_sensors[sensor];
   if (model.kind == RangeKind::Ultrasound) return first_echo(robot, sensor);
-  if (model.kind == RangeKind::Down) {
-    const RobotState& state = states[robot];
-    return model.height + (state.chassis ? state.chassis->altitude() : 0.0);
-  }
+  if (model.kind == RangeKind::Down) return model.height + at(robot).chassis->altitude();
   const double range = look(robot, own.ranges[sensor].sight, model.max_range);
   return model.kind == RangeKind::Infrared ? folded_range(range, model) : range;
 }

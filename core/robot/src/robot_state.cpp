@@ -31,22 +31,6 @@ double speed_step(double acceleration, double dt) {
   return acceleration > 0.0 ? acceleration * dt : std::numeric_limits<double>::infinity();
 }
 
-/// How much of a wheel's speed a turn takes, as a distance from the middle, metres.
-double arm_of(const DriveModel& drive) {
-  switch (drive.kind) {
-    case DriveKind::Differential:
-    case DriveKind::Swedish:
-    case DriveKind::Submarine:
-      break;
-    case DriveKind::Omni:
-      return (drive.wheel_base + drive.axle_distance) / 2;
-    case DriveKind::Ackermann:
-    case DriveKind::Synchro:
-      return 0.0;  // the steering does it
-  }
-  return drive.wheel_base / 2;
-}
-
 DriveLimits limits_of(const RobotModel& model, double dt) {
   const DriveModel& drive = model.drive;
   DriveLimits limits;
@@ -56,7 +40,7 @@ DriveLimits limits_of(const RobotModel& model, double dt) {
   limits.linear_step = speed_step(drive.linear_acceleration, dt);
   limits.angular_step = speed_step(drive.angular_acceleration, dt);
   limits.wheel = drive.max_wheel_speed * drive.wheel_diameter / 2;
-  limits.half_base = arm_of(drive);
+  limits.half_base = drive.turn_arm();
   const bool lags = drive.motor_time_constant > 0.0;
   limits.distance_end = lags ? kCreepDistance : kExact;
   limits.angle_end = lags ? kCreepAngle : kExact;
@@ -64,11 +48,11 @@ DriveLimits limits_of(const RobotModel& model, double dt) {
     // A goal between two ticks is reached at either of them.
     const double tick = kPi * drive.wheel_diameter / drive.ticks_per_revolution;
     limits.distance_end += tick;
-    const bool steered = drive.kind == DriveKind::Synchro;
+    const bool steered = drive.facts().steering == Steering::AllWheels;
     limits.angle_end += tick / (steered ? drive.wheel_diameter / 2 : drive.wheel_base);
   }
   const bool steers_late = drive.steering_speed > 0.0 || lags || model.drive_error.counts_ticks();
-  if (drive.kind == DriveKind::Ackermann && steers_late) limits.angle_end += kCarAngle;
+  if (drive.facts().steers_front() && steers_late) limits.angle_end += kCarAngle;
   return limits;
 }
 
@@ -85,71 +69,52 @@ std::vector<RayDevice> ray_devices(const auto& models, std::uint64_t seed, std::
 }  // namespace
 
 RobotState::RobotState(const RobotModel& model, const SimulationSettings& settings, double water,
-                       world::BodyId body_id, Random drive_noise, const DriveFaults& fault_noise)
-    : body(body_id),
-      wheel_base(model.drive.wheel_base),
-      motor(motor_of(model.drive, settings.step)),
+                       Random drive_noise, const DriveFaults& fault_noise)
+    : chassis(model.drive.facts().make_chassis(model, motor_of(model.drive, settings.step), water)),
+      differential(dynamic_cast<DifferentialChassis*>(chassis.get())),
       controller(limits_of(model, settings.step)),
-      noise(drive_noise),
-      chassis(make_chassis(model, motor, water)) {
-  contact = {settings.slides, !chassis || chassis->can_turn_on_spot(), model.contact_friction};
+      noise(drive_noise) {
   set_error(model, settings.step, fault_noise);
 }
 
-Twist RobotState::present() const {
-  if (!by_motors) return controller.twist();
-  if (chassis) return chassis->present();
-  const double left = wheels[0].speed();
-  const double right = wheels[1].speed();
-  return {(left + right) / 2, (right - left) / wheel_base};
-}
-
-PathStep RobotState::rolling() const {
-  if (chassis) return chassis->rolling();
-  return path_of({wheels[0].rolling(motor), wheels[1].rolling(motor)}, wheel_base);
-}
+Twist RobotState::present() const { return by_motors ? chassis->present() : controller.twist(); }
 
 void RobotState::use_motors() {
   clear_stall();
   if (by_motors) return;
   controller.stop();
   by_motors = true;
-  commands = {};
-  if (chassis) {
-    chassis->release();
-    chassis->drop_commands();
-  }
+  chassis->release();
+  chassis->drop_commands();
 }
 
 void RobotState::use_controller() {
   clear_stall();
   by_motors = false;
-  if (chassis) chassis->release();
+  chassis->release();
 }
 
 void RobotState::set_error(const RobotModel& model, double dt, const DriveFaults& fault_noise) {
   const DriveError& wanted = model.drive_error;
   if (wanted.counts_ticks() && !error.counts_ticks()) {
     // Odometry goes on from here; what the encoders counted before is not travel of the next step.
-    for (std::size_t i = 0; i < 2; ++i) seen_ticks[i] = wheels[i].raw_ticks(motor);
-    if (chassis) {
-      for (ChassisWheel& w : chassis->wheels()) w.seen_ticks = w.wheel.raw_ticks(w.motor);
-    }
+    for (ChassisWheel& w : chassis->wheels()) w.seen_ticks = w.wheel.raw_ticks(w.motor);
   }
   const bool has_faults = wanted.slip > 0.0 || wanted.encoder_miss > 0.0;
   if (has_faults && !faults) faults = std::make_unique<DriveFaults>(fault_noise);
   error = wanted;
+  plan.ground = {.uneven = error.right_scale - error.left_scale};
+  for (ChassisWheel& w : chassis->wheels()) {
+    if (!w.rolls) continue;
+    w.grip = 1.0 + (error.left_scale * (1.0 + w.side) + error.right_scale * (1.0 - w.side)) / 2;
+  }
   controller.set_limits(limits_of(model, dt));
 }
 
-bool RobotState::repeats(const std::array<double, 2>& speeds) const {
-  return (by_motors || controller.settled()) && wheels[0].settled(speeds[0]) &&
-         wheels[1].settled(speeds[1]) && !error.moves_by_chance();
-}
-
-void RobotState::halt() {
-  for (Wheel& wheel : wheels) wheel.halt();
-  if (chassis) chassis->halt();
+void RobotState::stand() {
+  chassis->halt();
+  driven = driven_before = {};
+  measured = {};
 }
 
 void RobotState::clear_stall() {

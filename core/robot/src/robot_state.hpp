@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "chassis.hpp"
+#include "differential_chassis.hpp"
 #include "drive_faults.hpp"
 #include "errors.hpp"
 #include "eyebridge/robot/drive_controller.hpp"
@@ -16,11 +16,13 @@
 
 namespace eyebridge::robot {
 
-/// What a step wants to do, before the world says how much of it is possible.
+/// What a step does.
 struct StepPlan {
-  WheelTravel wheels;
-  PathStep path;   ///< What the ground makes of them.
-  world::Arc arc;  ///< Of `path`.
+  Rims rims;             ///< Travel of the wheels; less where something was in the way.
+  Ground ground;         ///< What they stand on.
+  BodyStep step;         ///< What the ground makes of them, unless something is in the way.
+  world::Arc arc;        ///< Of `step`.
+  bool repeats = false;  ///< The next step will be like it, unless a command comes.
 };
 
 /// The angle of a heading that is asked for again and again, and mostly has not changed.
@@ -41,66 +43,46 @@ class KnownAngle {
 
 /// Everything about a robot that step() touches: one block of memory a robot.
 struct RobotState {
-  /// `water`: how deep it is, metres; of submarines.
+  /// `water`: how deep it is, metres; of submarines. Throws std::invalid_argument when the model
+  /// cannot be.
   RobotState(const RobotModel& model, const SimulationSettings& settings, double water,
-             world::BodyId body_id, Random drive_noise, const DriveFaults& fault_noise);
+             Random drive_noise, const DriveFaults& fault_noise);
 
   /// How fast the robot is meant to go now: where the next ramp starts.
   [[nodiscard]] Twist present() const;
-  /// How far the robot still rolls when the motors are told to stand still.
-  [[nodiscard]] PathStep rolling() const;
+  /// Whether a command tells its motors to turn, or they still slow down.
+  [[nodiscard]] bool is_told_to_move() const {
+    return by_motors ? chassis->is_commanded() : !controller.at_rest();
+  }
   /// Takes the robot out of v-omega control (or finds it there already).
   void use_motors();
   /// Gives the robot back to v-omega control, and forgets a stall: a new command came.
   void use_controller();
   void clear_stall();
-  /// The wheels stand still at once.
-  void halt();
+  /// Nothing moves it any more, and nothing did.
+  void stand();
   /// From now on the drive errs as `model` says; `fault_noise` is what its faults draw from.
   void set_error(const RobotModel& model, double dt, const DriveFaults& fault_noise);
-  /// True when the next step, unless a command comes or something is in the way, makes the same
-  /// plan again and changes nothing by making it. `speeds` are the wheels' before the last plan.
-  [[nodiscard]] bool repeats(const std::array<double, 2>& speeds) const;
 
-  /// True when, beyond that, odometry sees what the ground does, so that a Cruise can take over.
-  [[nodiscard]] bool cruises(const PathStep& seen) const {
-    return steady && !by_motors && !error.counts_ticks() && seen == plan.path;
-  }
-
-  /// True when a step that ended as this one, held from the start, is followed by just such steps.
-  [[nodiscard]] bool presses() const {
-    return held_before && controller.state() != DriveState::Driving && !error.moves_by_chance();
-  }
-
-  world::BodyId body;
-  bool steady = false;  ///< `plan` holds for the next step, too.
-  bool held_before =
-      false;  ///< In the last step, from its start; the wheels stood at the start of this one.
-  bool by_motors = false;
+  world::BodyId body = world::kNoBody;
+  bool by_motors = false;  ///< Not by v-omega control.
+  /// In the last step something held it from the start; the wheels stood at the start of this one.
+  bool held_before = false;
   bool has_left = false;  ///< The world: it makes no steps.
-  world::ContactLaw contact;
   unsigned stalled = kStallNone;
   std::uint32_t stalled_steps = 0;
   StepPlan plan;  ///< Of the last step.
-  double wheel_base;
-  MotorModel motor;
+  std::unique_ptr<Chassis> chassis;
+  DifferentialChassis* differential;  ///< `chassis`, if it is one.
   DriveController controller;
-  std::array<Wheel, 2> wheels;
-  std::array<MotorCommand, 2> commands;
   Odometry odometry;
-  KnownAngle odometry_angle;                 ///< Of `odometry`.
-  std::array<std::int64_t, 2> seen_ticks{};  ///< By odometry, where it sees whole ticks only.
-  Twist driven;
-  Twist driven_before;  ///< In the step before the last.
+  KnownAngle odometry_angle;  ///< Of `odometry`.
+  HolonomicTwist driven;
+  HolonomicTwist driven_before;  ///< In the step before the last.
   Twist measured;
   DriveError error;
   Random noise;
   std::unique_ptr<DriveFaults> faults;  ///< Null unless there is slip or ticks are missed.
-  /// What all but differential drives have instead of `wheels`, `commands` and `plan`; null of
-  /// differential ones, which are most and have the short way.
-  std::unique_ptr<Chassis> chassis;
-  double driven_left = 0.0;  ///< Sideways, beside `driven`; of a chassis only.
-  double driven_left_before = 0.0;
 };
 
 /// A range sensor or proximity switch with its ray and its noise.

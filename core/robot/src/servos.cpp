@@ -22,7 +22,7 @@ double duty_at(double position) {
 std::vector<unsigned> RobotModel::servo_indices() const {
   std::set<unsigned> indices{0, 1};
   if (kicker) indices.insert(kicker->servo);
-  if (drive.kind == DriveKind::Ackermann) indices.insert(drive.steering_servo);
+  if (drive.facts().steers_front()) indices.insert(drive.steering_servo);
   for (const ServoModel& own : servos) indices.insert(own.servo);
   return {indices.begin(), indices.end()};
 }

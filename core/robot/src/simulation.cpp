@@ -12,57 +12,47 @@
 namespace eyebridge::robot {
 namespace {
 
-void check(bool good, const char* what) {
-  if (!good) throw std::invalid_argument(what);
-}
-
 void check_servos(const RobotModel& model) {
   for (const ServoModel& servo : model.servos) {
-    check(servo.servo >= 2 && servo.servo < kServoCount,
-          "robot: servos of its own have the indices 2 to 15");
-    check(servo.wheel == ServoModel::Wheel::None || model.drive.kind == DriveKind::Differential,
-          "robot: servos turn the wheels of a differential drive only");
+    check_model(servo.servo >= 2 && servo.servo < kServoCount,
+                "robot: servos of its own have the indices 2 to 15");
+    check_model(servo.wheel == ServoModel::Wheel::None || model.drive.facts().has_two_wheels,
+                "robot: servos turn the wheels of a differential drive only");
   }
 }
 
+/// What robots of all drives need; chassis check what is theirs.
 void check(const RobotModel& model) {
   const DriveModel& drive = model.drive;
   // Written so that NaN fails, too.
-  check(model.diameter > 0.0, "robot: the diameter must be positive");
-  check(model.contact_friction >= 0.0 && std::isfinite(model.contact_friction),
-        "robot: the friction against what it meets must be finite and not negative");
-  check(drive.wheel_base > 0.0, "robot: the distance between the wheels must be positive");
-  check(drive.wheel_diameter > 0.0, "robot: the wheel diameter must be positive");
-  check(drive.ticks_per_revolution > 0.0, "robot: the encoder needs ticks");
-  check(drive.max_wheel_speed > 0.0, "robot: the top wheel speed must be positive");
-  check(drive.max_linear >= 0.0 && drive.max_angular >= 0.0,
-        "robot: the top speeds must not be negative");
-  check(drive.linear_acceleration >= 0.0 && drive.angular_acceleration >= 0.0,
-        "robot: the accelerations must not be negative");
-  check(!model.kicker || (model.kicker->speed >= 0.0 && model.kicker->servo < kServoCount),
-        "robot: a kicker needs a servo and a speed that is not negative");
+  check_model(model.diameter > 0.0, "robot: the diameter must be positive");
+  check_model(model.contact_friction >= 0.0 && std::isfinite(model.contact_friction),
+              "robot: the friction against what it meets must be finite and not negative");
+  check_model(drive.wheel_base > 0.0, "robot: the distance between the wheels must be positive");
+  check_model(drive.wheel_diameter > 0.0, "robot: the wheel diameter must be positive");
+  check_model(drive.ticks_per_revolution > 0.0, "robot: the encoder needs ticks");
+  check_model(drive.max_wheel_speed > 0.0, "robot: the top wheel speed must be positive");
+  check_model(drive.max_linear >= 0.0 && drive.max_angular >= 0.0,
+              "robot: the top speeds must not be negative");
+  check_model(drive.linear_acceleration >= 0.0 && drive.angular_acceleration >= 0.0,
+              "robot: the accelerations must not be negative");
+  check_model(!model.kicker || (model.kicker->speed >= 0.0 && model.kicker->servo < kServoCount),
+              "robot: a kicker needs a servo and a speed that is not negative");
   check_servos(model);
-  check(drive.motor_time_constant >= 0.0, "robot: the motor time constant must not be negative");
+  check_model(drive.motor_time_constant >= 0.0,
+              "robot: the motor time constant must not be negative");
   std::for_each(model.range_sensors.begin(), model.range_sensors.end(), check_range_sensor);
-  check(drive.steering_speed >= 0.0, "robot: the speed of the steering must not be negative");
-  check(drive.max_vertical >= 0.0 && std::isfinite(drive.max_vertical) &&
-            std::isfinite(drive.rise_speed),
-        "robot: vertical speeds must be finite, that of the thrusters not negative");
-  if (drive.kind == DriveKind::Ackermann || drive.kind == DriveKind::Omni) {
-    check(drive.axle_distance > 0.0, "robot: the distance between the axles must be positive");
-  }
-  if (drive.kind != DriveKind::Ackermann) return;
-  check(drive.max_steering > 0.0 && drive.max_steering < kPi / 2,
-        "robot: the front wheels must turn by more than 0 and less than 90 degrees");
-  check(std::isfinite(drive.rear_axle), "robot: the rear axle must be somewhere");
-  check(drive.steering_servo < kServoCount, "robot: the steering needs a servo");
+  check_model(drive.steering_speed >= 0.0, "robot: the speed of the steering must not be negative");
+  check_model(drive.max_vertical >= 0.0 && std::isfinite(drive.max_vertical) &&
+                  std::isfinite(drive.rise_speed),
+              "robot: vertical speeds must be finite, that of the thrusters not negative");
 }
 
 /// In whole steps, at least one; a time-out beyond what can be counted never comes.
 std::uint32_t timeout_steps(const SimulationSettings& settings) {
-  check(settings.step > 0.0 && std::isfinite(settings.step),
-        "simulation: the step must be positive and finite");
-  check(settings.stall_timeout >= 0.0, "simulation: the stall time-out must not be negative");
+  check_model(settings.step > 0.0 && std::isfinite(settings.step),
+              "simulation: the step must be positive and finite");
+  check_model(settings.stall_timeout >= 0.0, "simulation: the stall time-out must not be negative");
   const double steps = std::ceil(settings.stall_timeout / settings.step - 1e-9);
   return static_cast<std::uint32_t>(
       std::clamp(steps, 1.0, double{std::numeric_limits<std::uint32_t>::max()}));
@@ -86,17 +76,19 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 RobotIndex Simulation::add_robot(const RobotModel& model, const Pose& pose) {
   check(model);
   const double water = impl_->world.model().water_depth();
-  check(model.drive.kind != DriveKind::Submarine || model.height <= water,
-        "robot: the submarine is higher than the water is deep");
   const auto robot = static_cast<RobotIndex>(robot_count());
+  const std::uint64_t seed = impl_->settings.seed;
+  RobotState state(model, impl_->settings, water, noise_stream(seed, robot, NoiseSource::Drive, 0),
+                   DriveFaults(seed, robot));
   const Rgb colour = body_colour(robot);
   const world::BodyId body = impl_->world.add_robot(pose, model.radius(), model.height, colour);
-  const std::uint64_t seed = impl_->settings.seed;
-  impl_->cruises.emplace_back().body = body;
+  state.body = body;
+  Cruise& cruise = impl_->cruises.emplace_back();
+  cruise.body = body;
+  cruise.contact = {impl_->settings.slides, state.chassis->can_turn_on_spot(),
+                    model.contact_friction};
+  impl_->states.push_back(std::move(state));
   impl_->asked.push_back(Impl::kNothing);
-  impl_->states.emplace_back(model, impl_->settings, water, body,
-                             noise_stream(seed, robot, NoiseSource::Drive, 0),
-                             DriveFaults(seed, robot));
   const std::shared_ptr<const RangeLayout> last =
       impl_->eyes.empty() ? nullptr : impl_->eyes.back().layout;
   const bool like_last = last && last->fits(model.range_sensors);
@@ -111,10 +103,7 @@ RobotIndex Simulation::add_robot(const RobotModel& model, const Pose& pose) {
 void Simulation::remove_robot(RobotIndex robot) {
   RobotState& state = impl_->command(robot);
   stop(robot);
-  state.halt();
-  state.driven = state.driven_before = {};
-  state.driven_left = state.driven_left_before = 0.0;
-  state.measured = {};
+  state.stand();
   state.has_left = true;
   impl_->world.remove(state.body);
 }
@@ -154,27 +143,22 @@ void Simulation::set_pose(RobotIndex robot, const Pose& pose) {
   RobotState& state = impl_->command(robot);
   if (state.has_left) return;
   impl_->world.set_pose(state.body, pose);
-  state.halt();
+  state.stand();
   state.controller.hold({}, false);
-  state.driven = {};
-  state.driven_before = {};
-  state.driven_left = state.driven_left_before = 0.0;
-  state.measured = {};
   state.clear_stall();
 }
 
-Twist Simulation::twist(RobotIndex robot) const { return impl_->at(robot).driven; }
+Twist Simulation::twist(RobotIndex robot) const {
+  const HolonomicTwist& driven = impl_->at(robot).driven;
+  return {driven.linear, driven.angular};
+}
 
 void Simulation::set_speed(RobotIndex robot, const Twist& twist) {
   if (impl_->asked.at(robot) == twist) {
     // The same again changes nothing but that a stall is forgotten until the next step.
-    Cruise& cruise = impl_->cruises[robot];
-    if (cruise.steady) return;
-    if (cruise.pressed) {
-      if (cruise.stall_known) impl_->states[robot].clear_stall();
-      cruise.stall_known = false;
-      return;
-    }
+    const Cruise& cruise = impl_->cruises[robot];
+    if (cruise.mode == Cruise::Mode::Pressed) impl_->at(robot).clear_stall();
+    if (cruise.mode != Cruise::Mode::Off) return;
   }
   RobotState& state = impl_->command(robot);
   const Twist present = state.present();
@@ -187,11 +171,7 @@ void Simulation::drive(RobotIndex robot, const DriveGoal& goal) {
   RobotState& state = impl_->command(robot);
   const Twist present = state.present();
   state.use_controller();
-  if (state.chassis) {
-    state.chassis->start(goal, present, state.controller);
-    return;
-  }
-  state.controller.start(goal, present);
+  state.chassis->start(goal, present, state.controller);
 }
 
 DriveState Simulation::drive_state(RobotIndex robot) const {
@@ -203,16 +183,13 @@ double Simulation::remaining(RobotIndex robot) const {
 unsigned Simulation::stalled(RobotIndex robot) const { return impl_->at(robot).stalled; }
 
 bool Simulation::is_told_to_move(RobotIndex robot) const {
-  const RobotState& state = impl_->at(robot);
-  if (!state.by_motors) return !state.controller.at_rest();
-  if (state.chassis) return state.chassis->is_commanded();
-  return state.commands[0].speed != 0.0 || state.commands[1].speed != 0.0;
+  return impl_->at(robot).is_told_to_move();
 }
 
 void Simulation::stop(RobotIndex robot) {
   RobotState& state = impl_->command(robot);
   state.use_controller();
-  if (state.chassis) state.chassis->stop();
+  state.chassis->stop();
   state.controller.stop();
 }
 
@@ -245,11 +222,7 @@ std::uint64_t Simulation::state_hash() const {
                                command.linear, command.angular, state.controller.remaining()}) {
       hash.add(value);
     }
-    for (const Wheel& wheel : state.wheels) {
-      hash.add(wheel.speed());
-      hash.add(wheel.travel());
-    }
-    if (state.chassis) state.chassis->add_to(hash);
+    state.chassis->add_to(hash);
     hash.add(static_cast<std::uint64_t>(state.controller.state()));
     hash.add(std::uint64_t{state.stalled});
   }

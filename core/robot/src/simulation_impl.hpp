@@ -17,24 +17,21 @@ struct Simulation::Impl {
 
   // All four throw std::out_of_range.
   [[nodiscard]] world::BodyId body_of(RobotIndex robot) const { return cruises.at(robot).body; }
-  [[nodiscard]] const RobotState& at(RobotIndex robot) {
+  /// Up to date.
+  [[nodiscard]] RobotState& at(RobotIndex robot) {
     RobotState& state = states.at(robot);
-    cruises[robot].give_back(state);
+    if (cruises[robot].steps != 0) catch_up(robot);
     return state;
   }
   /// at(), to change something: what the robot did so far need not go on.
   [[nodiscard]] RobotState& command(RobotIndex robot) {
-    RobotState& state = states.at(robot);
-    cruises[robot].give_back(state);
-    stop_cruise(robot);
+    RobotState& state = at(robot);
+    state.plan.repeats = false;
+    cruises[robot].mode = Cruise::Mode::Off;
+    asked[robot] = kNothing;
     return state;
   }
   [[nodiscard]] RobotDevices& devices_of(RobotIndex robot) { return devices.at(robot); }
-  void stop_cruise(RobotIndex robot) {
-    states[robot].steady = false;
-    cruises[robot].steady = cruises[robot].pressed = false;
-    asked[robot] = kNothing;
-  }
   /// How far a device on `robot` sees, metres; `reach` when nothing is nearer.
   [[nodiscard]] double look(RobotIndex robot, const Sight& device, double reach) const;
   /// How far away a range sensor takes things to be, metres, by its kind and without its error;
@@ -54,12 +51,15 @@ struct Simulation::Impl {
   void stray_gyroscope(RobotIndex robot);
   /// One step of one robot: from command to pose.
   void step_robot(RobotIndex robot);
-  /// The same of one that has a chassis.
-  void step_chassis(RobotState& state);
-  /// What became of a plan.
-  void finish_step(RobotIndex robot, RobotState& state, const world::MoveResult& result);
-  /// Keeps account of stalls after a move that an obstacle `held`, or not.
-  void account(RobotState& state, bool held);
+  /// The steps that a Cruise only counted.
+  void catch_up(RobotIndex robot);
+  /// All stages of a step that no Cruise did; `met` is what the body met, if it has moved already.
+  template <class Drive>
+  void run_pipeline(Cruise& cruise, RobotState& state, Drive& chassis,
+                    const world::MoveResult* met);
+  /// What the controller makes of a step that odometry saw, and that something `stalls`, or not.
+  template <class Drive>
+  void tell_controller(RobotState& state, Drive& chassis, const BodyStep& seen, bool stalls);
   /// Kicks the ball that is nearest to the kicker, if one is in its reach.
   void strike(RobotIndex robot, const KickerModel& kicker);
   /// Tells of the contacts that began in the step that has just ended.

@@ -1,177 +1,221 @@
-#include <array>
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 
 #include "simulation_impl.hpp"
+
+// The pipeline of a robot, from command to pose: run_pipeline() has its stages in their order.
 
 namespace eyebridge::robot {
 namespace {
 
 constexpr double kStanding = 1e-9;  // metres per second: a lagging motor has run down
 
-bool nothing_to_do(RobotState& state) {
-  const bool commanded = state.by_motors
-                             ? state.commands[0].speed != 0.0 || state.commands[1].speed != 0.0
-                             : !state.controller.at_rest();
-  if (commanded) return false;
-  for (const Wheel& wheel : state.wheels) {
-    if (std::abs(wheel.speed()) > kStanding) return false;
+/// Whether nothing moves the robot: it stands, then.
+template <class Drive>
+bool rests(RobotState& state, Drive& chassis) {
+  if (state.is_told_to_move() || !chassis.is_settled()) return false;
+  for (const ChassisWheel& w : chassis.wheels()) {
+    if (std::abs(w.wheel.speed()) > kStanding) return false;
   }
-  for (Wheel& wheel : state.wheels) wheel.halt();
+  chassis.halt();
   state.driven_before = state.driven;
   state.driven = {};
   state.measured = {};
   return true;
 }
 
-WheelTravel drive_wheels(RobotState& state) {
-  auto& [left, right] = state.wheels;
-  if (state.by_motors) {
-    const auto run = [&](Wheel& wheel, const MotorCommand& command) {
-      return command.controlled ? wheel.drive_controlled(command.speed, state.motor)
-                                : wheel.drive(command.speed, state.motor);
-    };
-    return {run(left, state.commands[0]), run(right, state.commands[1])};
+/// How far the rims go by the commands.
+template <class Drive>
+Rims drive_motors(RobotState& state, Drive& chassis) {
+  if (state.by_motors) return chassis.run();
+  const bool lags = chassis.wheels()[0].motor.time_constant > 0.0;
+  const Twist twist = state.controller.next(lags ? chassis.rolling() : PathStep{});
+  return chassis.follow(state.controller, twist);
+}
+
+/// How far the ground lets the rims go.
+template <class Drive>
+Rims held_by_ground(RobotState& state, Drive& chassis) {
+  const auto wheels = chassis.wheels();
+  Rims rims{};
+  for (std::size_t i = 0; i < wheels.size(); ++i) rims[i] = state.plan.rims[i] * wheels[i].grip;
+  if (state.error.slip > 0.0) {
+    for (std::size_t i = 0; i < wheels.size(); ++i) {
+      if (wheels[i].rolls && state.faults->slips(state.error.slip, i)) rims[i] = 0.0;
+    }
   }
-  const Twist twist =
-      state.controller.next(state.motor.time_constant > 0.0 ? state.rolling() : PathStep{});
-  const double turning = twist.angular * state.controller.limits().half_base;
-  return {left.drive_controlled(twist.linear - turning, state.motor),
-          right.drive_controlled(twist.linear + turning, state.motor)};
+  return rims;
 }
 
-bool same_bits(const PathStep& a, const PathStep& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
 
-/// What the ground makes of the wheels' travel.
-PathStep true_path(RobotState& state, const WheelTravel& wheels) {
+/// What the ground makes of the wheels.
+template <class Drive>
+void plan_arc(RobotState& state, Drive& chassis) {
+  StepPlan& plan = state.plan;
+  const Rims hold = held_by_ground(state, chassis);
   const DriveError& error = state.error;
-  WheelTravel ground{wheels.left * (1.0 + error.left_scale),
-                     wheels.right * (1.0 + error.right_scale)};
-  if (error.slip > 0.0) state.faults->slip(error.slip, ground);
-  PathStep path = path_of(ground, state.wheel_base);
-  if (error.linear_sigma != 0.0) path.distance *= 1.0 + error.linear_sigma * state.noise.gaussian();
-  if (error.angular_sigma != 0.0) path.angle *= 1.0 + error.angular_sigma * state.noise.gaussian();
-  return path;
-}
-
-/// Turns wheel `side` by `travel`, and its encoder as far as that sees it.
-void turn_wheel(RobotState& state, std::size_t side, double travel, bool held) {
-  Wheel& wheel = state.wheels[side];
-  if (state.error.encoder_miss == 0.0) {
-    wheel.turn(travel, held, state.motor);
+  if (error.linear_sigma != 0.0)
+    plan.ground.way = 1.0 + error.linear_sigma * state.noise.gaussian();
+  if (error.angular_sigma != 0.0)
+    plan.ground.turn = 1.0 + error.angular_sigma * state.noise.gaussian();
+  const BodyStep step = chassis.ground(hold, plan.ground);
+  // Robots drive on as they did, mostly.
+  if (same_bits(step.forward, plan.step.forward) && same_bits(step.left, plan.step.left) &&
+      same_bits(step.angle, plan.step.angle)) {
     return;
   }
-  const std::int64_t before = wheel.raw_ticks(state.motor);
-  wheel.turn(travel, held, state.motor);
-  const std::int64_t ticks = wheel.raw_ticks(state.motor) - before;
-  wheel.miss(state.faults->missed(state.error.encoder_miss, side, ticks));
+  plan.step.forward = step.forward;
+  plan.step.left = step.left;
+  plan.step.angle = step.angle;
+  plan.arc = screw_of(step);
+}
+
+/// Turns the wheels, and their encoders as far as those see it.
+template <class Drive>
+void turn_wheels(RobotState& state, Drive& chassis, bool held) {
+  const auto wheels = chassis.wheels();
+  for (std::size_t i = 0; i < wheels.size(); ++i) {
+    ChassisWheel& w = wheels[i];
+    const bool stops = held && w.rolls;
+    if (state.error.encoder_miss == 0.0) {
+      w.wheel.turn(state.plan.rims[i], stops, w.motor);
+      continue;
+    }
+    const std::int64_t before = w.wheel.raw_ticks(w.motor);
+    w.wheel.turn(state.plan.rims[i], stops, w.motor);
+    const std::int64_t ticks = w.wheel.raw_ticks(w.motor) - before;
+    w.wheel.miss(state.faults->missed(state.error.encoder_miss, i, ticks));
+  }
 }
 
 /// What odometry sees of the wheels' travel.
-PathStep measured_path(RobotState& state, const WheelTravel& wheels) {
-  if (!state.error.counts_ticks()) return path_of(wheels, state.wheel_base);
-  double travel[2];
-  for (std::size_t i = 0; i < 2; ++i) {
-    const std::int64_t ticks = state.wheels[i].raw_ticks(state.motor);
-    travel[i] = static_cast<double>(ticks - state.seen_ticks[i]) / state.motor.ticks_per_metre;
-    state.seen_ticks[i] = ticks;
+template <class Drive>
+BodyStep measured_step(RobotState& state, Drive& chassis) {
+  if (!state.error.counts_ticks()) return chassis.seen(state.plan.rims);
+  const auto wheels = chassis.wheels();
+  Rims seen{};
+  for (std::size_t i = 0; i < wheels.size(); ++i) {
+    ChassisWheel& w = wheels[i];
+    const std::int64_t ticks = w.wheel.raw_ticks(w.motor);
+    seen[i] = static_cast<double>(ticks - w.seen_ticks) / w.motor.ticks_per_metre;
+    w.seen_ticks = ticks;
   }
-  return path_of({travel[0], travel[1]}, state.wheel_base);
+  return chassis.seen(seen);
 }
 
-void make_plan(RobotState& state) {
-  const std::array<double, 2> speeds{state.wheels[0].speed(), state.wheels[1].speed()};
-  state.plan.wheels = drive_wheels(state);
-  const PathStep path = true_path(state, state.plan.wheels);
-  // Robots drive on as they did, mostly.
-  if (!same_bits(path, state.plan.path)) {
-    state.plan.path = path;
-    state.plan.arc = arc_of(path);
+/// Of the rims, metres per second.
+template <class Drive>
+Rims speeds_of(Drive& chassis) {
+  const auto wheels = chassis.wheels();
+  Rims speeds{};
+  for (std::size_t i = 0; i < wheels.size(); ++i) speeds[i] = wheels[i].wheel.speed();
+  return speeds;
+}
+
+/// True when the next step, unless a command comes or something is in the way, is like this one
+/// and changes nothing but where the robot is. `speeds` are the rims' before it.
+template <class Drive>
+bool repeats(const RobotState& state, Drive& chassis, const Rims& speeds) {
+  const bool same_command = state.by_motors || state.controller.settled();
+  if (!same_command || state.error.moves_by_chance() || !chassis.repeats()) return false;
+  const auto wheels = chassis.wheels();
+  for (std::size_t i = 0; i < wheels.size(); ++i) {
+    if (!wheels[i].wheel.settled(speeds[i])) return false;
   }
-  state.steady = state.repeats(speeds);
+  return state.is_told_to_move();
+}
+
+/// `use` of a robot's chassis. Most are differential ones: compiled for these, without virtual
+/// calls, a whole step takes a sixth less time (bench_simulation, pipeline).
+template <class Use>
+void with_chassis(RobotState& state, const Use& use) {
+  if (state.differential != nullptr) {
+    use(*state.differential);
+  } else {
+    use(*state.chassis);
+  }
 }
 
 }  // namespace
 
 void Simulation::Impl::step_robot(RobotIndex robot) {
   Cruise& cruise = cruises[robot];
-  if (cruise.steady) {
-    const world::MoveResult result =
-        world.move(cruise.body, cruise.arc, settings.step, states[robot].contact);
-    if (!result.blocked()) {
-      cruise.advance();
-      return;
-    }
-    finish_step(robot, command(robot), result);
-    return;
-  }
-  if (cruise.pressed) {
-    const world::MoveResult result =
-        world.move(cruise.body, cruise.arc, settings.step, states[robot].contact);
-    if (result.progress == 0.0 && !result.slid) {
-      cruise.wait();
-      if (!cruise.stall_known) states[robot].stalled = kStallBoth;
-      cruise.stall_known = true;
-      return;
-    }
-    RobotState& freed = command(robot);
-    make_plan(freed);
-    finish_step(robot, freed, result);
+  if (cruise.mode != Cruise::Mode::Off) {
+    const world::MoveResult met =
+        world.move(cruise.body, cruise.arc, settings.step, cruise.contact);
+    if (cruise.takes(met)) return;
+    RobotState& state = command(robot);
+    with_chassis(state, [&](auto& chassis) { run_pipeline(cruise, state, chassis, &met); });
     return;
   }
   RobotState& state = states[robot];
-  if (state.chassis) [[unlikely]] {
-    if (!state.has_left) step_chassis(state);
-    return;
-  }
-  if (!state.steady) {
-    if (state.has_left) return;
-    if (nothing_to_do(state)) return;
-    make_plan(state);
-  }
-  const PathStep& path = state.plan.path;
-  const bool moves = path.distance != 0.0 || path.angle != 0.0;
-  finish_step(robot, state,
-              moves ? world.move(state.body, state.plan.arc, settings.step, state.contact)
-                    : world::MoveResult{});
+  if (state.has_left) return;
+  with_chassis(state, [&](auto& chassis) {
+    if (state.plan.repeats || !rests(state, chassis)) run_pipeline(cruise, state, chassis, nullptr);
+  });
 }
 
-void Simulation::Impl::finish_step(RobotIndex robot, RobotState& state,
-                                   const world::MoveResult& result) {
-  const StepPlan& plan = state.plan;
-  const bool blocked = result.blocked();
-  const bool held = blocked && !result.slid;
-  state.steady = state.steady && !blocked;
-  WheelTravel wheels = plan.wheels;
-  if (blocked) {
-    // The wheels go on with what turns the robot, and with as much of the way as it makes.
-    const double lost = (1.0 - result.progress) * (wheels.left + wheels.right) / 2;
-    wheels = {wheels.left - lost, wheels.right - lost};
+template <class Drive>
+void Simulation::Impl::run_pipeline(Cruise& cruise, RobotState& state, Drive& chassis,
+                                    const world::MoveResult* met) {
+  StepPlan& plan = state.plan;
+  if (!plan.repeats) {
+    const Rims speeds = speeds_of(chassis);
+    // Command -> ramps -> wheel targets (PID) -> motors -> wheels.
+    plan.rims = drive_motors(state, chassis);
+    // Wheels -> arc.
+    plan_arc(state, chassis);
+    plan.repeats = repeats(state, chassis, speeds);
   }
-  turn_wheel(state, 0, wheels.left, held);
-  turn_wheel(state, 1, wheels.right, held);
-  const PathStep measured = measured_path(state, wheels);
-  state.odometry.add(measured == plan.path ? plan.arc : arc_of(measured));
-  const double dt = settings.step;
+  // Arc -> collision -> pose.
+  const bool moves = plan.step != BodyStep{};
+  const world::MoveResult result =
+      met != nullptr ? *met
+      : moves        ? world.move(state.body, plan.arc, settings.step, cruise.contact)
+                     : world::MoveResult{};
+  const bool held = result.blocked() && !result.slid;
+  if (result.blocked()) plan.rims = chassis.blocked(plan.rims, result.progress);
   state.driven_before = state.driven;
-  state.driven = {plan.path.distance * result.progress / dt, plan.path.angle / dt};
-  state.measured = {measured.distance / dt, measured.angle / dt};
-  if (!state.by_motors) {
-    if (held) {
-      state.controller.hold(measured, true);
-    } else {
-      state.controller.advance(measured);
-    }
+  state.driven = chassis.speed(plan.step, result.progress, settings.step);
+  // Wheels -> encoders -> odometry -> controller, stalls.
+  turn_wheels(state, chassis, held);
+  chassis.settle(plan.rims, plan.ground, held);
+  const BodyStep seen = measured_step(state, chassis);
+  const bool as_planned = seen == plan.step;
+  state.odometry.add(as_planned ? plan.arc : screw_of(seen));
+  state.measured = {seen.forward / settings.step, seen.angle / settings.step};
+  tell_controller(state, chassis, seen, held || chassis.is_stuck());
+  // The next step: robots without a goal do the same again, mostly.
+  const bool free = state.controller.state() != DriveState::Driving;
+  plan.repeats = plan.repeats && free && !result.blocked();
+  const bool stuck =
+      held && result.progress == 0.0 && plan.step.angle == 0.0 && plan.rims == Rims{};
+  if (plan.repeats && moves && as_planned && !state.error.counts_ticks()) {
+    cruise.start(Cruise::Mode::Steady, plan.arc, state.odometry);
+  } else if (stuck && state.held_before && free && state.is_told_to_move() && chassis.repeats() &&
+             !state.error.moves_by_chance()) {
+    cruise.start(Cruise::Mode::Pressed, plan.arc, state.odometry);
   }
-  account(state, held);
-  const bool stuck = held && result.progress == 0.0 && plan.path.angle == 0.0;
-  if (state.cruises(measured)) cruises[robot].take(state);
-  if (stuck && state.presses()) cruises[robot].press(state);
   state.held_before = stuck;
 }
 
-void Simulation::Impl::account(RobotState& state, bool held) {
-  if (!held) {
+template <class Drive>
+void Simulation::Impl::tell_controller(RobotState& state, Drive& chassis, const BodyStep& seen,
+                                       bool stalls) {
+  if (!state.by_motors) {
+    const PathStep path{seen.forward, seen.angle};
+    if (stalls) {
+      state.controller.hold(path, chassis.can_turn_on_spot());
+    } else {
+      state.controller.advance(path);
+    }
+    chassis.go_on(state.controller);
+  }
+  if (!stalls) {
     state.clear_stall();
     return;
   }
@@ -181,6 +225,29 @@ void Simulation::Impl::account(RobotState& state, bool held) {
       state.stalled_steps >= stall_timeout_steps) {
     state.controller.fail();
   }
+}
+
+void Simulation::Impl::catch_up(RobotIndex robot) {
+  Cruise& cruise = cruises[robot];
+  RobotState& state = states[robot];
+  state.odometry = cruise.odometry;
+  state.driven_before = state.driven;
+  if (cruise.mode == Cruise::Mode::Pressed) {
+    cruise.steps = 0;
+    state.stalled = kStallBoth;
+    return;
+  }
+  // One by one, for the sums to be the same to the bit.
+  const std::span<ChassisWheel> wheels = state.chassis->wheels();
+  Rims travel{};
+  for (std::size_t i = 0; i < wheels.size(); ++i) travel[i] = wheels[i].wheel.travel();
+  double owed = state.controller.heading_owed();
+  for (; cruise.steps > 0; --cruise.steps) {
+    for (std::size_t i = 0; i < travel.size(); ++i) travel[i] += state.plan.rims[i];
+    owed -= state.plan.step.angle;
+  }
+  for (std::size_t i = 0; i < wheels.size(); ++i) wheels[i].wheel.set_travel(travel[i]);
+  if (!state.by_motors) state.controller.set_heading_owed(owed);
 }
 
 }  // namespace eyebridge::robot

@@ -18,17 +18,20 @@ class SubmarineChassis final : public Chassis {
  public:
   SubmarineChassis(const RobotModel& model, const MotorModel& motor, double water)
       : Chassis(model.drive, motor),
-        base_(model.drive.wheel_base),
         rise_(model.drive.rise_speed),
         top_(std::max(water - model.height, 0.0)),
         altitude_(top_) {
     wheels_[kLeft].side = 1.0;
     wheels_[kRight].side = -1.0;
-    for (const Thruster i : {kFront, kBack}) wheels_[i].motor.top = model.drive.max_vertical;
+    for (const Thruster i : {kFront, kBack}) {
+      wheels_[i].motor.top = model.drive.max_vertical;
+      wheels_[i].rolls = false;
+      wheels_[i].is_apart = true;
+    }
   }
 
   Rims follow(const DriveController& /*controller*/, const Twist& twist) override {
-    const double turning = twist.angular * base_ / 2;
+    const double turning = twist.angular * wheel_base_ / 2;
     Rims rims{};
     rims[kLeft] = reach(kLeft, twist.linear - turning);
     rims[kRight] = reach(kRight, twist.linear + turning);
@@ -41,15 +44,8 @@ class SubmarineChassis final : public Chassis {
     return rims;
   }
 
-  [[nodiscard]] BodyStep ground(const Rims& travel, const Ground& ground) const override {
-    BodyStep step = seen(travel);
-    step.forward *= ground.way;
-    step.angle *= ground.turn;
-    return step;
-  }
-
   [[nodiscard]] BodyStep seen(const Rims& travel) const override {
-    const PathStep path = path_of({travel[kLeft], travel[kRight]}, base_);
+    const PathStep path = path_of({travel[kLeft], travel[kRight]}, wheel_base_);
     return {path.distance, 0.0, path.angle};
   }
 
@@ -79,10 +75,6 @@ class SubmarineChassis final : public Chassis {
     }
   }
 
-  [[nodiscard]] bool is_held(std::size_t wheel) const override { return !is_apart(wheel); }
-  [[nodiscard]] bool is_apart(std::size_t motor) const override {
-    return motor == kFront || motor == kBack;
-  }
   [[nodiscard]] bool is_settled() const override {
     if (std::abs(rising_) > kAtRest) return false;
     const double end = pull();
@@ -133,7 +125,6 @@ class SubmarineChassis final : public Chassis {
     return (wheels_[kFront].command.speed + wheels_[kBack].command.speed) / 2 + rise_;
   }
 
-  double base_;          ///< DriveModel::wheel_base.
   double rise_;          ///< DriveModel::rise_speed.
   double top_;           ///< Its altitude where it floats, metres.
   double altitude_;      ///< Of its underside above the floor, metres.
@@ -143,9 +134,10 @@ class SubmarineChassis final : public Chassis {
 
 }  // namespace
 
-std::unique_ptr<Chassis> make_submarine(const RobotModel& model, const MotorModel& motor,
+std::unique_ptr<Chassis> make_submarine(const RobotModel& robot, const MotorModel& motor,
                                         double water) {
-  return std::make_unique<SubmarineChassis>(model, motor, water);
+  check_model(robot.height <= water, "robot: the submarine is higher than the water is deep");
+  return std::make_unique<SubmarineChassis>(robot, motor, water);
 }
 
 }  // namespace eyebridge::robot

@@ -18,11 +18,11 @@ class SynchroChassis final : public Chassis {
  public:
   SynchroChassis(const DriveModel& model, const MotorModel& motor)
       : Chassis(model, motor),
-        wheel_base_(model.wheel_base),
         arm_(model.wheel_diameter / 2),
         top_(model.max_angular),
         acceleration_(model.angular_acceleration) {
     wheels_[1].motor.top = model.max_angular * arm_;
+    wheels_[1].rolls = false;
   }
 
   Rims follow(const DriveController& /*controller*/, const Twist& twist) override {
@@ -60,8 +60,10 @@ class SynchroChassis final : public Chassis {
     }
   }
 
-  [[nodiscard]] bool is_held(std::size_t wheel) const override { return wheel == 0; }
   [[nodiscard]] bool is_settled() const override { return turning_ == 0.0; }
+  [[nodiscard]] bool repeats() const override {
+    return turning_ == 0.0 && wheels_[1].wheel.speed() == 0.0;
+  }
 
   void set_twist(const HolonomicTwist& twist, const Twist& present,
                  DriveController& controller) override {
@@ -97,7 +99,6 @@ class SynchroChassis final : public Chassis {
     return std::abs(off) <= kStraight ? 0.0 : off;
   }
 
-  double wheel_base_;
   double arm_;  ///< Metres of the steering motor's rim a radian.
   double top_;
   double acceleration_;
@@ -109,8 +110,9 @@ class SynchroChassis final : public Chassis {
 
 }  // namespace
 
-std::unique_ptr<Chassis> make_synchro(const DriveModel& model, const MotorModel& motor) {
-  return std::make_unique<SynchroChassis>(model, motor);
+std::unique_ptr<Chassis> make_synchro(const RobotModel& robot, const MotorModel& motor,
+                                      double /*water*/) {
+  return std::make_unique<SynchroChassis>(robot.drive, motor);
 }
 
 }  // namespace eyebridge::robot

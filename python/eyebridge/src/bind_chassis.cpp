@@ -55,7 +55,7 @@ void set_motor(const RobotHandle& robot, int motor, double duty) {
 void set_steering(const RobotHandle& robot, double angle) {
   need_finite("angle", angle);
   with(robot, [&](auto& sim, auto index) {
-    if (sim.model(index).drive.kind != robot::DriveKind::Ackermann) {
+    if (!sim.model(index).drive.facts().steers_front()) {
       throw std::invalid_argument("this robot has no front wheels to steer: it is no car");
     }
     sim.set_steering(index, angle);
@@ -91,7 +91,7 @@ void bind_chassis(py::module_& module) {
   auto robot = py::reinterpret_borrow<py::class_<RobotHandle>>(module.attr("Robot"));
   robot
       .def_property_readonly("drive_kind", property([](auto& sim, auto i) {
-                               return std::string(robot::facts_of(sim.model(i).drive.kind).name);
+                               return std::string(sim.model(i).drive.facts().name);
                              }))
       .def_property_readonly("motor_count", property([](auto& sim, auto i) {
                                return sim.model(i).drive.motor_count();

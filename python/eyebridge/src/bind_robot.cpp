@@ -114,9 +114,8 @@ void set_wheels(RobotHandle& robot, double left, double right) {
   need_finite("left", left);
   need_finite("right", right);
   robot.simulation->with([&](auto& sim) {
-    const bool is_submarine = sim.model(robot.index).drive.kind == robot::DriveKind::Submarine;
     sim.set_motor_duty(robot.index, 0, left);
-    sim.set_motor_duty(robot.index, is_submarine ? 2 : 1, right);
+    sim.set_motor_duty(robot.index, sim.model(robot.index).drive.facts().right_motor, right);
   });
 }
 

@@ -10,11 +10,13 @@ namespace {
 
 constexpr RobotIndex kRobots = 12;
 
-/// Robots of all kinds in a crowded room; `thinks_anew` keeps them from what they may skip.
+/// Robots of one kind of drive, with all errors, in a crowded room; `thinks_anew` keeps them from
+/// what they may skip.
 struct Crowd {
-  explicit Crowd(bool thinks_anew_each_step) : thinks_anew(thinks_anew_each_step) {
+  Crowd(DriveKind kind, bool thinks_anew_each_step) : thinks_anew(thinks_anew_each_step) {
     for (RobotIndex i = 0; i < kRobots; ++i) {
       RobotModel model;
+      model.drive.kind = kind;
       if (i % 2 == 0) model.drive.linear_acceleration = model.drive.angular_acceleration = 0.0;
       if (i % 5 == 1) model.drive.motor_time_constant = 0.05;
       if (i % 6 == 2) model.drive_error.left_scale = 0.01;
@@ -32,10 +34,14 @@ struct Crowd {
     if (kind >= 0.6 && kind < 0.7) sim.drive(robot, {a, b, 0.4});
     if (kind >= 0.7 && kind < 0.75) sim.stop(robot);
     if (kind >= 0.75 && kind < 0.8) sim.set_motor_duty(robot, 0, a);
-    if (kind >= 0.8 && kind < 0.85) sim.set_motor_speed(robot, 1, 3000 * b);
+    if (kind >= 0.8 && kind < 0.85) sim.set_motor_speed(robot, last_motor(robot), 3000 * b);
     if (kind >= 0.85 && kind < 0.9) sim.set_odometry(robot, {a, b, a});
     if (kind >= 0.9 && kind < 0.95) sim.reset_encoder(robot, 1);
     if (kind >= 0.95) sim.set_pose(robot, {1.2 + a / 4, 2.2 + b / 4, 3 * b});
+  }
+
+  [[nodiscard]] unsigned last_motor(RobotIndex robot) const {
+    return sim.model(robot).drive.motor_count() - 1;
   }
 
   void step() {
@@ -48,9 +54,16 @@ struct Crowd {
   Simulation sim{room(2.4, 2.4), {}};
 };
 
-TEST(Cruise, WhatIsNotComputedAgainIsTheSame) {
-  Crowd fast(false);
-  Crowd slow(true);
+class Cruise : public testing::TestWithParam<DriveKind> {};
+
+INSTANTIATE_TEST_SUITE_P(Drives, Cruise,
+                         testing::Values(DriveKind::Differential, DriveKind::Ackermann,
+                                         DriveKind::Omni, DriveKind::Swedish, DriveKind::Synchro),
+                         [](const auto& drive) { return facts_of(drive.param).name; });
+
+TEST_P(Cruise, WhatIsNotComputedAgainIsTheSame) {
+  Crowd fast(GetParam(), false);
+  Crowd slow(GetParam(), true);
   Random random(5);
   std::vector<Twist> last(kRobots);
   int stalls = 0;

@@ -67,6 +67,19 @@ TEST(Stall, RobotDrivesOnWithARampWhenTheObstacleLeaves) {
   EXPECT_NEAR(rig.sim.pose(rig.robot).x, 2.0, 1e-9);
 }
 
+TEST(Stall, AGoalThatFailedDoesNotGoOnWhenTheObstacleLeaves) {
+  Rig rig({}, {1.0, 2.0, 0.0});
+  const RobotIndex other = rig.sim.add_robot({}, {1.5, 2.0, 0.0});
+  rig.sim.drive(rig.robot, {1.0, 0.0, 0.3});
+  rig.finish();
+  ASSERT_EQ(rig.sim.drive_state(rig.robot), DriveState::Failed);
+  rig.steps(10);
+  const Pose there = rig.sim.pose(rig.robot);
+  rig.sim.set_pose(other, {1.0, 3.0, 0.0});
+  rig.steps(10);
+  EXPECT_EQ(rig.sim.pose(rig.robot), there);
+}
+
 TEST(Stall, SpeedModeKeepsTrying) {
   Rig rig = facing_wall();
   rig.sim.set_speed(rig.robot, {0.3, 0.0});

@@ -37,6 +37,9 @@ world::Arc arc_of(const PathStep& path);
 
 /// The same of a motion that also goes sideways: the exponential of a constant twist in the plane
 /// (Lynch and Park, Modern Robotics, 2017, section 3.3.3.2). Without `left`, arc_of()'s bits.
-world::Arc screw_of(const BodyStep& step);
+world::Arc sideways_screw_of(const BodyStep& step);
+inline world::Arc screw_of(const BodyStep& step) {
+  return step.left == 0.0 ? arc_of(PathStep{step.forward, step.angle}) : sideways_screw_of(step);
+}
 
 }  // namespace eyebridge::robot

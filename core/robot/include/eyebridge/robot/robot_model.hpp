@@ -186,19 +186,25 @@ struct DriveModel {
   double max_vertical = 0.25;  ///< Up or down, thrusters 1 and 3 at full duty, metres per second.
   double rise_speed = 0.02;  ///< Up by buoyancy, without thrust, metres per second; < 0: it sinks.
 
+  [[nodiscard]] const DriveFacts& facts() const { return facts_of(kind); }
   /// How many motors there are, and how many encoders.
   [[nodiscard]] unsigned motor_count() const {
-    return static_cast<unsigned>(facts_of(kind).motors.size());
+    return static_cast<unsigned>(facts().motors.size());
   }
   [[nodiscard]] unsigned encoder_count() const {
-    return static_cast<unsigned>(facts_of(kind).encoders.size());
+    return static_cast<unsigned>(facts().encoders.size());
+  }
+  /// How much of the speed of a wheel's rim a turn takes, metres a radian; 0 where the steering
+  /// does it.
+  [[nodiscard]] double turn_arm() const {
+    return facts().wheel_base_share * wheel_base + facts().axle_share * axle_distance;
   }
   /// Sharpest curve, 1 / metres: tan(max_steering) / axle_distance of an Ackermann drive; the
   /// others know no limit: infinite.
   [[nodiscard]] double max_curvature() const;
   /// Whether servo number `servo` (an index) turns the front wheels.
   [[nodiscard]] bool steers(unsigned servo) const {
-    return kind == DriveKind::Ackermann && servo == steering_servo;
+    return facts().steers_front() && servo == steering_servo;
   }
   friend bool operator==(const DriveModel&, const DriveModel&) = default;
 };
