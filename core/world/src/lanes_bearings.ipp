@@ -46,9 +46,6 @@ HWY_INLINE Bearing bearing_of(Floats px, Floats py, const Directions& ahead) {
   return {out_of_octant(angle, x, y), nearness};
 }
 
-/// Largest error of rough_bearing_of(), radians, and largest relative error of inverse_root_of().
-constexpr float kRoughError = 6e-4F;
-
 /// The same bearing, of places `1 / inverse` away, in fewer steps.
 HWY_INLINE Floats rough_bearing_of(Floats px, Floats py, Floats inverse, const Directions& ahead) {
   const Floats x = ahead.x * px + ahead.y * py;

@@ -10,6 +10,9 @@ namespace eyebridge::world {
 /// wall's end (kRayTolerance) makes where a wall is not nearly along the rays.
 inline constexpr double kBearingError = 3e-5;
 
+/// Largest error of rough_bearing_of(), radians, and largest relative error of inverse_root_of().
+inline constexpr double kRoughError = 6e-4;
+
 /// Rays that are looked at to either side beyond what bearings say, for the rounding of numbers of
 /// rays.
 inline constexpr double kRayMargin = 1e-3;

@@ -112,10 +112,10 @@ struct DiscLook {
     const Floats radius = load(rows.radius + start) + filled(error);
     const Floats square = x * x + y * y;
     const Floats inverse = inverse_root_of(square);
-    const Floats distance = square * inverse * filled(1.0F - kRoughError);
+    const Floats distance = square * inverse * filled(1.0F - static_cast<float>(kRoughError));
     const Floats number = rough_bearing_of(x, y, inverse, ahead) * filled(per_gap);
     // As in meet_disc().
-    const Floats sine = radius * inverse * filled(1.0F + kRoughError);
+    const Floats sine = radius * inverse * filled(1.0F + static_cast<float>(kRoughError));
     const Floats angle = sine + filled(0.5708F) * sine * sine * sine;
     const Floats width = angle * filled(per_gap) + filled(margin);
     const Floats low = number - width;
