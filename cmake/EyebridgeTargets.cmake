@@ -47,7 +47,8 @@ function(eyebridge_simd target)
   target_compile_definitions(${target} PRIVATE HWY_BROKEN_EMU128=0
     "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_AVX3|HWY_AVX3_DL|HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
   if(ARGN)
-    set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+    # After a precompiled header g++ 12 takes no several numbers at once in functions with a "#pragma GCC target".
+    set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
   endif()
 endfunction()
 
