@@ -79,8 +79,7 @@ void register_all(const char* scene, WorldModel (*make)(int), bool maze) {
     RayMethod method;
   };
   constexpr Row kRows[] = {{"BruteForce", RayMethod::BruteForce},
-                           {"GridScalar", RayMethod::GridScalar},
-                           {"GridAvx2", RayMethod::GridAvx2},
+                           {"Grid", RayMethod::Grid},
                            {"EdgeBits", RayMethod::EdgeBits}};
   for (const Row& row : kRows) {
     if (row.method == RayMethod::EdgeBits && !maze) continue;

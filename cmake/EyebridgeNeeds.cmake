@@ -11,7 +11,7 @@ need(PkgConfig_FOUND pkg-config)
 # By the file that Boost itself installs: CMake's own FindBoost is gone from 3.30 on.
 find_package(Boost QUIET CONFIG)
 need(Boost_FOUND libboost-dev)
-foreach(row CLI11:libcli11-dev fmt:libfmt-dev Freetype:libfreetype-dev PNG:libpng-dev SQLite3:libsqlite3-dev
+foreach(row CLI11:libcli11-dev fmt:libfmt-dev Freetype:libfreetype-dev hwy:libhwy-dev PNG:libpng-dev SQLite3:libsqlite3-dev
             tl-expected:libexpected-dev tomlplusplus:libtomlplusplus-dev ZLIB:zlib1g-dev)
   string(REPLACE ":" ";" row "${row}")
   list(GET row 0 name)

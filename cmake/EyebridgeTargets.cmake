@@ -37,6 +37,21 @@ function(eyebridge_hot name)
   target_compile_options(eyebridge_${name} PRIVATE $<$<CONFIG:Release>:-O3>)
 endfunction()
 
+# eyebridge_simd(eyebridge_world src/fan_walls.cpp …): the target uses Highway, which compiles these sources once per instruction
+# set; the CPU's best one runs.
+function(eyebridge_simd target)
+  find_package(hwy REQUIRED)  # libhwy-dev
+  target_link_libraries(${target} PRIVATE hwy::hwy)
+  # Arrays are padded for registers of 32 bytes; SSSE3 would help few old CPUs. EMU128, for all others, needs nothing of what
+  # g++ 12.2 gets wrong in it.
+  target_compile_definitions(${target} PRIVATE HWY_BROKEN_EMU128=0
+    "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_AVX3|HWY_AVX3_DL|HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
+  if(ARGN)
+    # After a precompiled header g++ 12 takes no several numbers at once in functions with a "#pragma GCC target".
+    set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)
+  endif()
+endfunction()
+
 # The compiler's time counts more than that of tests; UBSan, for what they test, would nearly double it.
 add_library(eyebridge_test_options INTERFACE)
 target_compile_options(eyebridge_test_options INTERFACE $<$<CONFIG:Release>:-O1> -fno-sanitize=undefined)

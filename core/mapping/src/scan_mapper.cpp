@@ -134,7 +134,7 @@ float ScanMapper::Impl::draw_all(bool fills) {
   constexpr double kFarthest = 1 << 12;  // cells
   float own = kNoEvidence;
   if (fills && model.max_range * per_metre < kFarthest) {
-    own = ray_code().draw(*table, frame, rays, notes.writer());
+    own = rays.draw(*table, frame, notes.writer());
   }
   const BeamStart start(frame.origin);
   for (std::size_t i = 0; i < rays.count; ++i) {
@@ -164,7 +164,7 @@ Result<void> ScanMapper::Impl::insert(OccupancyGrid& grid, Vec2 from, double gap
   const bool alike = table->crossed_unmet == table->crossed && model.min_range == 0.0;
   const RayModel all{model.max_range, model.out_of_range,         model.bias,
                      per_metre,       fills ? kClose / gap : 0.0, alike};
-  if (!ray_code().place(*table, all, directions, ranges, rays)) {
+  if (!rays.set(*table, all, directions, ranges)) {
     return fail(Errc::OutOfRange, "a beam along what is no unit vector");
   }
   const RayExtent& extent = rays.extent;
@@ -181,7 +181,7 @@ Result<void> ScanMapper::Impl::insert(OccupancyGrid& grid, Vec2 from, double gap
   if (fills) fill.flip(frame.origin, rays.corner_x, rays.corner_y, open);
   const float own = draw_all(fills);
   notes.writer().say(frame.box.index_of(frame.column, frame.row), own);
-  notes.apply(grid, corner, fill, table->crossed, ray_code());
+  notes.apply(grid, corner, fill, table->crossed);
   return {};
 }
 

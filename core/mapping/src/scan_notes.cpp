@@ -1,7 +1,5 @@
 #include "scan_notes.hpp"
 
-#include "scan_rays.hpp"
-
 namespace eyebridge::mapping {
 
 int ScanNotes::stride_of(int columns) {
@@ -19,13 +17,11 @@ void ScanNotes::begin(const Box& box) {
   }
 }
 
-void ScanNotes::apply(OccupancyGrid& grid, Cell corner, PolygonFill& fill, float filled,
-                      const RayCode& code) {
+void ScanNotes::apply(OccupancyGrid& grid, Cell corner, PolygonFill& fill, float filled) {
   const TiledRows rows{box_, said_.data(), told_.data(),
                        grid.edit() + grid.geometry().index_of(corner),
                        static_cast<std::size_t>(grid.geometry().columns)};
-  const EvidenceLimits limits{grid.lowest(), grid.highest()};
-  code.apply(rows, fill, filled, limits);
+  add_evidence(rows, fill, filled, {grid.lowest(), grid.highest()});
   said_[box_.size()] = kNoEvidence;  // of what lay outside
   told_[box_.size() / kTile] = 0;
 }

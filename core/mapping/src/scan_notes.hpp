@@ -16,8 +16,6 @@
 
 namespace eyebridge::mapping {
 
-struct RayCode;
-
 /// Of the evidence that a cell may have.
 struct EvidenceLimits {
   float lowest;
@@ -32,6 +30,10 @@ struct TiledRows {
   float* cells;              ///< The first of the box's.
   std::size_t cells_stride;  ///< Between their rows.
 };
+
+/// Adds what is said in `rows`, and `filled` of the cells of `fill`, to the cells; forgets it.
+void add_evidence(const TiledRows& rows, PolygonFill& fill, float filled,
+                  const EvidenceLimits& limits);
 
 /// What the beams of a scan say of the cells of a box, until all have spoken. Of what several say
 /// of a cell, that counts which speaks most for an obstacle.
@@ -63,8 +65,7 @@ class ScanNotes {
   [[nodiscard]] Writer writer() { return {said_.data(), told_.data()}; }
   /// Adds what was said, and `filled` of the cells of `fill`, to the cells of `grid` from `corner`
   /// on, within the grid's limits. Forgets it.
-  void apply(OccupancyGrid& grid, Cell corner, PolygonFill& fill, float filled,
-             const RayCode& code);
+  void apply(OccupancyGrid& grid, Cell corner, PolygonFill& fill, float filled);
 
  private:
   Box box_;

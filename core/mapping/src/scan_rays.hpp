@@ -25,6 +25,25 @@ struct RayExtent {
   Vec2 upper;
 };
 
+/// What all beams of scans have in common.
+struct RayModel {
+  double max_range = 0.0;     ///< Metres.
+  double out_of_range = 0.0;  ///< Metres.
+  double bias = 0.0;          ///< Metres.
+  double per_metre = 0.0;     ///< Cells.
+  double close = 0.0;  ///< As far as the next beams lie close to each other; 0: nothing is filled.
+  bool fills_unmet = false;  ///< Whether it is filled, too, what beams cross that meet nothing.
+};
+
+/// Where a scan is drawn.
+struct RayFrame {
+  Box box;
+  Vec2 origin;              ///< Of the beams, in cells of the box.
+  std::int64_t column = 0;  ///< Of the sensor's own cell.
+  std::int64_t row = 0;
+  bool clipped = false;  ///< Whether beams may leave the box.
+};
+
 /// The beams of a scan, an array for each of their properties: compilers make several at once of
 /// loops over them. Lengths are in cells, places from the sensor, but where it says metres.
 struct ScanRays {
@@ -49,47 +68,14 @@ struct ScanRays {
   std::vector<float> tip_y;
   RayExtent extent;  ///< Of the tips, with the sensor.
 
-  void resize(std::size_t rays);
-};
-
-/// What all beams of scans have in common.
-struct RayModel {
-  double max_range = 0.0;     ///< Metres.
-  double out_of_range = 0.0;  ///< Metres.
-  double bias = 0.0;          ///< Metres.
-  double per_metre = 0.0;     ///< Cells.
-  double close = 0.0;  ///< As far as the next beams lie close to each other; 0: nothing is filled.
-  bool fills_unmet = false;  ///< Whether it is filled, too, what beams cross that meet nothing.
-};
-
-/// Where a scan is drawn.
-struct RayFrame {
-  Box box;
-  Vec2 origin;              ///< Of the beams, in cells of the box.
-  std::int64_t column = 0;  ///< Of the sensor's own cell.
-  std::int64_t row = 0;
-  bool clipped = false;  ///< Whether beams may leave the box.
-};
-
-/// What is done with many beams at once, in one set of instructions.
-struct RayCode {
-  /// Sets `rays` by directions and ranges, as many of both; false where a direction is no unit
-  /// vector.
-  bool (*place)(const BeamTable& table, const RayModel& model, std::span<const Vec2> directions,
-                std::span<const double> ranges, ScanRays& rays);
+  /// Takes a scan, as many directions as ranges; false where a direction is no unit vector.
+  bool set(const BeamTable& table, const RayModel& model, std::span<const Vec2> directions,
+           std::span<const double> ranges);
   /// Says what those beams do that met something and end well within the box, but for what is
   /// filled of them, and sets their kind to kSilent. Gives what they say of the sensor's own cell.
-  float (*draw)(const BeamTable& table, const RayFrame& frame, ScanRays& rays,
-                ScanNotes::Writer out);
-  /// Adds what was said, see ScanNotes::apply().
-  void (*apply)(const TiledRows& rows, PolygonFill& fill, float filled,
-                const EvidenceLimits& limits);
-};
+  float draw(const BeamTable& table, const RayFrame& frame, ScanNotes::Writer out);
 
-/// By the instructions that every CPU has; by those of AVX2. Both have the same results.
-extern const RayCode kPlainRayCode;
-extern const RayCode kAvx2RayCode;
-/// The faster one that this CPU has.
-const RayCode& ray_code();
+  void resize(std::size_t rays);
+};
 
 }  // namespace eyebridge::mapping

@@ -1,12 +1,8 @@
 #include "fan.hpp"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstring>
 #include <limits>
-
-#include "fan_pairs.hpp"
 
 namespace eyebridge::world {
 namespace {
@@ -28,28 +24,28 @@ double Fan::reach_of(const RayFan& rays) {
   return rays.max_range + beyond;
 }
 
-Fan::Fan(const RayFan& rays, std::uint32_t self)
-    : origin_(rays.origin),
-      apart_(!rays.origins.empty()),
-      spread_(apart_ ? rays.spread : 0.0),
-      self_(self),
-      directions_(rays.directions),
-      lines_(rays.directions.size()) {
-  const std::span<const Vec2> directions = directions_;
+Fan::Fan(const RayFan& rays, std::uint32_t own_place)
+    : origin(rays.origin),
+      apart(!rays.origins.empty()),
+      spread(apart ? rays.spread : 0.0),
+      self(own_place),
+      directions(rays.directions),
+      origins(rays.origins),
+      lines(rays.directions.size()) {
   assert(!directions.empty() && directions.size() <= kMost);
   for (std::size_t i = 0; i < directions.size(); ++i) {
-    dx_[i] = directions[i].x;
-    dy_[i] = directions[i].y;
-    x_[i] = static_cast<float>(directions[i].x);
-    y_[i] = static_cast<float>(directions[i].y);
-    best_[i] = rays.max_range;
+    dx[i] = directions[i].x;
+    dy[i] = directions[i].y;
+    x[i] = static_cast<float>(directions[i].x);
+    y[i] = static_cast<float>(directions[i].y);
+    best[i] = rays.max_range;
   }
   for (std::size_t i = directions.size(); i % 8 != 0; ++i) {
-    dx_[i] = dy_[i] = 0.0;
-    x_[i] = y_[i] = std::numeric_limits<float>::quiet_NaN();
-    best_[i] = rays.max_range;
+    dx[i] = dy[i] = 0.0;
+    x[i] = y[i] = std::numeric_limits<float>::quiet_NaN();
+    best[i] = rays.max_range;
   }
-  if (apart_) place(rays.origins);
+  if (apart) place();
   if (directions.size() % 2 == 0) {
     const std::size_t half = directions.size() / 2;
     double most = 0.0;
@@ -58,36 +54,30 @@ Fan::Fan(const RayFan& rays, std::uint32_t self)
       const double off = std::fabs(sum.x) + std::fabs(sum.y);
       most = off > most ? off : most;
     }
-    if (most <= kOpposite && have_one_line_each(half)) lines_ = half;
+    if (most <= kOpposite && have_one_line_each(half)) lines = half;
   }
 }
 
-void Fan::place(std::span<const Vec2> origins) {
-  assert(origins.size() == directions_.size());
+void Fan::place() {
+  assert(origins.size() == directions.size());
   for (std::size_t i = 0; i < origins.size(); ++i) {
-    assert(norm(origins[i] - origin_) <= spread_ + kRounding);
-    ox_[i] = origins[i].x;
-    oy_[i] = origins[i].y;
-    beside_[i] = static_cast<float>(cross(origins[i] - origin_, directions_[i]));
+    assert(norm(origins[i] - origin) <= spread + kRounding);
+    ox[i] = origins[i].x;
+    oy[i] = origins[i].y;
+    beside[i] = static_cast<float>(cross(origins[i] - origin, directions[i]));
   }
   for (std::size_t i = origins.size(); i % 8 != 0; ++i) {
-    ox_[i] = oy_[i] = 0.0;
-    beside_[i] = 0.0F;
+    ox[i] = oy[i] = 0.0;
+    beside[i] = 0.0F;
   }
 }
 
 bool Fan::have_one_line_each(std::size_t half) const {
-  if (!apart_) return true;
+  if (!apart) return true;
   for (std::size_t i = 0; i < half; ++i) {
-    if (std::fabs(beside_[i] + beside_[half + i]) > kOneLine) return false;
+    if (std::fabs(beside[i] + beside[half + i]) > kOneLine) return false;
   }
   return true;
 }
-
-#define EYEBRIDGE_RAY_TARGET
-#define EYEBRIDGE_RAY_LANES 2
-#define EYEBRIDGE_OF(name) name##_scalar
-#include "fan_discs.ipp"
-#include "fan_walls.ipp"
 
 }  // namespace eyebridge::world

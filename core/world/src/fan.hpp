@@ -28,66 +28,46 @@ class Fan {
   [[nodiscard]] static double reach_of(const RayFan& rays);
 
   /// No ray has met anything yet. What `rays` lend is lent for as long as the fan is there. No ray
-  /// will meet the disc at `self`, BodyMap::place_of() of who looks.
-  Fan(const RayFan& rays, std::uint32_t self);
+  /// will meet the disc at `own_place`, BodyMap::place_of() of who looks.
+  Fan(const RayFan& rays, std::uint32_t own_place);
 
   /// Shortens the rays that meet `walls`, by their indices of `segments`: those that are near the
-  /// fan's origin, its spread included. The AVX2 one runs where RayGrid::has_avx2().
-  void meet_walls_scalar(const Segment* segments, const WallList& walls);
-  void meet_walls_avx2(const Segment* segments, const WallList& walls);
+  /// fan's origin, its spread included.
+  void meet_walls(const Segment* segments, const WallList& walls);
   /// Shortens the rays of 1 to kFansTogether fans that meet one of the discs of `map`, of which
   /// none is larger than `largest_radius` metres.
-  static void meet_discs_scalar(std::span<Fan> fans, const BodyMap& map, double largest_radius);
-  static void meet_discs_avx2(std::span<Fan> fans, const BodyMap& map, double largest_radius);
+  static void meet_discs(std::span<Fan> fans, const BodyMap& map, double largest_radius);
 
-  [[nodiscard]] std::span<double> ranges() { return {best_, directions_.size()}; }
+  [[nodiscard]] std::span<double> ranges() { return {best, directions.size()}; }
 
- private:
-  class Pairs;
+  // The rest is for the code of the instruction sets.
+  [[nodiscard]] Vec2 origin_of(std::size_t ray) const { return apart ? origins[ray] : origin; }
 
-  std::uint32_t* look_scalar(const BodyMap::Rows& rows, double off,
-                             std::span<const std::uint32_t> starts, std::uint32_t code,
-                             std::uint32_t* pairs) const;
-  std::uint32_t* look_avx2(const BodyMap::Rows& rows, double off,
-                           std::span<const std::uint32_t> starts, std::uint32_t code,
-                           std::uint32_t* pairs) const;
-  template <class Meets>
-  [[nodiscard]] std::uint64_t word_scalar(std::size_t octet, Meets meets) const;
-  template <class Meets>
-  [[nodiscard]] std::uint64_t word_avx2(std::size_t octet, Meets meets) const;
-  void meet_scalar(const Segment* segments, const std::uint32_t* indices, Pairs& pairs);
-  void meet_avx2(const Segment* segments, const std::uint32_t* indices, Pairs& pairs);
-  void meet_scalar(const Disc& disc);
-  void meet_avx2(const Disc& disc);
-  void meet_apart_scalar(const Disc& disc);
-  void meet_apart_avx2(const Disc& disc);
-
-  void place(std::span<const Vec2> origins);
-  /// Whether each ray of the first half begins on the line of one of the second.
-  [[nodiscard]] bool have_one_line_each(std::size_t half) const;
-  [[nodiscard]] Vec2 origin_of(std::size_t ray) const {
-    return apart_ ? Vec2{ox_[ray], oy_[ray]} : origin_;
-  }
-
-  Vec2 origin_;
-  bool apart_;          ///< The rays begin at places of their own.
-  double spread_;       ///< Of the rays' origins around it; 0 where they all begin there.
-  std::uint32_t self_;  ///< Who looks: its place in the map of bodies.
-  std::span<const Vec2> directions_;
+  Vec2 origin;
+  bool apart;          ///< The rays begin at places of their own.
+  double spread;       ///< Of the rays' origins around it; 0 where they all begin there.
+  std::uint32_t self;  ///< Place in the map of bodies of the one that looks.
+  std::span<const Vec2> directions;
+  std::span<const Vec2> origins;  ///< Where rays begin at places of their own only.
   /// Along which they look: as many as rays, or half, each ray of the first half looking the other
   /// way of one of the second, in order.
-  std::size_t lines_;
-  alignas(64) double dx_[kMost];  ///< Up to a multiple of eight there are rays that meet nothing.
-  alignas(64) double dy_[kMost];
-  alignas(64) double best_[kMost];
-  float x_[kMost];
-  float y_[kMost];
+  std::size_t lines;
+  alignas(64) double dx[kMost];  ///< Up to a multiple of eight there are rays that meet nothing.
+  alignas(64) double dy[kMost];
+  alignas(64) double best[kMost];
+  float x[kMost];
+  float y[kMost];
   // Where rays begin at places of their own only.
-  alignas(64) double ox_[kMost];
-  alignas(64) double oy_[kMost];
-  /// How far to the right of `origin_` the ray's line passes, metres: cross products of where the
+  alignas(64) double ox[kMost];
+  alignas(64) double oy[kMost];
+  /// How far to the right of `origin` the ray's line passes, metres: cross products of where the
   /// ray begins, seen from there, and its direction.
-  float beside_[kMost];
+  float beside[kMost];
+
+ private:
+  void place();
+  /// Whether each ray of the first half begins on the line of one of the second.
+  [[nodiscard]] bool have_one_line_each(std::size_t half) const;
 };
 
 }  // namespace eyebridge::world

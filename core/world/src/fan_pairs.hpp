@@ -1,11 +1,12 @@
 #pragma once
 
-#include "fan.hpp"
+#include <cstddef>
+#include <cstdint>
 
 namespace eyebridge::world {
 
 /// Pairs of a thing and a ray that it may shorten: found many at once, as bits of a word.
-class Fan::Pairs {
+class Pairs {
  public:
   static constexpr std::size_t kRoom = 512;
   /// Rays of a word.

@@ -25,17 +25,14 @@ RayMethod pick_method(const WorldModel& model, RayMethod asked) {
   switch (asked) {
     case RayMethod::Auto:
       if (MazeEdges::describes(model)) return RayMethod::EdgeBits;
-      return RayGrid::has_avx2() ? RayMethod::GridAvx2 : RayMethod::GridScalar;
+      return RayMethod::Grid;
     case RayMethod::EdgeBits:
       if (!MazeEdges::describes(model)) {
         throw std::invalid_argument("edge bits need a world whose walls are all edges of its maze");
       }
       break;
-    case RayMethod::GridAvx2:
-      if (!RayGrid::has_avx2()) throw std::invalid_argument("this CPU has no AVX2");
-      break;
     case RayMethod::BruteForce:
-    case RayMethod::GridScalar:
+    case RayMethod::Grid:
       break;
   }
   return asked;
@@ -47,10 +44,8 @@ void RayCaster::Impl::cast(Vec2 origin, std::span<const Vec2> directions, double
                            std::span<double> ranges) const {
   if (edges && !edges->on_line(origin)) {
     edges->cast(origin, directions, max_range, ranges);
-  } else if (grid && method == RayMethod::GridAvx2) {
-    grid->cast_avx2(origin, directions, max_range, ranges);
   } else if (grid) {
-    grid->cast_scalar(origin, directions, max_range, ranges);
+    grid->cast(origin, directions, max_range, ranges);
   } else {
     for (std::size_t i = 0; i < directions.size(); ++i) {
       double range = max_range;

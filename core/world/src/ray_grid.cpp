@@ -1,8 +1,7 @@
 #include "ray_grid.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <limits>
 
 namespace eyebridge::world {
 namespace {
@@ -26,8 +25,26 @@ RayGrid::RayGrid(const std::vector<Segment>& segments)
   starts_.push_back(static_cast<std::uint32_t>(segments_.size()));
 }
 
-std::size_t RayGrid::start_rays(Vec2 origin, std::span<const Vec2> directions, double max_range,
-                                RayState* states, std::uint32_t* active) const {
+void RayGrid::cast(Vec2 origin, std::span<const Vec2> directions, double max_range,
+                   std::span<double> ranges) const {
+  RayGroup group;
+  for (std::size_t first = 0; first < directions.size(); first += RayGroup::kMost) {
+    const std::size_t count = std::min(directions.size() - first, RayGroup::kMost);
+    start_rays(origin, directions.subspan(first, count), max_range, group);
+    walk(origin, group);
+    std::copy_n(group.best, count, ranges.begin() + static_cast<std::ptrdiff_t>(first));
+  }
+}
+
+void RayGrid::start_rays(Vec2 origin, std::span<const Vec2> directions, double max_range,
+                         RayGroup& group) const {
+  const std::size_t padded = (directions.size() + 7) / 8 * 8;
+  for (std::size_t i = 0; i < padded; ++i) {
+    const Vec2 d = directions[i < directions.size() ? i : 0];
+    group.dx[i] = d.x;
+    group.dy[i] = d.y;
+    group.best[i] = max_range;
+  }
   const double cell = grid_.cell();
   const double per_cell = 1.0 / cell;
   const double columns = static_cast<double>(grid_.columns());
@@ -53,7 +70,7 @@ std::size_t RayGrid::start_rays(Vec2 origin, std::span<const Vec2> directions, d
   };
   if (inside) enter_at(from);
 
-  std::size_t count = 0;
+  group.left = 0;
   for (std::size_t i = 0; i < directions.size(); ++i) {
     const Vec2 d = directions[i];
     const bool right = d.x >= 0.0;
@@ -73,8 +90,8 @@ std::size_t RayGrid::start_rays(Vec2 origin, std::span<const Vec2> directions, d
       if (!(entry < (out < max_range ? out : max_range))) continue;
       enter_at(from + (entry * per_cell) * d);
     }
-    active[count++] = static_cast<std::uint32_t>(i);
-    RayState& state = states[i];
+    group.active[group.left++] = static_cast<std::uint32_t>(i);
+    RayState& state = group.states[i];
     const double part_x = right ? 1.0 - in_cell.x : in_cell.x;
     const double part_y = up ? 1.0 - in_cell.y : in_cell.y;
     state.next[0] = d.x == 0.0 ? kNever : entry + part_x * cells_x;
@@ -86,13 +103,6 @@ std::size_t RayGrid::start_rays(Vec2 origin, std::span<const Vec2> directions, d
     state.step[0] = right ? 1 : std::size_t{0} - 1;
     state.step[1] = up ? row_step : std::size_t{0} - row_step;
   }
-  return count;
 }
-
-#define EYEBRIDGE_RAY_TARGET
-#define EYEBRIDGE_RAY_CAST cast_scalar
-#define EYEBRIDGE_RAY_LANES 2
-#include "ray_lanes.ipp"
-#include "ray_walk.ipp"
 
 }  // namespace eyebridge::world

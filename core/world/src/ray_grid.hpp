@@ -12,32 +12,22 @@ namespace eyebridge::world {
 
 /// A uniform grid of walls; rays walk the cells in their way, neighbours side by side.
 ///
-/// Ranges are exactly those of a loop over all walls with nearer_hit(), whichever instruction set
-/// was used: a ray is tried against too many walls at most.
+/// Ranges are exactly those of a loop over all walls with nearer_hit(): a ray is tried against too
+/// many walls at most.
 class RayGrid {
  public:
   explicit RayGrid(const std::vector<Segment>& segments);
 
   /// Ranges along `directions` from `origin`; `max_range` where nothing is nearer.
-  void cast_scalar(Vec2 origin, std::span<const Vec2> directions, double max_range,
-                   std::span<double> ranges) const;
-  /// Same on CPUs with AVX2 (see has_avx2()).
-  void cast_avx2(Vec2 origin, std::span<const Vec2> directions, double max_range,
-                 std::span<double> ranges) const;
-
-  static bool has_avx2();
-
-  /// Rays that walk together.
-  static constexpr std::size_t kChunk = 128;
+  void cast(Vec2 origin, std::span<const Vec2> directions, double max_range,
+            std::span<double> ranges) const;
 
  private:
-  /// Rays farther apart than this are not tried together, even in one cell.
-  static constexpr std::size_t kMaxGap = 8;
-
-  /// Fills one of `states` for each of `directions`, and `active` with the indices of the rays that
-  /// meet the grid, ascending; returns how many.
-  std::size_t start_rays(Vec2 origin, std::span<const Vec2> directions, double max_range,
-                         RayState* states, std::uint32_t* active) const;
+  /// Sets `group` to those of `directions` that meet the grid.
+  void start_rays(Vec2 origin, std::span<const Vec2> directions, double max_range,
+                  RayGroup& group) const;
+  /// Lets the rays of `group` go until each has met something or has left the grid.
+  void walk(Vec2 origin, RayGroup& group) const;
 
   SegmentGrid grid_;
   std::vector<std::uint32_t> starts_;  ///< Cell -> first of its segments; one more at the end.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 
 namespace eyebridge::world {
@@ -14,6 +15,17 @@ struct RayState {
   double limit;       ///< Range at which it leaves the grid.
   std::size_t cell;
   std::size_t step[2];  ///< To the cell beyond the next border; modulo 2^64 when it is before.
+};
+
+/// Neighbours of a fan that go through a grid together, and the ranges found so far.
+struct RayGroup {
+  static constexpr std::size_t kMost = 128;
+  alignas(64) double dx[kMost];  ///< Up to a multiple of eight there are some.
+  alignas(64) double dy[kMost];
+  alignas(64) double best[kMost];
+  RayState states[kMost];
+  std::uint32_t active[kMost];  ///< Indices of those that are on their way, ascending.
+  std::size_t left = 0;         ///< How many those are.
 };
 
 }  // namespace eyebridge::world

@@ -56,17 +56,11 @@ bool World::Impl::cast_few(std::span<const RayFan> asked) {
         by_sweep ? near_walls.around(ray.origin, Fan::reach_of(ray)) : std::nullopt;
     if (!walls_near) {
       cast_at_walls(ray, fan.ranges());
-    } else if (has_avx2) {
-      fan.meet_walls_avx2(near_walls.segments().data(), *walls_near);
     } else {
-      fan.meet_walls_scalar(near_walls.segments().data(), *walls_near);
+      fan.meet_walls(near_walls.segments().data(), *walls_near);
     }
   }
-  if (has_avx2) {
-    Fan::meet_discs_avx2(fans, body_map, bodies.largest_radius());
-  } else {
-    Fan::meet_discs_scalar(fans, body_map, bodies.largest_radius());
-  }
+  Fan::meet_discs(fans, body_map, bodies.largest_radius());
   for (std::size_t i = 0; i < asked.size(); ++i) {
     std::copy_n(fans[i].ranges().begin(), asked[i].ranges.size(), asked[i].ranges.begin());
   }
@@ -82,18 +76,14 @@ void World::Impl::cast_around(Vec2 origin, std::span<const Vec2> directions, dou
   const auto walls_near = by_sweep ? near_walls.around(origin, max_range) : std::nullopt;
   if (!walls_near) {
     rays.cast_fan(origin, directions, max_range, sweep.ranges());
-  } else if (has_avx2) {
-    sweep.meet_walls_avx2(near_walls.segments().data(), *walls_near);
   } else {
-    sweep.meet_walls_scalar(near_walls.segments().data(), *walls_near);
+    sweep.meet_walls(near_walls.segments().data(), *walls_near);
   }
   if (body_map.error(origin) >= kCoarse) {
     const double reach = farthest_of(sweep.ranges()) + bodies.largest_radius();
-    sweep.meet_discs_scalar(body_map.around(origin, reach), ignore);
-  } else if (has_avx2) {
-    sweep.meet_discs_avx2(body_map, bodies.largest_radius());
+    sweep.meet_discs(body_map.around(origin, reach), ignore);
   } else {
-    sweep.meet_discs_scalar(body_map, bodies.largest_radius());
+    sweep.meet_discs(body_map, bodies.largest_radius());
   }
   std::copy_n(sweep.ranges().begin(), ranges.size(), ranges.begin());
 }

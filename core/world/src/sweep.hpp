@@ -21,33 +21,19 @@ class Sweep {
 
   /// No ray has met anything yet. `gap`: each direction is the one before turned by so many
   /// radians, not 0, all of them one turn at most.
-  Sweep(Vec2 origin, std::span<const Vec2> directions, double gap, double max_range);
+  Sweep(Vec2 from, std::span<const Vec2> directions, double gap, double max_range);
 
-  /// Shortens the rays that meet `walls`, by their indices of `segments`. The AVX2 one runs where
-  /// RayGrid::has_avx2().
-  void meet_walls_scalar(const Segment* segments, const WallList& walls);
-  void meet_walls_avx2(const Segment* segments, const WallList& walls);
+  /// Shortens the rays that meet `walls`, by their indices of `segments`.
+  void meet_walls(const Segment* segments, const WallList& walls);
   /// Shortens those that meet one of `discs`, other than that of the body `ignore`.
-  void meet_discs_scalar(std::span<const Disc> discs, BodyId ignore);
-  void meet_discs_avx2(std::span<const Disc> discs, BodyId ignore);
-
+  void meet_discs(std::span<const Disc> discs, BodyId ignore);
   /// Shortens those that meet one of the discs of `map`, of which none is larger than
-  /// `largest_radius` metres. Who it is that looks is hidden there.
-  void meet_discs_scalar(const BodyMap& map, double largest_radius);
-  void meet_discs_avx2(const BodyMap& map, double largest_radius);
+  /// `largest_radius` metres. The one that looks is hidden there.
+  void meet_discs(const BodyMap& map, double largest_radius);
 
-  [[nodiscard]] std::span<double> ranges() { return {best, count_}; }
+  [[nodiscard]] std::span<double> ranges() { return {best, count}; }
 
-  /// A ray's horizon is that of so many neighbours, itself the first.
-  static constexpr std::size_t kWindow = 5;
-
-  // For the code of the instruction sets, which looks at a register beyond the last ray.
-  static constexpr std::size_t kBeyond = 8;
-  alignas(64) double dx[kMost + kBeyond];
-  alignas(64) double dy[kMost + kBeyond];
-  alignas(64) double best[kMost + kBeyond];
-
- private:
+  // The rest is for the code of the instruction sets.
   /// Calls visit(first, last) for runs of rays; all between the numbers `from` and `to`, modulo a
   /// turn, are among them. `from` is less than a turn, `to` not less than 0.
   template <class Visit>
@@ -55,18 +41,18 @@ class Sweep {
   /// The number of the ray that points to `p`, which need not be whole: 0 to less than a turn.
   [[nodiscard]] double number_of(Vec2 p) const;
 
-  void find_horizons_scalar(float* horizons) const;
-  void find_horizons_avx2(float* horizons) const;
-  void meet_disc_scalar(const Disc& disc);
-  void meet_disc_avx2(const Disc& disc);
-  void meet_run_scalar(Vec2 w, double radius, std::size_t first, std::size_t last);
-  void meet_run_avx2(Vec2 w, double radius, std::size_t first, std::size_t last);
-
-  Vec2 origin_;
-  std::size_t count_;
-  double per_gap_;  ///< Rays a radian.
-  double period_;   ///< Rays a turn.
-  double turn_;     ///< -1 for rays that are counted clockwise.
+  /// A ray's horizon is that of this many neighbours, itself the first.
+  static constexpr std::size_t kWindow = 5;
+  /// Registers reach this far beyond the last ray.
+  static constexpr std::size_t kBeyond = 8;
+  alignas(64) double dx[kMost + kBeyond];
+  alignas(64) double dy[kMost + kBeyond];
+  alignas(64) double best[kMost + kBeyond];
+  Vec2 origin;
+  std::size_t count;
+  double per_gap;  ///< Rays a radian.
+  double period;   ///< Rays a turn.
+  double turn;     ///< -1 for rays that are counted clockwise.
 };
 
 }  // namespace eyebridge::world

@@ -15,7 +15,6 @@ World::Impl::Impl(std::shared_ptr<const WorldModel> world_model, std::uint64_t r
       walls(model->walls),
       rays(*model),
       by_sweep(rays.method() != RayMethod::EdgeBits),
-      has_avx2(RayGrid::has_avx2()),
       near_walls(by_sweep ? outlines_of(model->walls) : std::vector<Segment>{}),
       bodies(model->width, model->height),
       seed(run_seed),

@@ -146,7 +146,6 @@ struct World::Impl {
   WallIndex walls;
   RayCaster rays;
   bool by_sweep;  ///< Walls of rays by `near_walls` where few are near; else by `rays` alone.
-  bool has_avx2;
   NearWalls near_walls;
   Bodies bodies;
   std::uint64_t seed;

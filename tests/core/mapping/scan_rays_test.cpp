@@ -10,6 +10,7 @@
 #include "eyebridge/base/random.hpp"
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/mapping/scan_mapper.hpp"
+#include "instruction_sets.hpp"
 
 namespace eyebridge::mapping {
 namespace {
@@ -47,15 +48,14 @@ RayScan random_scan(Random& random, std::size_t count) {
   return scan;
 }
 
-/// A grid after one scan by one set of instructions.
-OccupancyGrid grid_after(const RayCode& code, const BeamModel& model, const RayScan& scan,
-                         bool clipped) {
+/// A grid after one scan.
+OccupancyGrid grid_after(const BeamModel& model, const RayScan& scan, bool clipped) {
   OccupancyGrid grid({{0, 0}, kCellSide, kSide, kSide});
   const BeamTable table(model, kCellSide);
   ScanRays rays;
   const double close = 0.7 * static_cast<double>(scan.ranges.size()) / (2 * kPi);
   const RayModel all{model.max_range, model.out_of_range, model.bias, 1.0 / kCellSide, close, true};
-  EXPECT_TRUE(code.place(table, all, scan.directions, scan.ranges, rays));
+  EXPECT_TRUE(rays.set(table, all, scan.directions, scan.ranges));
   RayFrame frame;
   frame.box = {kSide, kSide, ScanNotes::stride_of(kSide)};
   frame.origin = clipped ? Vec2{20.3, 30.8} : kMiddle;
@@ -67,13 +67,13 @@ OccupancyGrid grid_after(const RayCode& code, const BeamModel& model, const RayS
   PolygonFill fill;
   fill.begin(frame.box);
   fill.flip(frame.origin, rays.corner_x, rays.corner_y, false);
-  const float own = code.draw(table, frame, rays, notes.writer());
+  const float own = rays.draw(table, frame, notes.writer());
   notes.writer().say(frame.box.index_of(frame.column, frame.row), own);
-  notes.apply(grid, {0, 0}, fill, table.crossed, code);
+  notes.apply(grid, {0, 0}, fill, table.crossed);
   return grid;
 }
 
-TEST(RayCode, DrawsWhatBeamsSayOneByOneInAllInstructions) {
+TEST(ScanRays, DrawsWhatBeamsSayOneByOneInAllInstructions) {
   Random random(9);
   std::size_t changed = 0;
   std::size_t different = 0;
@@ -86,10 +86,10 @@ TEST(RayCode, DrawsWhatBeamsSayOneByOneInAllInstructions) {
     OccupancyGrid one_by_one({{0, 0}, kCellSide, kSide, kSide});
     ASSERT_TRUE(
         ScanMapper(model).insert(one_by_one, kCellSide * kMiddle, scan.directions, scan.ranges));
-    // By those that every CPU has, and by the ones that are used here.
-    const OccupancyGrid plain = grid_after(kPlainRayCode, model, scan, false);
-    const OccupancyGrid used = grid_after(ray_code(), model, scan, false);
-    EXPECT_EQ(plain.raster(), used.raster()) << round;
+    const OccupancyGrid plain = grid_after(model, scan, false);
+    in_every_instruction_set([&](const char* name) {
+      EXPECT_EQ(plain.raster(), grid_after(model, scan, false).raster()) << name << round;
+    });
     for (std::size_t i = 0; i < plain.raster().cells.size(); ++i) {
       if (one_by_one.raster().cells[i] != 0.0F) ++changed;
       if (std::abs(one_by_one.raster().cells[i] - plain.raster().cells[i]) > 1e-3F) ++different;
@@ -99,17 +99,19 @@ TEST(RayCode, DrawsWhatBeamsSayOneByOneInAllInstructions) {
   EXPECT_LT(static_cast<double>(different), 0.001 * static_cast<double>(changed)) << different;
 }
 
-TEST(RayCode, DrawsTheSameInAllInstructionsWhereABoxEnds) {
+TEST(ScanRays, DrawsTheSameInAllInstructionsWhereABoxEnds) {
   Random random(10);
   for (int round = 0; round < 40; ++round) {
     const RayScan scan = random_scan(random, 1 + static_cast<std::size_t>(400 * random.uniform()));
-    const OccupancyGrid plain = grid_after(kPlainRayCode, some_model(round), scan, true);
-    const OccupancyGrid used = grid_after(ray_code(), some_model(round), scan, true);
-    EXPECT_EQ(plain.raster(), used.raster()) << round;
+    const OccupancyGrid plain = grid_after(some_model(round), scan, true);
+    in_every_instruction_set([&](const char* name) {
+      EXPECT_EQ(plain.raster(), grid_after(some_model(round), scan, true).raster())
+          << name << round;
+    });
   }
 }
 
-TEST(RayCode, RefusesDirectionsThatAreNoUnitVectors) {
+TEST(ScanRays, RefusesDirectionsThatAreNoUnitVectors) {
   const BeamModel model = some_model(1);
   const BeamTable table(model, kCellSide);
   const RayModel all{model.max_range, model.out_of_range, 0.0, 1.0 / kCellSide, 30.0, true};
@@ -118,9 +120,12 @@ TEST(RayCode, RefusesDirectionsThatAreNoUnitVectors) {
        {Vec2{0, 0}, Vec2{0.5, 0}, Vec2{1, 1}, Vec2{kNotANumber, 0}, Vec2{0, kInfinite}}) {
     std::vector<Vec2> directions(9, Vec2{0.6, 0.8});
     const std::vector<double> ranges(9, 1.0);
-    EXPECT_TRUE(ray_code().place(table, all, directions, ranges, rays));
+    EXPECT_TRUE(rays.set(table, all, directions, ranges));
     directions[4] = bad;
-    EXPECT_FALSE(ray_code().place(table, all, directions, ranges, rays)) << bad.x << ' ' << bad.y;
+    in_every_instruction_set([&](const char* name) {
+      EXPECT_FALSE(rays.set(table, all, directions, ranges))
+          << bad.x << ' ' << bad.y << ' ' << name;
+    });
   }
 }
 

@@ -7,7 +7,7 @@
 #include "eyebridge/world/world.hpp"
 #include "fan.hpp"
 #include "geometry.hpp"
-#include "ray_grid.hpp"
+#include "instruction_sets.hpp"
 #include "ray_scenes.hpp"
 #include "scenes.hpp"
 
@@ -49,13 +49,11 @@ TEST(Fans, TogetherMeetTheSameDiscsInEveryInstructionSet) {
           }
         }
       };
-      std::vector<Fan> scalar = fans();
-      Fan::meet_discs_scalar(scalar, crowd.map, crowd.bodies.largest_radius());
-      check(scalar, "scalar");
-      if (!RayGrid::has_avx2()) continue;
-      std::vector<Fan> avx2 = fans();
-      Fan::meet_discs_avx2(avx2, crowd.map, crowd.bodies.largest_radius());
-      check(avx2, "AVX2");
+      in_every_instruction_set([&](const char* name) {
+        std::vector<Fan> made = fans();
+        Fan::meet_discs(made, crowd.map, crowd.bodies.largest_radius());
+        check(made, name);
+      });
     }
   }
 }

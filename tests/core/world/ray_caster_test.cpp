@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "eyebridge/base/units.hpp"
-#include "ray_grid.hpp"
+#include "instruction_sets.hpp"
 #include "scenes.hpp"
 
 namespace eyebridge::world {
@@ -21,6 +21,7 @@ namespace {
 struct MethodCase {
   std::string name;
   RayMethod method;
+  std::int64_t instruction_set = instruction_sets().front();
 
   friend void PrintTo(const MethodCase& c, std::ostream* out) { *out << c.name; }
 };
@@ -29,6 +30,8 @@ struct MethodCase {
 /// the world.
 class EveryMethod : public testing::TestWithParam<MethodCase> {
  protected:
+  const InstructionSet chosen_{GetParam().instruction_set};
+
   [[nodiscard]] static bool needs_maze() { return GetParam().method == RayMethod::EdgeBits; }
 
   static void expect_as_brute_force(const WorldModel& model, std::uint64_t seed, int places,
@@ -132,10 +135,12 @@ TEST_P(EveryMethod, NothingInReachReadsAsMaxRange) {
 
 const auto name_of = [](const auto& row) { return row.param.name; };
 
-/// Methods for any world: the scalar one, and what this processor has besides.
+/// Methods for any world, in every instruction set.
 std::vector<MethodCase> general_methods() {
-  std::vector<MethodCase> methods{{"GridScalar", RayMethod::GridScalar}};
-  if (RayGrid::has_avx2()) methods.push_back({"GridAvx2", RayMethod::GridAvx2});
+  std::vector<MethodCase> methods;
+  for (const std::int64_t set : instruction_sets()) {
+    methods.push_back({std::string("Grid") + hwy::TargetName(set), RayMethod::Grid, set});
+  }
   return methods;
 }
 
@@ -155,11 +160,12 @@ TEST(RayCaster, Avx2IsUsedWhereLinuxFindsIt) {
   const std::string text(std::istreambuf_iterator<char>(cpuinfo), {});
   ASSERT_FALSE(text.empty());
 #ifdef __x86_64__
-  const bool expected = text.find(" avx2") != std::string::npos;
+  const bool has_avx2 = text.find(" avx2") != std::string::npos;
+  EXPECT_EQ(instruction_sets().front() == HWY_AVX2, has_avx2);
+  EXPECT_GE(instruction_sets().size(), has_avx2 ? 3U : 1U);
 #else
-  const bool expected = false;
+  EXPECT_EQ(instruction_sets().front(), HWY_STATIC_TARGET);
 #endif
-  EXPECT_EQ(RayGrid::has_avx2(), expected);
 }
 
 TEST(RayCaster, RangesAreTheClosedForm) {
@@ -188,26 +194,27 @@ TEST(RayCaster, ThickWallsAreSeenAtTheirFace) {
 TEST(RayCaster, AFarCornerOfAWorldIsAsExactAsANearOne) {
   WorldModel model = random_walls(4, 2000, 900.0, 0.0);
   const RayCaster reference(model, RayMethod::BruteForce);
-  const RayCaster caster(model, RayMethod::GridScalar);
+  const RayCaster caster(model, RayMethod::Grid);
   for (const Vec2 d : directions_around(720)) {
     ASSERT_EQ(caster.cast({899, 899}, d, 2000), reference.cast({899, 899}, d, 2000));
     ASSERT_EQ(caster.cast({-500, 450}, d, 4000), reference.cast({-500, 450}, d, 4000));
   }
 }
 
-TEST(RayCaster, TheGridThatAutoPicksAgreesWithTheScalarOneBitForBit) {
+TEST(RayCaster, TheGridGivesTheSameBitsInEveryInstructionSet) {
   const WorldModel model = random_walls(5, 700, 5.0, 0.03);
-  const RayCaster scalar(model, RayMethod::GridScalar);
-  const RayCaster picked(model);  // with AVX2 where there is any
+  const RayCaster caster(model);
   const std::vector<Vec2> directions = directions_around(360);
   std::vector<double> a(360);
   std::vector<double> b(360);
   Random random(6);
   for (int i = 0; i < 300; ++i) {
     const Vec2 origin{5 * random.uniform(), 5 * random.uniform()};
-    scalar.cast_fan(origin, directions, 3.0, a);
-    picked.cast_fan(origin, directions, 3.0, b);
-    ASSERT_EQ(a, b);
+    caster.cast_fan(origin, directions, 3.0, a);
+    in_every_instruction_set([&](const char* name) {
+      caster.cast_fan(origin, directions, 3.0, b);
+      ASSERT_EQ(a, b) << name;
+    });
   }
 }
 
@@ -223,17 +230,18 @@ TEST(RayCaster, FansOfAnySizeAndOrderReadAsEachRayAlone) {
         std::swap(directions[i], directions[random.bits() % (i + 1)]);
       }
     }
-    for (const RayMethod method : {RayMethod::GridScalar, RayMethod::Auto}) {
-      const RayCaster caster(model, method);
+    in_every_instruction_set([&](const char* name) {
+      const RayCaster caster(model, RayMethod::Grid);
       for (const std::size_t size : {1U, 2U, 3U, 4U, 5U, 7U, 127U, 128U, 129U, 131U, 360U}) {
         const Vec2 origin{7 * random.uniform() - 1, 7 * random.uniform() - 1};
         std::vector<double> ranges(size, -1.0);
         caster.cast_fan(origin, {directions.data(), size}, 4.0, ranges);
         for (std::size_t i = 0; i < size; ++i) {
-          ASSERT_EQ(ranges[i], reference.cast(origin, directions[i], 4.0)) << size << ": " << i;
+          ASSERT_EQ(ranges[i], reference.cast(origin, directions[i], 4.0))
+              << name << ", " << size << ": " << i;
         }
       }
-    }
+    });
   }
 }
 
@@ -243,12 +251,11 @@ TEST(RayCaster, AutoPicksEdgeBitsOnlyForPureMazes) {
   model.walls.front().thickness = 0.01;
   EXPECT_NE(RayCaster(model).method(), RayMethod::EdgeBits);
   EXPECT_THROW(RayCaster(model, RayMethod::EdgeBits), std::invalid_argument);
-  const RayMethod expected = RayGrid::has_avx2() ? RayMethod::GridAvx2 : RayMethod::GridScalar;
-  EXPECT_EQ(RayCaster(room(1, 1)).method(), expected);
+  EXPECT_EQ(RayCaster(room(1, 1)).method(), RayMethod::Grid);
 }
 
 TEST(RayCaster, AWorldWithoutWallsIsEndless) {
-  for (const RayMethod method : {RayMethod::Auto, RayMethod::GridScalar, RayMethod::BruteForce}) {
+  for (const RayMethod method : {RayMethod::Auto, RayMethod::Grid, RayMethod::BruteForce}) {
     EXPECT_EQ(RayCaster(WorldModel{}, method).cast({1, 2}, {0, 1}, 8.0), 8.0);
   }
 }
@@ -261,7 +268,7 @@ TEST(RayCaster, WallsOnOneLineMakeAGridToo) {
     wall.b = {i * 0.1 + 0.05, 1.0};
     model.walls.push_back(wall);
   }
-  const RayCaster caster(model, RayMethod::GridScalar);
+  const RayCaster caster(model, RayMethod::Grid);
   EXPECT_NEAR(caster.cast({0.32, 0}, {0, 1}, 8.0), 1.0, 1e-15);
   EXPECT_EQ(caster.cast({0.37, 0}, {0, 1}, 8.0), 8.0);
   EXPECT_NEAR(caster.cast({-1, 1}, {1, 0}, 8.0), 1.0, 1e-15) << "along the wall: its near end";

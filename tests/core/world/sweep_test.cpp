@@ -10,8 +10,8 @@
 #include "eyebridge/world/world.hpp"
 #include "fan.hpp"
 #include "geometry.hpp"
+#include "instruction_sets.hpp"
 #include "near_walls.hpp"
-#include "ray_grid.hpp"
 #include "ray_scenes.hpp"
 #include "scenes.hpp"
 
@@ -148,41 +148,29 @@ TEST(Sweep, EveryInstructionSetGivesTheSameBits) {
       }
       return range;
     };
-    const auto check = [&](std::span<const double> ranges, const char* which) {
+    const auto check = [&](std::span<const double> ranges, const std::string& which) {
       for (std::size_t k = 0; k < ranges.size(); ++k) {
         ASSERT_EQ(ranges[k], expected(k)) << which << ", fan " << i << ", ray " << k;
       }
     };
-    Sweep one_by_one(rays.origin, rays.directions, rays.gap, 5.0);
-    one_by_one.meet_walls_scalar(segments.data(), all);
-    one_by_one.meet_discs_scalar(crowd.map.around(rays.origin, 10.0), ignore);
-    check(one_by_one.ranges(), "disc by disc");
-    {
-      const BodyMap::Hidden hidden(crowd.map, ignore);
-      Sweep sweep(rays.origin, rays.directions, rays.gap, 5.0);
-      sweep.meet_walls_scalar(segments.data(), all);
-      sweep.meet_discs_scalar(crowd.map, largest);
-      check(sweep.ranges(), "sweep");
-      if (RayGrid::has_avx2()) {
-        Sweep avx2(rays.origin, rays.directions, rays.gap, 5.0);
-        avx2.meet_walls_avx2(segments.data(), all);
-        avx2.meet_discs_avx2(crowd.map, largest);
-        check(avx2.ranges(), "sweep by AVX2");
+    in_every_instruction_set([&](const std::string& name) {
+      Sweep one_by_one(rays.origin, rays.directions, rays.gap, 5.0);
+      one_by_one.meet_walls(segments.data(), all);
+      one_by_one.meet_discs(crowd.map.around(rays.origin, 10.0), ignore);
+      check(one_by_one.ranges(), name + ", disc by disc");
+      {
+        const BodyMap::Hidden hidden(crowd.map, ignore);
+        Sweep sweep(rays.origin, rays.directions, rays.gap, 5.0);
+        sweep.meet_walls(segments.data(), all);
+        sweep.meet_discs(crowd.map, largest);
+        check(sweep.ranges(), name + ", sweep");
       }
-    }
-    if (rays.directions.size() > Fan::kMost) continue;
-    const std::uint32_t self = crowd.map.place_of(ignore);
-    const RayFan asked{rays.origin, rays.directions, 5.0, ignore, {}};
-    Fan few(asked, self);
-    few.meet_walls_scalar(segments.data(), all);
-    Fan::meet_discs_scalar({&few, 1}, crowd.map, largest);
-    check(few.ranges(), "fan");
-    if (RayGrid::has_avx2()) {
-      Fan avx2(asked, self);
-      avx2.meet_walls_avx2(segments.data(), all);
-      Fan::meet_discs_avx2({&avx2, 1}, crowd.map, largest);
-      check(avx2.ranges(), "fan by AVX2");
-    }
+      if (rays.directions.size() > Fan::kMost) return;
+      Fan few({rays.origin, rays.directions, 5.0, ignore, {}}, crowd.map.place_of(ignore));
+      few.meet_walls(segments.data(), all);
+      Fan::meet_discs({&few, 1}, crowd.map, largest);
+      check(few.ranges(), name + ", fan");
+    });
   }
 }
 
@@ -204,14 +192,9 @@ TEST(Sweep, RaysAlongWallsMeetTheirNearerEnds) {
     const Vec2 origin{0.5 * (i % 7) + 0.4, 0.5 * (i % 11)};
     const double turn = (i % 2 == 0 ? 2 : -2) * kPi / 360;
     const Rays rays = fan(origin, i % 4 * kPi / 2, turn, 360);
-    for (const bool avx2 : {false, true}) {
-      if (avx2 && !RayGrid::has_avx2()) continue;
+    in_every_instruction_set([&](const char* name) {
       Sweep sweep(origin, rays.directions, turn, 8.0);
-      if (avx2) {
-        sweep.meet_walls_avx2(segments.data(), all);
-      } else {
-        sweep.meet_walls_scalar(segments.data(), all);
-      }
+      sweep.meet_walls(segments.data(), all);
       for (std::size_t k = 0; k < rays.directions.size(); ++k) {
         double across = 8.0;  // without those that the ray runs along
         double expected = 8.0;
@@ -220,10 +203,10 @@ TEST(Sweep, RaysAlongWallsMeetTheirNearerEnds) {
           expected = nearer_hit(wall, origin, rays.directions[k], expected);
           if (!parallel) across = nearer_hit(wall, origin, rays.directions[k], across);
         }
-        ASSERT_EQ(sweep.ranges()[k], expected) << "fan " << i << ", ray " << k << ", " << avx2;
+        ASSERT_EQ(sweep.ranges()[k], expected) << "fan " << i << ", ray " << k << ", " << name;
         along += expected < across ? 1 : 0;
       }
-    }
+    });
   }
   EXPECT_GT(along, 20);
 }

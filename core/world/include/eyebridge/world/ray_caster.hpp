@@ -10,10 +10,9 @@ namespace eyebridge::world {
 
 /// How a RayCaster answers. All give the same ranges; they differ in speed.
 enum class RayMethod {
-  Auto,        ///< EdgeBits for grid mazes, else GridAvx2 where the CPU has AVX2, else GridScalar.
+  Auto,        ///< EdgeBits for grid mazes, else Grid.
   BruteForce,  ///< Every wall for every ray: the reference.
-  GridScalar,  ///< Uniform grid, cells walked along the rays; what every CPU can do.
-  GridAvx2,    ///< The same walk, four rays of a fan at once.
+  Grid,        ///< Uniform grid, cells walked along the rays; rays of a fan in one register.
   EdgeBits,    ///< Walks the cells of a maze; only where every wall is a maze edge.
 };
 
@@ -21,7 +20,7 @@ enum class RayMethod {
 class RayCaster {
  public:
   /// Builds the structure over `model`'s walls (outlines of thick ones included).
-  /// Asking for a method the CPU or the world cannot do throws std::invalid_argument.
+  /// Asking for a method the world cannot do throws std::invalid_argument.
   explicit RayCaster(const WorldModel& model, RayMethod method = RayMethod::Auto);
   ~RayCaster();
   RayCaster(RayCaster&&) noexcept;

@@ -1,12 +1,9 @@
-// Runs of numbers, one after the other. Included by the sources of one instruction set, as
-// ray_lanes.ipp is.
+#pragma once
 
-#ifndef EYEBRIDGE_RUN_LIST_IPP
-#define EYEBRIDGE_RUN_LIST_IPP
+#include <cstddef>
+#include <cstdint>
 
-#include "ray_lanes.ipp"
-
-namespace {
+namespace eyebridge::world {
 
 /// Numbers that begin registers, of many runs of registers: one loop through them instead of short
 /// ones, of which nobody can foresee the ends. `kUsual` of a run are listed at once.
@@ -16,11 +13,11 @@ struct RunList {
   std::size_t size = 0;
 
   /// Adds `count` numbers: `first` and each kStep more. Calls full() when there may be no more
-  /// room: it takes what is listed, and sets `size` to 0. Who adds takes the rest at the end.
+  /// room: it takes what is listed, and sets `size` to 0. The caller takes the rest at the end.
   template <class Full>
-  EYEBRIDGE_RAY_TARGET void add(std::uint32_t first, std::size_t count, Full full) {
+  void add(std::uint32_t first, std::size_t count, Full full) {
     for (;;) {
-      // So many, whether there are or not.
+      // This many, whether there are or not.
       for (std::uint32_t i = 0; i < kUsual; ++i) items[size + i] = first + i * kStep;
       size += count < kUsual ? count : kUsual;
       if (size >= kMost) [[unlikely]] {
@@ -35,6 +32,4 @@ struct RunList {
   }
 };
 
-}  // namespace
-
-#endif
+}  // namespace eyebridge::world

@@ -1,10 +1,22 @@
-// Draws many beams of a scan. Included as scan_place.ipp is.
+// Draws many beams of a scan.
 
+#include <algorithm>
+#include <array>
+
+#include "scan_rays.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "scan_draw.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace eyebridge::mapping::HWY_NAMESPACE {
 namespace {
 
 /// The whole number below or at `x`, |x| < 2^31.
-EYEBRIDGE_RAY_TARGET inline std::int32_t floor_of(float x) {
-#if EYEBRIDGE_TILE_LANES == 8
+inline std::int32_t floor_of(float x) {
+#if HWY_TARGET != HWY_EMU128
   return static_cast<std::int32_t>(__builtin_floorf(x));  // an instruction
 #else
   const auto cut = static_cast<std::int32_t>(x);
@@ -33,8 +45,8 @@ struct Walks {
   std::int32_t way[kMost];      ///< Index of RayWays.
 };
 
-EYEBRIDGE_RAY_TARGET inline void walk_rays(const RayFrame& frame, const ScanRays& rays,
-                                           std::size_t start, std::size_t count, Walks& w) {
+inline void walk_rays(const RayFrame& frame, const ScanRays& rays, std::size_t start,
+                      std::size_t count, Walks& w) {
   const float* const x = rays.x.data() + start;
   const float* const y = rays.y.data() + start;
   const float* const place = rays.place.data() + start;
@@ -74,9 +86,8 @@ EYEBRIDGE_RAY_TARGET inline void walk_rays(const RayFrame& frame, const ScanRays
 }
 
 /// What a beam that goes well within the box says of cells. Gives what it says of the sensor's own.
-EYEBRIDGE_RAY_TARGET inline float draw_ray(const BeamTable::Blur& blur, float far, const Walks& w,
-                                           std::size_t i, const RayWay& way, std::int64_t own,
-                                           ScanNotes::Writer out) {
+inline float draw_ray(const BeamTable::Blur& blur, float far, const Walks& w, std::size_t i,
+                      const RayWay& way, std::int64_t own, ScanNotes::Writer out) {
   constexpr int kBits = 32;
   constexpr float kOne = 4294967296.0F;
   const auto slope = static_cast<std::int64_t>(w.slope[i] * kOne);
@@ -108,8 +119,8 @@ EYEBRIDGE_RAY_TARGET inline float draw_ray(const BeamTable::Blur& blur, float fa
   return w.crossed[i] > 0 ? far : blur.at(w.first[i]);
 }
 
-EYEBRIDGE_RAY_TARGET float draw_rays(const BeamTable& table, const RayFrame& frame, ScanRays& rays,
-                                     ScanNotes::Writer out) {
+float draw_rays(const BeamTable& table, const RayFrame& frame, ScanRays& rays,
+                ScanNotes::Writer out) {
   constexpr double kMargin = 1.0;  // cells: as far from its middle line may a cell of a beam be
   const std::int64_t stride = frame.box.stride;
   const std::int64_t own_cell = frame.row * stride + frame.column;
@@ -143,3 +154,17 @@ EYEBRIDGE_RAY_TARGET float draw_rays(const BeamTable& table, const RayFrame& fra
 }
 
 }  // namespace
+}  // namespace eyebridge::mapping::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace eyebridge::mapping {
+
+HWY_EXPORT(draw_rays);
+
+float ScanRays::draw(const BeamTable& table, const RayFrame& frame, ScanNotes::Writer out) {
+  return HWY_DYNAMIC_DISPATCH(draw_rays)(table, frame, *this, out);
+}
+
+}  // namespace eyebridge::mapping
+#endif

@@ -1,46 +1,46 @@
-// What is done with many beams of a scan at once. Included by the sources of one set of
-// instructions, which have defined before:
-//   EYEBRIDGE_RAY_TARGET   the attribute of functions of these instructions, or nothing
-//   EYEBRIDGE_TILE_LANES   how many floats fit one register
-// Text is shared, not a template, because g++ inlines no function of a richer instruction set into
-// one of a poorer, and the linker must not take one for the other. The loops that count most have
-// no branches and call nothing, so that the compiler takes several beams at once; it is told that
-// their arrays are different ones.
+// What is done with many beams of a scan at once. The loops that count most have no branches and
+// call nothing, so that the compiler takes several beams at once, in each instruction set; it is
+// told that their arrays are different ones.
 
+#include <algorithm>
+
+#include "scan_rays.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "scan_place.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace eyebridge::mapping::HWY_NAMESPACE {
 namespace {
 
+namespace hn = hwy::HWY_NAMESPACE;
+
 /// Sets the extent of the beams by their tips.
-EYEBRIDGE_RAY_TARGET inline void place_extent(ScanRays& rays) {
+inline void place_extent(ScanRays& rays) {
   // Of several beams at once, by hand: the compiler does not exchange what is smaller or larger.
-  constexpr std::size_t kLanes = EYEBRIDGE_TILE_LANES;
-  using Lanes = float __attribute__((vector_size(4 * kLanes)));
-  Lanes left{};
-  Lanes right{};
-  Lanes low{};
-  Lanes high{};
+  constexpr hn::ScalableTag<float> kFloat;
+  constexpr std::size_t kLanes = hn::MaxLanes(kFloat);
+  auto left = hn::Zero(kFloat);
+  auto right = left;
+  auto low = left;
+  auto high = left;
   const float* const x = rays.tip_x.data();
   const float* const y = rays.tip_y.data();
   std::size_t i = 0;
   for (; i + kLanes <= rays.count; i += kLanes) {
-    Lanes tip_x;
-    Lanes tip_y;
-    std::memcpy(&tip_x, x + i, sizeof tip_x);
-    std::memcpy(&tip_y, y + i, sizeof tip_y);
-    left = tip_x < left ? tip_x : left;
-    right = tip_x > right ? tip_x : right;
-    low = tip_y < low ? tip_y : low;
-    high = tip_y > high ? tip_y : high;
+    const auto tip_x = hn::LoadU(kFloat, x + i);
+    const auto tip_y = hn::LoadU(kFloat, y + i);
+    left = hn::Min(tip_x, left);
+    right = hn::Max(tip_x, right);
+    low = hn::Min(tip_y, low);
+    high = hn::Max(tip_y, high);
   }
-  float least_x = 0.0F;
-  float most_x = 0.0F;
-  float least_y = 0.0F;
-  float most_y = 0.0F;
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    least_x = std::min(least_x, left[lane]);
-    most_x = std::max(most_x, right[lane]);
-    least_y = std::min(least_y, low[lane]);
-    most_y = std::max(most_y, high[lane]);
-  }
+  float least_x = hn::GetLane(hn::MinOfLanes(kFloat, left));
+  float most_x = hn::GetLane(hn::MaxOfLanes(kFloat, right));
+  float least_y = hn::GetLane(hn::MinOfLanes(kFloat, low));
+  float most_y = hn::GetLane(hn::MaxOfLanes(kFloat, high));
   for (; i < rays.count; ++i) {
     least_x = std::min(least_x, x[i]);
     most_x = std::max(most_x, x[i]);
@@ -53,7 +53,7 @@ EYEBRIDGE_RAY_TARGET inline void place_extent(ScanRays& rays) {
 }
 
 /// Sorts directions by axis; false where one is no unit vector.
-EYEBRIDGE_RAY_TARGET inline bool take_directions(std::span<const Vec2> directions, ScanRays& rays) {
+inline bool take_directions(std::span<const Vec2> directions, ScanRays& rays) {
   // Squares of lengths: unit vectors, but for rounding.
   constexpr float kLeast = 0.9F;
   constexpr float kMost = 1.1F;
@@ -73,8 +73,8 @@ EYEBRIDGE_RAY_TARGET inline bool take_directions(std::span<const Vec2> direction
 }
 
 /// What readings are good for, where they are and how exactly.
-EYEBRIDGE_RAY_TARGET inline void take_ranges(const BeamTable& table, const RayModel& model,
-                                             std::span<const double> ranges, ScanRays& rays) {
+inline void take_ranges(const BeamTable& table, const RayModel& model,
+                        std::span<const double> ranges, ScanRays& rays) {
   constexpr double kFarthest = 1 << 21;  // cells; what met something is nearer
   const std::size_t count = ranges.size();
   const double* const range = ranges.data();
@@ -115,8 +115,7 @@ EYEBRIDGE_RAY_TARGET inline void take_ranges(const BeamTable& table, const RayMo
 }
 
 /// How far beams reach, and how far the cells along them are filled.
-EYEBRIDGE_RAY_TARGET inline void place_beams(const BeamTable& table, const RayModel& model,
-                                             ScanRays& rays) {
+inline void place_beams(const BeamTable& table, const RayModel& model, ScanRays& rays) {
   // On a diagonal beam a column is sqrt(2) of a cell long.
   constexpr float kDiagonal = 1.5F;
   const std::size_t count = rays.count;
@@ -162,7 +161,7 @@ EYEBRIDGE_RAY_TARGET inline void place_beams(const BeamTable& table, const RayMo
 }
 
 /// From where on beams say themselves what they cross: where those beside them are filled less far.
-EYEBRIDGE_RAY_TARGET inline void place_own(ScanRays& rays) {
+inline void place_own(ScanRays& rays) {
   // Half a cell less: one to the side of the beam may be filled less far.
   constexpr float kSlack = 0.5F;
   const std::size_t count = rays.count;
@@ -177,9 +176,8 @@ EYEBRIDGE_RAY_TARGET inline void place_own(ScanRays& rays) {
   }
 }
 
-EYEBRIDGE_RAY_TARGET bool place_rays(const BeamTable& table, const RayModel& model,
-                                     std::span<const Vec2> directions,
-                                     std::span<const double> ranges, ScanRays& rays) {
+bool place_rays(const BeamTable& table, const RayModel& model, std::span<const Vec2> directions,
+                std::span<const double> ranges, ScanRays& rays) {
   rays.resize(ranges.size());
   if (!take_directions(directions, rays)) return false;
   take_ranges(table, model, ranges, rays);
@@ -190,3 +188,28 @@ EYEBRIDGE_RAY_TARGET bool place_rays(const BeamTable& table, const RayModel& mod
 }
 
 }  // namespace
+}  // namespace eyebridge::mapping::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace eyebridge::mapping {
+
+HWY_EXPORT(place_rays);
+
+void ScanRays::resize(std::size_t rays) {
+  count = rays;
+  for (std::vector<float>* each :
+       {&x, &y, &sigma, &place, &reach, &clear, &own_from, &corner_x, &corner_y, &tip_x, &tip_y}) {
+    each->resize(rays);
+  }
+  kind.resize(rays);
+  level.resize(rays);
+}
+
+bool ScanRays::set(const BeamTable& table, const RayModel& model, std::span<const Vec2> directions,
+                   std::span<const double> ranges) {
+  return HWY_DYNAMIC_DISPATCH(place_rays)(table, model, directions, ranges, *this);
+}
+
+}  // namespace eyebridge::mapping
+#endif
