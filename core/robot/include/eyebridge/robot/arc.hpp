@@ -35,9 +35,10 @@ constexpr PathStep path_of(const WheelTravel& wheels, double wheel_base) {
 /// The exact chord and turn of a circular arc. Same bits on every machine.
 world::Arc arc_of(const PathStep& path);
 
+/// screw_of() where there is a sideways part.
+world::Arc sideways_screw_of(const BodyStep& step);
 /// The same of a motion that also goes sideways: the exponential of a constant twist in the plane
 /// (Lynch and Park, Modern Robotics, 2017, section 3.3.3.2). Without `left`, arc_of()'s bits.
-world::Arc sideways_screw_of(const BodyStep& step);
 inline world::Arc screw_of(const BodyStep& step) {
   return step.left == 0.0 ? arc_of(PathStep{step.forward, step.angle}) : sideways_screw_of(step);
 }
