@@ -11,8 +11,8 @@
 
 namespace eyebridge::robios {
 
-/// Reads a file of at most 256 MB by read_pnm(). Fails with Unsupported when it cannot be read, with
-/// Corrupt when it is no picture.
+/// Reads a file of at most 256 MB by read_pnm(). Fails with Unsupported when it cannot be read,
+/// with Corrupt when it is no picture.
 Result<PnmPicture> read_pnm_file(const std::filesystem::path& path);
 
 /// The image as a binary file: P4, P5 or P6. Pure.

@@ -10,6 +10,8 @@
 
 using eyebridge::Errc;
 using eyebridge::fail;
+using eyebridge::PnmKind;
+using eyebridge::PnmPicture;
 using eyebridge::Result;
 using eyebridge::Rgb;
 using eyebridge::robios::Bytes;
@@ -17,8 +19,6 @@ using eyebridge::robios::Call;
 using eyebridge::robios::ConstBytes;
 using eyebridge::robios::guarded;
 using eyebridge::robios::ImageSize;
-using eyebridge::robios::PnmKind;
-using eyebridge::robios::PnmPicture;
 using eyebridge::robios::Session;
 using eyebridge::robios::to_rgb;
 

@@ -22,7 +22,8 @@ struct ProgramStart {
 
 /// Runs a program with an empty standard input to its end and collects both outputs. Under the leak
 /// checker it does not answer for what lsan.supp lists.
-/// A program that is still running after five minutes is killed, and the test fails by its exit code.
+/// A program that is still running after five minutes is killed, and the test fails by its exit
+/// code.
 ProgramRun run_program(const ProgramStart& start);
 
 /// A fresh folder that goes away with the object.

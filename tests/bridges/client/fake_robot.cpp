@@ -82,7 +82,8 @@ void FakeRobot::obey(const CanFrame& frame) {
       state = 4;
       break;
     case 0x48:
-      if (frame.remote) send(0x48, {1, '1', '.', '0', '4', 1, capabilities & 0xFF, capabilities >> 8});
+      if (frame.remote)
+        send(0x48, {1, '1', '.', '0', '4', 1, capabilities & 0xFF, capabilities >> 8});
       break;
     case 0x21:
       if (frame.data[1] != echoed) move_state = 2;

@@ -1,7 +1,9 @@
 // Ultrasound and infrared: what they make of walls, against what geometry says.
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -9,6 +11,7 @@
 #include "eyebridge/base/units.hpp"
 #include "rig.hpp"
 #include "sensing.hpp"
+#include "trail.hpp"
 
 namespace eyebridge::robot {
 namespace {
@@ -271,7 +274,12 @@ TEST(RangeKinds, WhatCannotBeIsRefused) {
   refused(curve);
 }
 
-TEST(RangeKinds, ErringReadingsAreTheSameInEveryBuild) {
+struct Readings {
+  std::uint64_t hash = 0;  ///< Of all.
+  std::string trail;       ///< Of the first robot: its ranges and its turning.
+};
+
+Readings erring_readings() {
   std::vector<RangeSensorModel> sensors = {sonar(), sharp(), sonar(55, 40)};
   for (RangeSensorModel& sensor : sensors) {
     sensor.error = {{0.001, 0.01, 0.01}, 0.02, false, 0.1, 0.02};
@@ -285,15 +293,32 @@ TEST(RangeKinds, ErringReadingsAreTheSameInEveryBuild) {
     sim.set_speed(sim.add_robot(model, {0.6 + 0.8 * i, 1.0 + 0.4 * i, 2.1 * i}), {0.15, 0.9});
   }
   StateHash hash;
+  Readings readings;
   for (int step = 0; step < 600; ++step) {
     sim.step();
     for (RobotIndex robot = 0; robot < 3; ++robot) {
-      for (std::size_t i = 0; i < 3; ++i) hash.add(sim.read_range(robot, i));
+      std::array<double, 3> ranges{};
+      for (std::size_t i = 0; i < 3; ++i) hash.add(ranges.at(i) = sim.read_range(robot, i));
       const Vec2 felt = sim.read_accelerometer(robot);
-      hash.add(sim.read_gyroscope(robot) + felt.x + felt.y);
+      const double turning = sim.read_gyroscope(robot);
+      hash.add(turning + felt.x + felt.y);
+      if (robot != 0 || step % 120 != 0) continue;
+      readings.trail += trail_line(step, ranges[0], ranges[1], ranges[2], turning);
     }
   }
-  EXPECT_EQ(hash.value(), 0xD3D129F6295600BFU);
+  readings.hash = hash.value();
+  return readings;
+}
+
+TEST(RangeKinds, ErringReadingsAreTheSameEachTimeAndInEveryBuild) {
+  const Readings readings = erring_readings();
+  EXPECT_EQ(readings.hash, erring_readings().hash);
+  EXPECT_EQ(readings.trail,
+            "0: 2.4085830911965274 9.999 0.815878978530851 0.0641775532946448\n"
+            "120: 1.9575088016075397 9.999 0.583667470301954 0.8850445098811835\n"
+            "240: 1.8065763529601933 0.7092437432257584 0.8054013129425173 0.9758954281469504\n"
+            "360: 0.6047152487255946 9.999 0.5641467301408429 0.9107463763151206\n"
+            "480: 1.2673679266064908 9.999 0.285747518841013 0.8751498175063713\n");
 }
 
 TEST(CrossTalk, IsBetweenSensorsThatLookAtTheSameWallsOrAtEachOther) {

@@ -11,9 +11,9 @@
 namespace eyebridge::robot {
 namespace {
 
-using testing::DoubleNear;
-using testing::Each;
-using testing::Eq;
+using ::testing::DoubleNear;
+using ::testing::Each;
+using ::testing::Eq;
 
 constexpr std::size_t kZones = kMatrixSize * kMatrixSize;
 constexpr double kHeight = 0.1;
