@@ -22,8 +22,8 @@ double DriveModel::max_curvature() const {
 Chassis::Chassis(const DriveModel& model, const MotorModel& motor)
     : motor_count_(model.motor_count()),
       encoder_count_(model.encoder_count()),
-      wheel_base_(model.wheel_base),
-      wheels_(storage_.data(), std::max(motor_count_, encoder_count_)) {
+      wheel_base_(model.wheel_base) {
+  wheels_ = std::span(storage_).first(std::max(motor_count_, encoder_count_));
   for (ChassisWheel& wheel : wheels_) wheel.motor = motor;
 }
 
