@@ -111,8 +111,8 @@ TEST(WorldSlot, ALongMessageGoesInParts) {
   MessageStream world = world_end(one.get());
   Message sent(10 * SharedRing::kRoom + 77);
   for (std::size_t i = 0; i < sent.size(); ++i) sent[i] = static_cast<std::uint8_t>(i * 7 % 251);
-  std::thread program([&other, &sent] {
-    MessageStream stream = program_end(other.get());
+  std::thread program([fd = other.get(), &sent] {
+    MessageStream stream = program_end(fd);
     EXPECT_EQ(must(stream.receive()), sent);
     EXPECT_TRUE(stream.send(sent));
   });

@@ -295,7 +295,7 @@ bool CanClient::has_range_matrix(int id) const {
   const std::lock_guard lock(mutex_);
   if (id < 1 || id > can::kMostMatrices) return false;
   return range_matrices_[static_cast<std::size_t>(id) - 1].at ||
-         is_capable_of(EYECAN_CAPABLE_OF_ZONES << static_cast<unsigned>(id - 1));
+         is_capable_of(unsigned{EYECAN_CAPABLE_OF_ZONES} << static_cast<unsigned>(id - 1));
 }
 
 bool CanClient::is_capable_of(unsigned capability) const {

@@ -317,7 +317,7 @@ std::string CanClient::missing() const {
   if (!version.at) add(can::spec_of<can::VersionStatus>().name);
   if (is_capable_of(EYECAN_CAPABLE_OF_SCANS) && !scan_at_) add("a whole scan of its LIDAR");
   for (unsigned i = 0; i < range_matrices_.size(); ++i) {
-    if (is_capable_of(EYECAN_CAPABLE_OF_ZONES << i) && !range_matrices_[i].at) {
+    if (is_capable_of(unsigned{EYECAN_CAPABLE_OF_ZONES} << i) && !range_matrices_[i].at) {
       add("a whole reading of range matrix " + std::to_string(i + 1));
     }
   }
