@@ -43,7 +43,7 @@ class BoardLink {
   [[nodiscard]] virtual bool has_psd(int id) const = 0;
   /// May become true later: when a first scan is announced.
   [[nodiscard]] virtual bool has_lidar() const { return false; }
-  /// Likewise: when a first reading has come.
+  /// May become true later: when a first reading comes.
   [[nodiscard]] virtual bool has_range_matrix(int /*id*/) const { return false; }
 
   /// Any of the digital ports' functions; likewise of the analog ones.

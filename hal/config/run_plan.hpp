@@ -26,7 +26,7 @@ struct RunPlan {
   }
 };
 
-/// Of the process, its variables EYEBRIDGE_* but for the plan, and the places of eyebridge.toml.
+/// Of the process, its variables EYEBRIDGE_* without the plan, and the places of eyebridge.toml.
 std::string fingerprint(const Config::Sources& sources);
 
 /// The fingerprint, then a line for each value that is not a default, its fields separated by

@@ -43,7 +43,7 @@ struct eb_config {
   uint8_t node;            /* 1 ... 14 on the CAN bus; else no CAN */
   bool can_fd;             /* LIDAR in CAN FD frames */
   bool lidar;              /* there is one: its scans are announced on CAN */
-  uint8_t matrices;        /* bit n - 1: range matrix n is there; likewise */
+  uint8_t matrices;        /* bit n - 1: range matrix n is there: announced, too */
   const uint16_t* psd_mm;  /* what S_PsdA says: millimetres by raw value, EB_PSD_TABLE entries, */
                            /* outlives the board; null: absent */
 };
