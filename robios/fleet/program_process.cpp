@@ -34,7 +34,7 @@ std::unique_ptr<hal::Backend> open_robot(const hal::Config& config, LogSink& log
 }
 
 /// The variables of a process that runs the program of robot `index`, whose line to its server is
-/// `descriptor` there: this process's, with the settings `config` as they count here, but for those
+/// `descriptor` there: this process's, with the settings `config` as they count here, except those
 /// of one robot alone. Its results go to `out`; "" for none.
 std::vector<std::string> environment_of(const hal::Config& config, std::size_t index,
                                         int descriptor, const fs::path& out) {

@@ -79,7 +79,7 @@ class Config {
   /// Throws ConfigError: unknown key (with line and column, and the nearest known one), or a value
   /// that is not of the setting's kind, out of its range or not one of its choices. Every source is
   /// checked whole, also where another one wins. Variables that start with EYEBRIDGE_ count as
-  /// keys, but for EYEBRIDGE_PLAN, EYEBRIDGE_DATA and EYEBRIDGE_TEST_*. Without flags,
+  /// keys, except EYEBRIDGE_PLAN, EYEBRIDGE_DATA and EYEBRIDGE_TEST_*. Without flags,
   /// EYEBRIDGE_PLAN counts: see plan().
   static Config load(const Sources& sources);
   /// That of the robot program `program`, in its process: by the plan that it was started with, the
