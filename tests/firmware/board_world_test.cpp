@@ -132,8 +132,8 @@ TEST(BoardWorld, SensorsThatTheRobotLacksAreNotConnected) {
 
 TEST(BoardWorld, ARobotsRangeMatricesAreAnnounced) {
   files::Scenario scenario = files::default_scenario();
-  scenario.models[0] = *files::builtin_robot("Explorer");
-  scenario.models[0].range_matrices.emplace_back().id = 4;
+  scenario.models[0].range_matrices.resize(2);
+  scenario.models[0].range_matrices[1].id = 4;
   BoardWorld world(scenario);
   EXPECT_EQ(world.add_board(0, settings()).config.matrices, 0x09);
 }

@@ -17,7 +17,9 @@ MAKE_PROTOCOL = sys.argv.pop(1)
 CLASSIC = ROOT / "bridges/protocol/eyebridge.dbc"
 FD = ROOT / "bridges/protocol/eyebridge_fd.dbc"
 
-EVENTS = {"C_Nmt", "C_VWMove", "C_SetPose", "C_Pid", "C_Digital", "C_DigitalCfg", "S_LidarHdr", "S_LidarChunk"}
+EVENTS = {
+    "C_Nmt", "C_VWMove", "C_SetPose", "C_Pid", "C_Digital", "C_DigitalCfg", "S_LidarHdr", "S_LidarChunk", "S_Zones",
+}  # fmt: skip
 VALUES = {
     ("Heartbeat", "State"): {0: "BOOT", 4: "STOPPED", 5: "OPERATIONAL", 127: "STANDBY"},
     ("C_EStop", "Reason"): {1: "USER", 2: "PROGRAM_END", 3: "HOST_FAULT"},
@@ -29,7 +31,7 @@ VALUES = {
     ("C_Motor", "Mode"): {0: "PERCENT", 1: "TICKS"},
     ("C_DigitalCfg", "Mode"): {0: "INPUT", 1: "OUTPUT", 2: "PULL_UP", 3: "PULL_DOWN"},
     ("S_Version", "Hardware"): {0: "UNKNOWN", 1: "EYEBOT_IO"},
-    ("S_Version", "Capabilities"): {1: "MOVES", 2: "SCANS"},
+    ("S_Version", "Capabilities"): {1: "MOVES", 2: "SCANS", 256: "ZONES"},
     ("S_PsdA", "Psd4"): {9999: "OUT_OF_RANGE", 65535: "ABSENT"},
     ("S_Status", "Battery"): {65535: "ABSENT"},
     ("S_Pose", "X"): {},
@@ -95,7 +97,7 @@ class Files(unittest.TestCase):
             identifiers = [frame.arbitration_id.id for frame in matrix.frames]
             self.assertEqual(len(identifiers), len(set(identifiers)))
             # 25 kinds for each robot; C_Nmt and C_EStop to all, and the host's heartbeat.
-            self.assertEqual(len(identifiers), 14 * 25 + 3)
+            self.assertEqual(len(identifiers), 14 * 26 + 3)
             self.assertEqual([ecu.name for ecu in matrix.ecus], ["Host", *(f"Robot{n}" for n in range(1, 15))])
             self.assertIn("digit E", matrix.ecu_by_name("Robot14").comment)
             self.assertEqual(matrix.frame_by_name("R14_S_Pose").arbitration_id.id, 0x18E)
@@ -137,7 +139,7 @@ class Files(unittest.TestCase):
             path = pathlib.Path(folder) / "one.dbc"
             subprocess.run([MAKE_PROTOCOL, "--robots", "0", path], check=True)
             matrix = load(path)
-        self.assertEqual(len(matrix.frames), 26)
+        self.assertEqual(len(matrix.frames), 27)
         self.assertEqual(matrix.frame_by_name("S_Pose").arbitration_id.id, 0x181)
 
 
