@@ -5,7 +5,7 @@
 #include <regex>
 #include <string>
 
-#include "eyebridge/base/exec_words.hpp"
+#include "eyebridge/base/robot_program.hpp"
 
 namespace eyebridge::apps {
 

@@ -12,6 +12,7 @@
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/exec_words.hpp"
+#include "eyebridge/base/robot_program.hpp"
 
 namespace eyebridge::apps {
 namespace {
@@ -64,7 +65,7 @@ fs::path find_program(const std::string& name) {
 
 void become(const std::vector<std::string>& words, const hal::Config* config) {
   std::map<std::string, std::string> variables = python_variables();
-  if (config != nullptr) variables["EYEBRIDGE_PLAN"] = config->plan();
+  if (config != nullptr) variables[hal::kPlanVariable] = config->plan();
   const std::vector<std::string> environment = environment_with(variables);
   execute(pointers_to(words).data(), pointers_to(environment).data());
   const int error = errno;

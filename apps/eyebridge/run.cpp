@@ -11,8 +11,8 @@
 #include "check_settings.hpp"
 #include "command.hpp"
 #include "control_file.hpp"
-#include "eyebridge/base/exec_words.hpp"
 #include "eyebridge/base/own_place.hpp"
+#include "eyebridge/base/robot_program.hpp"
 #include "program.hpp"
 
 namespace eyebridge::apps {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "board/can_drive.hpp"
@@ -100,6 +101,8 @@ Result<void> CanLink::scan(BoardScan& out) {
 }
 
 Result<RangeMatrix::Ranges> CanLink::range_matrix(int id) {
+  static_assert(std::tuple_size_v<RangeMatrix::Ranges> == can::kZoneCount);
+  static_assert(RangeMatrix::kLastId == can::kMostMatrices);
   return client_->latest_zones(id).map([](const can::Zones& zones) {
     RangeMatrix::Ranges ranges{};
     std::ranges::transform(zones, ranges.begin(), [](std::uint16_t mm) {

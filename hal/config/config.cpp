@@ -60,7 +60,7 @@ Config Config::load(const Sources& sources) {
     put(values, setting, {std::string(setting.fallback), {"default"}});
   }
   RunPlan plan;
-  if (const auto text = sources.environment.find(std::string(kPlanVariable));
+  if (const auto text = sources.environment.find(kPlanVariable);
       sources.flags.empty() && text != sources.environment.end()) {
     plan = read_run_plan(text->second);
   }

@@ -92,7 +92,7 @@ Config Config::from_process(const std::filesystem::path& program) {
 Config Config::from_command_line(const std::filesystem::path& program,
                                  const std::map<std::string, std::string>& flags) {
   Sources sources = sources_of_process(program);
-  sources.environment.erase(std::string(kPlanVariable));
+  sources.environment.erase(kPlanVariable);
   sources.flags = flags;
   return of_program(program, sources);
 }

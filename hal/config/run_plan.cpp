@@ -92,7 +92,7 @@ RunPlan read_run_plan(std::string_view text) {
   RunPlan plan;
   plan.sources = take(text, '\n');
   for (int line = 2; !text.empty(); ++line) {
-    read_line(plan, take(text, '\n'), {std::string(kPlanVariable), line});
+    read_line(plan, take(text, '\n'), {kPlanVariable, line});
   }
   return plan;
 }

@@ -9,9 +9,6 @@
 
 namespace eyebridge::hal {
 
-/// The variable in which a configuration travels to another process.
-inline constexpr std::string_view kPlanVariable = "EYEBRIDGE_PLAN";
-
 /// Stands for every fingerprint.
 inline constexpr const char* kAnySources = "any";
 

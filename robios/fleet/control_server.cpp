@@ -8,7 +8,7 @@
 #include <pthread.h>
 
 #include "eyebridge/base/deaf_thread.hpp"
-#include "eyebridge/base/exec_words.hpp"
+#include "eyebridge/base/robot_program.hpp"
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/base/units.hpp"
 

@@ -15,6 +15,7 @@
 #include <sys/wait.h>
 
 #include "eyebridge/base/exec_words.hpp"
+#include "eyebridge/base/robot_program.hpp"
 #include "eyebridge/hal/registry.hpp"
 #include "eyebridge/hal/robot_server.hpp"
 #include "session_parts.hpp"
@@ -55,7 +56,7 @@ std::vector<std::string> environment_of(const hal::Config& config, std::size_t i
   put("panel", "none");
   std::map<std::string, std::string> variables = python_variables();
   // Sealed: a file beside the program must not change what all robots live by.
-  variables["EYEBRIDGE_PLAN"] = own.sealed_plan();
+  variables[hal::kPlanVariable] = own.sealed_plan();
   variables["EYEBRIDGE_ROBOTS"] = "1";
   return environment_with(variables);
 }

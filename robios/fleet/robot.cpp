@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "eyebridge/base/exec_words.hpp"
+#include "eyebridge/base/robot_program.hpp"
 #include "flow.hpp"
 #include "launcher_calls.h"
 #include "robot_programs.hpp"

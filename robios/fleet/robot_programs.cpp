@@ -5,7 +5,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "eyebridge/base/exec_words.hpp"
+#include "eyebridge/base/robot_program.hpp"
 #include "program_file.hpp"
 
 namespace eyebridge::robios {

@@ -283,7 +283,10 @@ bool CanClient::has_lidar() const {
 Result<can::Zones> CanClient::latest_zones(int id) const {
   const std::lock_guard lock(mutex_);
   if (auto ready = check_ready(); !ready) return tl::unexpected(ready.error());
-  if (id < 1 || id > can::kMostMatrices) return fail(Errc::NoDevice, "no range matrix");
+  if (id < 1 || id > can::kMostMatrices) {
+    return fail(Errc::NoDevice, "no range matrix " + std::to_string(id) + ", expected 1 to " +
+                                    std::to_string(can::kMostMatrices));
+  }
   const RangeMatrix& matrix = range_matrices_[static_cast<std::size_t>(id) - 1];
   if (!matrix.at || clock_.now() - *matrix.at > kScanAge) {
     return fail(Errc::Timeout, who_ + " sends no readings of range matrix " + std::to_string(id));

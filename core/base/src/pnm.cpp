@@ -49,7 +49,7 @@ class PnmReader {
                                         : values * value_bytes();
     if (bytes_.size() - at_ < needed) {
       fail("file has " + std::to_string(bytes_.size() - at_) + " bytes of pixels: expected " +
-           std::to_string(needed) + ", " + size_);
+           (binary ? "" : "at least ") + std::to_string(needed) + ", " + size_);
     }
     picture.bytes.reserve(values);
     if (binary && bitmap) {

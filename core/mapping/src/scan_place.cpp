@@ -54,7 +54,7 @@ inline void place_extent(ScanRays& rays) {
 
 /// Sorts directions by axis; false where one is no unit vector.
 inline bool take_directions(std::span<const Vec2> directions, ScanRays& rays) {
-  // Squares of lengths: unit vectors, but for rounding.
+  // Squares of lengths: of unit vectors, rounded.
   constexpr float kLeast = 0.9F;
   constexpr float kMost = 1.1F;
   float* const x = rays.x.data();
@@ -93,7 +93,7 @@ inline void take_ranges(const BeamTable& table, const RayModel& model,
     const double ahead = (r - bias) * per_metre;
     const double not_behind = ahead > 0.0 ? ahead : 0.0;
     const double near_enough = not_behind < kFarthest ? not_behind : kFarthest;
-    const double at_most = r < max_range ? r : max_range;  // also what is no number
+    const double at_most = r < max_range ? r : max_range;  // NaN, too
     const double at_least = at_most > 0.0 ? at_most : 0.0;
     place[i] = static_cast<float>(near_enough);
     sigma[i] = static_cast<float>(base + relative * at_least);

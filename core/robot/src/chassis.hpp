@@ -140,7 +140,7 @@ class Chassis {
 
 /// Throws std::invalid_argument, which says `what`, unless the model is `good`.
 void check_model(bool good, const char* what);
-/// Throws likewise when the axles have no distance. Written so that NaN fails, too.
+/// Throws std::invalid_argument when the axles have no distance. Written so that NaN fails, too.
 inline void check_axles(const DriveModel& drive) {
   check_model(drive.axle_distance > 0.0, "robot: the distance between the axles must be positive");
 }

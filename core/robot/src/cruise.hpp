@@ -16,7 +16,7 @@ struct alignas(64) Cruise {
   enum class Mode : std::uint8_t {
     Off,      ///< Each step goes through the pipeline.
     Steady,   ///< The last step is done again and again.
-    Pressed,  ///< Likewise, against something that it cannot move: it waits for its way to be free.
+    Pressed,  ///< It pushes against something that it cannot move, until its way is free.
   };
 
   world::Arc arc;             ///< Of each step.

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kNothing = std::numeric_limits<double>::infinity();
 constexpr std::size_t kZones = kMatrixSize * kMatrixSize;
-// The rays of a line are a degree apart, as those of an ultrasound sensor's cone, and lie on the
-// edges of zones, too. Lines lie on the edges of rows: what is between two of them is a wall, which
-// is as near at one of both, or the floor, which is nearest at the lower one.
+// The cones are looked through along lines of rays. A line lies on each edge of a row of zones:
+// walls and the floor are nearest at one of the two edges of a row. The rays of a line are a degree
+// apart, as those of an ultrasound sensor's cone; some of them lie on the edges of the zones.
 constexpr std::size_t kRaysPerZone = 6;
 constexpr std::size_t kRays = kMatrixSize * kRaysPerZone + 1;
 constexpr std::size_t kLines = kMatrixSize + 1;
@@ -41,14 +41,12 @@ void Simulation::read_range_matrix(RobotIndex robot, std::size_t matrix, std::sp
   const SinCos tilt = sin_cos(model.tilt);
   const double widest = slope(model.field_of_view, kRays - 1, kRays);
 
-  // Of each ray: metres along the axis to a wall or body, and to the floor if that is nearer; its
-  // length over one metre of the axis; its range over the floor.
+  // Of each ray of a line: how far along the axis it meets a wall or a body.
   std::array<double, kRays> walls{};
-  std::array<double, kRays> depths{};
-  std::array<double, kRays> lengths{};
-  std::array<double, kRays> level{};
-  std::array<Vec2, kRays> directions{};
-  const auto cast = [&](double forward) {
+  const auto look_at_walls = [&](double forward) {
+    std::array<Vec2, kRays> directions{};
+    std::array<double, kRays> lengths{};  // of the ray on the floor, for a metre along the axis
+    std::array<double, kRays> level{};    // ranges on the floor
     for (std::size_t i = 0; i < kRays; ++i) {
       const Vec2 way{forward, -slope(model.field_of_view, i, kRays)};
       lengths[i] = norm(way);
@@ -68,12 +66,11 @@ void Simulation::read_range_matrix(RobotIndex robot, std::size_t matrix, std::sp
     const double forward = tilt.cos - down * tilt.sin;
     const double fall = tilt.sin + down * tilt.cos;
     const double floor = fall > 0.0 ? model.height / fall : kNothing;
-    if (line == 0 || model.tilt != 0.0) cast(forward);  // else as the line above
-    for (std::size_t i = 0; i < kRays; ++i) depths[i] = std::min(walls[i], floor);
+    if (line == 0 || model.tilt != 0.0) look_at_walls(forward);  // else as for the line above
     for (std::size_t column = 0; column < kMatrixSize; ++column) {
-      const auto first = depths.begin() + static_cast<std::ptrdiff_t>(column * kRaysPerZone);
-      const double nearest = *std::min_element(first, first + kRaysPerZone + 1);
-      for (const std::size_t row : {line - 1, line}) {  // above it, below it
+      const auto first = walls.begin() + static_cast<std::ptrdiff_t>(column * kRaysPerZone);
+      const double nearest = std::min(*std::min_element(first, first + kRaysPerZone + 1), floor);
+      for (const std::size_t row : {line - 1, line}) {  // above the line, below it
         if (row >= kMatrixSize) continue;
         double& range = ranges[row * kMatrixSize + column];
         range = std::min(range, nearest);

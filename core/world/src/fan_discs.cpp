@@ -17,7 +17,7 @@ namespace {
 #include "lanes.ipp"
 #include "lanes_discs.ipp"
 
-/// For eight bits, the numbers of those that are set, in order.
+/// For each value of eight bits: the numbers of the bits that are set, in order.
 struct LaneTable {
   std::uint8_t numbers[256][8];
 };
@@ -140,7 +140,7 @@ void meet_discs(std::span<Fan> fans, const BodyMap& map, double largest_radius) 
   Looks looks;
   const BodyMap::Rows rows = map.rows();
   assert(rows.nobody <= Looks::kDisc);
-  std::size_t first = 0;  // of those that are in the list
+  std::size_t first = 0;  // of those in the list
   // Loops through all fans at once are long: where one ends nobody can foresee.
   const auto look_at_list = [&](std::size_t last) HWY_ATTR {
     looks.ends[last] = static_cast<std::uint32_t>(looks.list.size);

@@ -24,7 +24,7 @@ struct RayGroup {
   alignas(64) double dy[kMost];
   alignas(64) double best[kMost];
   RayState states[kMost];
-  std::uint32_t active[kMost];  ///< Indices of those that are on their way, ascending.
+  std::uint32_t active[kMost];  ///< Indices of the rays that have not ended yet, ascending.
   std::size_t left = 0;         ///< How many those are.
 };
 

@@ -10,6 +10,7 @@ extern "C" {
 
 #define EB_MAX_SIGNALS 33
 #define EB_LIDAR_POINTS 360
+#define EB_MATRICES 8
 #define EB_ZONES 64
 #define EB_ZONES_A_FRAME 3
 

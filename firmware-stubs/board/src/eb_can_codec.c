@@ -49,7 +49,8 @@ static const struct eb_signal chunk[] = {U(4), U(12), MM, MM, MM};
 static const struct eb_signal chunk_fd[] = {U(8),    FROM(8, 1, 30), FROM(16, 0, LIDAR_INDEX_LAST),
                                             FIVE_MM, FIVE_MM,        FIVE_MM,
                                             FIVE_MM, FIVE_MM,        FIVE_MM};
-static const struct eb_signal zones[] = {FROM(4, 1, 8), U(4), FROM(8, 0, 21), MM, MM, MM};
+static const struct eb_signal zones[] = {
+    FROM(4, 1, EB_MATRICES), U(4), FROM(8, 0, (EB_ZONES - 1) / EB_ZONES_A_FRAME), MM, MM, MM};
 static const struct eb_signal version[] = {U(8),      CHARACTER, CHARACTER, CHARACTER,
                                            CHARACTER, U(8),      U(16)};
 static const struct eb_signal heartbeat[] = {FROM(8, 0, 0x7F)};

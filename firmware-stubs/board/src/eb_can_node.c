@@ -371,7 +371,8 @@ bool eb_board_lidar(struct eb_board* board, const struct eb_scan* scan) {
 
 bool eb_board_zones(struct eb_board* board, int matrix, const uint16_t range_mm[EB_ZONES]) {
   struct eb_node* node = &board->node;
-  if (node->id == 0 || (node->due & bit_of(EB_DUE_ZONES)) != 0 || matrix < 1 || matrix > 8) {
+  if (node->id == 0 || (node->due & bit_of(EB_DUE_ZONES)) != 0 || matrix < 1 ||
+      matrix > EB_MATRICES) {
     return false;
   }
   memcpy(node->zones_mm, range_mm, sizeof node->zones_mm);

@@ -166,7 +166,7 @@ TEST(Pgm, ThatIsBadIsAnErrorThatSaysWhatAndWhere) {
             "p.pgm:3:4: expected a blank or the end of the line before the pixels");
   EXPECT_EQ(error("P2\n2 2\n9\n1 2 3\n"), "p.pgm:5:1: file ends: expected a value");
   EXPECT_EQ(error("P2\n4000 4000\n9\n1 2 3\n"),
-            "p.pgm:3:2: file has 7 bytes of pixels: expected 31999999, 4000 x 4000");
+            "p.pgm:3:2: file has 7 bytes of pixels: expected at least 31999999, 4000 x 4000");
   EXPECT_EQ(error("P2\n1 1\n9\n10\n"), "p.pgm:4:1: a value is 10: expected 0 to 9");
 }
 

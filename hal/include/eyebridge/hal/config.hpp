@@ -63,6 +63,9 @@ struct PixelSize {
   friend bool operator==(const PixelSize&, const PixelSize&) = default;
 };
 
+/// The variable in which a configuration travels to another process: Config::plan().
+inline constexpr const char* kPlanVariable = "EYEBRIDGE_PLAN";
+
 /// Effective configuration. Precedence: command line > environment > eyebridge.toml (working
 /// folder, then beside the program, then the user's) > defaults. Immutable once loaded.
 class Config {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -17,18 +16,5 @@ std::vector<char*> pointers_to(const std::vector<std::string>& words);
 /// Becomes the program words[0], a path or a name in PATH. Returns only when the system refuses,
 /// with errno. System calls only: for the child of a fork(), too.
 void execute(char* const* words, char* const* environment);
-
-/// True for a program that python3 runs.
-bool is_python(const std::filesystem::path& program);
-
-/// Why the robot program `program` cannot be started, in words; "" when nothing speaks against it.
-std::string trouble_with(const std::filesystem::path& program);
-
-/// The words that start the robot program `program`; a .py is run by python3.
-std::vector<std::string> words_to_start(const std::filesystem::path& program,
-                                        const std::vector<std::string>& arguments);
-
-/// The variable with which Python finds our packages first; none where there are no packages.
-std::map<std::string, std::string> python_variables();
 
 }  // namespace eyebridge
