@@ -41,11 +41,15 @@ endfunction()
 # set; the CPU's best one runs.
 function(eyebridge_simd target)
   find_package(hwy REQUIRED)  # libhwy-dev
-  target_link_libraries(${target} PRIVATE hwy::hwy)
+  # Its headers alone: see EYEBRIDGE_BEST.
+  target_include_directories(${target} SYSTEM PRIVATE $<TARGET_PROPERTY:hwy::hwy,INTERFACE_INCLUDE_DIRECTORIES>)
   # Arrays are padded for registers of 32 bytes: no target better than AVX2 (their bits lie below, in any version of
   # Highway). SSSE3 would help few old CPUs. EMU128, for all others, needs nothing of what g++ 12.2 gets wrong in it.
-  target_compile_definitions(${target} PRIVATE HWY_BROKEN_EMU128=0
-    "HWY_DISABLED_TARGETS=((HWY_AVX2-1)|HWY_SSSE3|HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+    target_compile_definitions(${target} PRIVATE HWY_BROKEN_EMU128=0 "HWY_DISABLED_TARGETS=((HWY_AVX2-1)|HWY_SSSE3)")
+  else()
+    target_compile_definitions(${target} PRIVATE HWY_COMPILE_ONLY_STATIC)
+  endif()
   if(ARGN)
     # After a precompiled header g++ 12 takes no several numbers at once in functions with a "#pragma GCC target".
     set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON)

@@ -1,36 +1,26 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
+#include <string>
 
-#include <hwy/targets.h>
+#include "eyebridge/base/instruction_sets.hpp"
 
 namespace eyebridge {
 
-/// While it lives, Highway's code runs with one instruction set: a HWY_ value, e. g. HWY_AVX2.
-class InstructionSet {
+/// While it lives, code of eyebridge_simd() runs with this instruction set.
+class ChosenSet {
  public:
-  explicit InstructionSet(std::int64_t target) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(target);
-  }
-  ~InstructionSet() {
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().DeInit();
-  }
-  InstructionSet(const InstructionSet&) = delete;
-  InstructionSet& operator=(const InstructionSet&) = delete;
+  explicit ChosenSet(simd::InstructionSet set) { simd::choose_set(set); }
+  ~ChosenSet() { simd::choose_set(simd::instruction_sets().front()); }
+  ChosenSet(const ChosenSet&) = delete;
+  ChosenSet& operator=(const ChosenSet&) = delete;
 };
 
-/// Those that our code is compiled for and that this CPU has.
-inline std::vector<std::int64_t> instruction_sets() { return hwy::SupportedAndGeneratedTargets(); }
-
-/// Calls check(name) with each of them in turn.
+/// Calls check(name) with each of the CPU's in turn.
 template <class Check>
 void in_every_instruction_set(Check check) {
-  for (const std::int64_t target : instruction_sets()) {
-    const InstructionSet chosen(target);
-    check(hwy::TargetName(target));
+  for (const simd::InstructionSet set : simd::instruction_sets()) {
+    const ChosenSet chosen(set);
+    check(std::string(simd::name_of(set)));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "eyebridge/base/instruction_sets.hpp"
 #include "scan_rays.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -160,10 +161,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace eyebridge::mapping {
 
-HWY_EXPORT(draw_rays);
-
 float ScanRays::draw(const BeamTable& table, const RayFrame& frame, ScanNotes::Writer out) {
-  return HWY_DYNAMIC_DISPATCH(draw_rays)(table, frame, *this, out);
+  return EYEBRIDGE_BEST(draw_rays)(table, frame, *this, out);
 }
 
 }  // namespace eyebridge::mapping

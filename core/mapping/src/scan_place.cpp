@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "eyebridge/base/instruction_sets.hpp"
 #include "scan_rays.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -194,8 +195,6 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace eyebridge::mapping {
 
-HWY_EXPORT(place_rays);
-
 void ScanRays::resize(std::size_t rays) {
   count = rays;
   for (std::vector<float>* each :
@@ -208,7 +207,7 @@ void ScanRays::resize(std::size_t rays) {
 
 bool ScanRays::set(const BeamTable& table, const RayModel& model, std::span<const Vec2> directions,
                    std::span<const double> ranges) {
-  return HWY_DYNAMIC_DISPATCH(place_rays)(table, model, directions, ranges, *this);
+  return EYEBRIDGE_BEST(place_rays)(table, model, directions, ranges, *this);
 }
 
 }  // namespace eyebridge::mapping

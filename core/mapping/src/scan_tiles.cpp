@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "eyebridge/base/instruction_sets.hpp"
 #include "polygon_fill.hpp"
 #include "scan_notes.hpp"
 
@@ -120,11 +121,9 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace eyebridge::mapping {
 
-HWY_EXPORT(apply_tiles);
-
 void add_evidence(const TiledRows& rows, PolygonFill& fill, float filled,
                   const EvidenceLimits& limits) {
-  HWY_DYNAMIC_DISPATCH(apply_tiles)(rows, fill, filled, limits);
+  EYEBRIDGE_BEST(apply_tiles)(rows, fill, filled, limits);
 }
 
 }  // namespace eyebridge::mapping

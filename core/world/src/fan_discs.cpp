@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "eyebridge/base/instruction_sets.hpp"
 #include "fan.hpp"
 #include "run_list.hpp"
 
@@ -186,10 +187,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace eyebridge::world {
 
-HWY_EXPORT(meet_discs);
-
 void Fan::meet_discs(std::span<Fan> fans, const BodyMap& map, double largest_radius) {
-  HWY_DYNAMIC_DISPATCH(meet_discs)(fans, map, largest_radius);
+  EYEBRIDGE_BEST(meet_discs)(fans, map, largest_radius);
 }
 
 }  // namespace eyebridge::world

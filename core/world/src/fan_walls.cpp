@@ -1,6 +1,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "eyebridge/base/instruction_sets.hpp"
 #include "fan.hpp"
 #include "fan_pairs.hpp"
 
@@ -159,10 +160,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace eyebridge::world {
 
-HWY_EXPORT(meet_walls);
-
 void Fan::meet_walls(const Segment* segments, const WallList& walls) {
-  HWY_DYNAMIC_DISPATCH(meet_walls)(*this, segments, walls);
+  EYEBRIDGE_BEST(meet_walls)(*this, segments, walls);
 }
 
 }  // namespace eyebridge::world

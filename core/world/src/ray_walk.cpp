@@ -1,6 +1,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "eyebridge/base/instruction_sets.hpp"
 #include "ray_grid.hpp"
 
 #undef HWY_TARGET_INCLUDE
@@ -102,10 +103,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace eyebridge::world {
 
-HWY_EXPORT(walk);
-
 void RayGrid::walk(Vec2 origin, RayGroup& group) const {
-  HWY_DYNAMIC_DISPATCH(walk)(origin, segments_.data(), starts_.data(), group);
+  EYEBRIDGE_BEST(walk)(origin, segments_.data(), starts_.data(), group);
 }
 
 }  // namespace eyebridge::world

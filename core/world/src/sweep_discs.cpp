@@ -3,6 +3,7 @@
 #include <cstring>
 #include <limits>
 
+#include "eyebridge/base/instruction_sets.hpp"
 #include "run_list.hpp"
 #include "sweep.hpp"
 #include "sweep_bearings.hpp"
@@ -204,15 +205,12 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace eyebridge::world {
 
-HWY_EXPORT(meet_each);
-HWY_EXPORT(meet_discs);
-
 void Sweep::meet_discs(std::span<const Disc> discs, BodyId ignore) {
-  HWY_DYNAMIC_DISPATCH(meet_each)(*this, discs, ignore);
+  EYEBRIDGE_BEST(meet_each)(*this, discs, ignore);
 }
 
 void Sweep::meet_discs(const BodyMap& map, double largest_radius) {
-  HWY_DYNAMIC_DISPATCH(meet_discs)(*this, map, largest_radius);
+  EYEBRIDGE_BEST(meet_discs)(*this, map, largest_radius);
 }
 
 }  // namespace eyebridge::world

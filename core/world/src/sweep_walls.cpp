@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "eyebridge/base/instruction_sets.hpp"
 #include "run_list.hpp"
 #include "sweep.hpp"
 #include "sweep_bearings.hpp"
@@ -160,10 +161,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace eyebridge::world {
 
-HWY_EXPORT(meet_walls);
-
 void Sweep::meet_walls(const Segment* segments, const WallList& walls) {
-  HWY_DYNAMIC_DISPATCH(meet_walls)(*this, segments, walls);
+  EYEBRIDGE_BEST(meet_walls)(*this, segments, walls);
 }
 
 }  // namespace eyebridge::world

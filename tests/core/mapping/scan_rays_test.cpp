@@ -87,7 +87,7 @@ TEST(ScanRays, DrawsWhatBeamsSayOneByOneInAllInstructions) {
     ASSERT_TRUE(
         ScanMapper(model).insert(one_by_one, kCellSide * kMiddle, scan.directions, scan.ranges));
     const OccupancyGrid plain = grid_after(model, scan, false);
-    in_every_instruction_set([&](const char* name) {
+    in_every_instruction_set([&](const std::string& name) {
       EXPECT_EQ(plain.raster(), grid_after(model, scan, false).raster()) << name << round;
     });
     for (std::size_t i = 0; i < plain.raster().cells.size(); ++i) {
@@ -104,7 +104,7 @@ TEST(ScanRays, DrawsTheSameInAllInstructionsWhereABoxEnds) {
   for (int round = 0; round < 40; ++round) {
     const RayScan scan = random_scan(random, 1 + static_cast<std::size_t>(400 * random.uniform()));
     const OccupancyGrid plain = grid_after(some_model(round), scan, true);
-    in_every_instruction_set([&](const char* name) {
+    in_every_instruction_set([&](const std::string& name) {
       EXPECT_EQ(plain.raster(), grid_after(some_model(round), scan, true).raster())
           << name << round;
     });
@@ -122,7 +122,7 @@ TEST(ScanRays, RefusesDirectionsThatAreNoUnitVectors) {
     const std::vector<double> ranges(9, 1.0);
     EXPECT_TRUE(rays.set(table, all, directions, ranges));
     directions[4] = bad;
-    in_every_instruction_set([&](const char* name) {
+    in_every_instruction_set([&](const std::string& name) {
       EXPECT_FALSE(rays.set(table, all, directions, ranges))
           << bad.x << ' ' << bad.y << ' ' << name;
     });

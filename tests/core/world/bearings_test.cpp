@@ -82,11 +82,9 @@ HWY_AFTER_NAMESPACE();
 namespace eyebridge::world {
 namespace {
 
-HWY_EXPORT(bearing_errors);
-
 TEST(Bearings, AreWithinWhatSweepsAddForTheirErrors) {
-  in_every_instruction_set([](const char* name) {
-    const BearingErrors worst = HWY_DYNAMIC_DISPATCH(bearing_errors)();
+  in_every_instruction_set([](const std::string& name) {
+    const BearingErrors worst = EYEBRIDGE_BEST(bearing_errors)();
     EXPECT_LT(worst.exact, kBearingError) << name;
     EXPECT_LT(worst.rough, kRoughError) << name;
     EXPECT_LT(worst.root, double{kMostRoot}) << name;

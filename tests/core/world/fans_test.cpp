@@ -36,7 +36,7 @@ TEST(Fans, TogetherMeetTheSameDiscsInEveryInstructionSet) {
         }
         return made;
       };
-      const auto check = [&](std::vector<Fan>& made, const char* which) {
+      const auto check = [&](std::vector<Fan>& made, const std::string& which) {
         for (std::size_t i = 0; i < rays.size(); ++i) {
           for (std::size_t k = 0; k < rays[i].directions.size(); ++k) {
             double expected = 5.0;
@@ -49,7 +49,7 @@ TEST(Fans, TogetherMeetTheSameDiscsInEveryInstructionSet) {
           }
         }
       };
-      in_every_instruction_set([&](const char* name) {
+      in_every_instruction_set([&](const std::string& name) {
         std::vector<Fan> made = fans();
         Fan::meet_discs(made, crowd.map, crowd.bodies.largest_radius());
         check(made, name);

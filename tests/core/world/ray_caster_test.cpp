@@ -21,7 +21,7 @@ namespace {
 struct MethodCase {
   std::string name;
   RayMethod method;
-  std::int64_t instruction_set = instruction_sets().front();
+  simd::InstructionSet instruction_set = simd::instruction_sets().front();
 
   friend void PrintTo(const MethodCase& c, std::ostream* out) { *out << c.name; }
 };
@@ -30,7 +30,7 @@ struct MethodCase {
 /// the world.
 class EveryMethod : public testing::TestWithParam<MethodCase> {
  protected:
-  const InstructionSet chosen_{GetParam().instruction_set};
+  const ChosenSet chosen_{GetParam().instruction_set};
 
   [[nodiscard]] static bool needs_maze() { return GetParam().method == RayMethod::EdgeBits; }
 
@@ -138,8 +138,8 @@ const auto name_of = [](const auto& row) { return row.param.name; };
 /// Methods for any world, in every instruction set.
 std::vector<MethodCase> general_methods() {
   std::vector<MethodCase> methods;
-  for (const std::int64_t set : instruction_sets()) {
-    methods.push_back({std::string("Grid") + hwy::TargetName(set), RayMethod::Grid, set});
+  for (const simd::InstructionSet set : simd::instruction_sets()) {
+    methods.push_back({"Grid" + std::string(simd::name_of(set)), RayMethod::Grid, set});
   }
   return methods;
 }
@@ -161,10 +161,10 @@ TEST(RayCaster, Avx2IsUsedWhereLinuxFindsIt) {
   ASSERT_FALSE(text.empty());
 #ifdef __x86_64__
   const bool has_avx2 = text.find(" avx2") != std::string::npos;
-  EXPECT_EQ(instruction_sets().front() == HWY_AVX2, has_avx2);
-  EXPECT_GE(instruction_sets().size(), has_avx2 ? 3U : 1U);
+  EXPECT_EQ(simd::chosen_set() == simd::InstructionSet::Avx2, has_avx2);
+  EXPECT_GE(simd::instruction_sets().size(), has_avx2 ? 3U : 1U);
 #else
-  EXPECT_EQ(instruction_sets().front(), HWY_STATIC_TARGET);
+  EXPECT_EQ(simd::chosen_set(), simd::InstructionSet::Plain);
 #endif
 }
 
@@ -211,7 +211,7 @@ TEST(RayCaster, TheGridGivesTheSameBitsInEveryInstructionSet) {
   for (int i = 0; i < 300; ++i) {
     const Vec2 origin{5 * random.uniform(), 5 * random.uniform()};
     caster.cast_fan(origin, directions, 3.0, a);
-    in_every_instruction_set([&](const char* name) {
+    in_every_instruction_set([&](const std::string& name) {
       caster.cast_fan(origin, directions, 3.0, b);
       ASSERT_EQ(a, b) << name;
     });
@@ -230,7 +230,7 @@ TEST(RayCaster, FansOfAnySizeAndOrderReadAsEachRayAlone) {
         std::swap(directions[i], directions[random.bits() % (i + 1)]);
       }
     }
-    in_every_instruction_set([&](const char* name) {
+    in_every_instruction_set([&](const std::string& name) {
       const RayCaster caster(model, RayMethod::Grid);
       for (const std::size_t size : {1U, 2U, 3U, 4U, 5U, 7U, 127U, 128U, 129U, 131U, 360U}) {
         const Vec2 origin{7 * random.uniform() - 1, 7 * random.uniform() - 1};

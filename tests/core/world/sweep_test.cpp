@@ -192,7 +192,7 @@ TEST(Sweep, RaysAlongWallsMeetTheirNearerEnds) {
     const Vec2 origin{0.5 * (i % 7) + 0.4, 0.5 * (i % 11)};
     const double turn = (i % 2 == 0 ? 2 : -2) * kPi / 360;
     const Rays rays = fan(origin, i % 4 * kPi / 2, turn, 360);
-    in_every_instruction_set([&](const char* name) {
+    in_every_instruction_set([&](const std::string& name) {
       Sweep sweep(origin, rays.directions, turn, 8.0);
       sweep.meet_walls(segments.data(), all);
       for (std::size_t k = 0; k < rays.directions.size(); ++k) {
