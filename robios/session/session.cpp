@@ -237,12 +237,17 @@ std::function<void()> Session::bound(void (*function)()) {
   };
 }
 
-OwnPart& Session::own_part(std::type_index type, std::unique_ptr<OwnPart> (*make)(Session&)) {
+std::size_t Session::next_own_place() {
+  static std::atomic<std::size_t> places = 0;
+  return places++;
+}
+
+OwnPart& Session::own_part(std::size_t place, std::unique_ptr<OwnPart> (*make)(Session&)) {
+  std::atomic<OwnPart*>& known = impl_->own_parts.at(place);
+  if (OwnPart* const part = known.load(std::memory_order_acquire)) return *part;
   const std::lock_guard lock(impl_->own_mutex);
-  for (const auto& [present, part] : impl_->own) {
-    if (present == type) return *part;
-  }
-  return *impl_->own.emplace_back(type, make(*this)).second;
+  if (known == nullptr) known = impl_->own.emplace_back(make(*this)).get();
+  return *known;
 }
 
 void Session::leave(int code) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -7,7 +8,6 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <typeindex>
 
 #include "costs.hpp"
 #include "eyebridge/base/clock.hpp"
@@ -123,7 +123,8 @@ class Session {
       }
       Value value;
     };
-    OwnPart& part = own_part(typeid(Value), [](Session& session) -> std::unique_ptr<OwnPart> {
+    static const std::size_t place = next_own_place();
+    OwnPart& part = own_part(place, [](Session& session) -> std::unique_ptr<OwnPart> {
       return std::make_unique<Part>(session);
     });
     return static_cast<Part&>(part).value;
@@ -160,7 +161,9 @@ class Session {
   explicit Session(std::unique_ptr<Impl> impl);
   ~Session();
   static Session& only();
-  OwnPart& own_part(std::type_index type, std::unique_ptr<OwnPart> (*make)(Session&));
+  /// For another kind of part.
+  static std::size_t next_own_place();
+  OwnPart& own_part(std::size_t place, std::unique_ptr<OwnPart> (*make)(Session&));
   void look_around();
   void tell_of_overruns();
   void confirm(const Result<void>& stopped);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <ctime>
@@ -7,7 +8,6 @@
 #include <mutex>
 #include <optional>
 #include <thread>
-#include <typeindex>
 #include <utility>
 #include <vector>
 
@@ -94,8 +94,10 @@ struct Session::Impl {
   int looks_stuck = 0;  ///< So often one after the other all threads waited for each other.
   bool has_told_of_hang = false;
 
-  std::mutex own_mutex;
-  std::vector<std::pair<std::type_index, std::unique_ptr<OwnPart>>> own;
+  /// Of own(), by next_own_place(). A call looks for its part without a lock.
+  std::array<std::atomic<OwnPart*>, 32> own_parts{};
+  std::mutex own_mutex;  ///< For `own`.
+  std::vector<std::unique_ptr<OwnPart>> own;
 
  private:
   Impl(SessionStart* start, hal::Config configuration);

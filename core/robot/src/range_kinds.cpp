@@ -50,7 +50,7 @@ double Simulation::Impl::measure(RobotIndex robot, std::size_t sensor) {
   const RangeSensorModel& model = own.model.range_sensors[sensor];
   if (model.kind == RangeKind::Ultrasound) return first_echo(robot, sensor);
   if (model.kind == RangeKind::Down) return model.height + at(robot).chassis->altitude();
-  const double range = look(robot, own.ranges[sensor].sight, model.max_range);
+  const double range = ray_range(robot, sensor);
   return model.kind == RangeKind::Infrared ? folded_range(range, model) : range;
 }
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <stdexcept>
 
@@ -24,42 +25,84 @@ double Simulation::Impl::look(RobotIndex robot, const Sight& device, double reac
   return world.cast_ray(sight.origin, sight.heading.forward(), reach, self);
 }
 
+double Simulation::Impl::ray_range(RobotIndex robot, std::size_t sensor) {
+  RobotDevices& its = devices_of(robot);
+  const auto alone = [&] {
+    return look(robot, its.ranges[sensor].sight, its.model.range_sensors[sensor].max_range);
+  };
+  if (sensor >= KnownRays::kMost) return alone();
+  const KnownRays::Moment now{world.version(), world.heading(eyes[robot].body)};
+  const std::uint64_t missing = its.known_rays.ask(now, sensor);
+  if (missing == 0) return its.known_rays.range(sensor);
+  if ((missing & (missing - 1)) != 0) {
+    measure_rays(robot, missing);
+  } else {
+    its.known_rays.keep(sensor, alone());
+  }
+  return its.known_rays.range(sensor);
+}
+
+void Simulation::Impl::measure_rays(RobotIndex robot, std::uint64_t sensors) {
+  const Eyes& its = eyes[robot];
+  std::array<double, RangeLayout::kMostInFan> ranges;
+  std::array<std::size_t, RangeLayout::kMostInFan> which;
+  for (const RangeLayout::Fan& fan : its.layout->fans) {
+    if (fan.first >= KnownRays::kMost) break;
+    std::size_t count = 0;
+    const std::size_t end = std::min(fan.first + fan.count, KnownRays::kMost);
+    for (std::size_t sensor = fan.first; sensor < end; ++sensor) {
+      which[count] = sensor;
+      count += (sensors >> sensor) & 1U;
+    }
+    if (count == 0) continue;
+    fans.clear();
+    add_fan(its, fan, count, [&](std::size_t ray) { return which[ray]; }).ranges = {ranges.data(),
+                                                                                    count};
+    world.cast_fans(fans);
+    for (std::size_t ray = 0; ray < count; ++ray) {
+      devices[robot].known_rays.keep(which[ray], ranges[ray]);
+    }
+  }
+}
+
 double Simulation::read_range(RobotIndex robot, std::size_t sensor) {
   RobotDevices& devices = impl_->devices_of(robot);
   RayDevice& device = devices.ranges.at(sensor);
   const RangeSensorModel& model = devices.model.range_sensors[sensor];
-  if (model.kind != RangeKind::Ray) {
-    const double range = impl_->measure(robot, sensor);
-    const unsigned talkers = model.error.cross_talk > 0.0 ? cross_talkers(robot, sensor) : 0;
-    return range_reading(range, model, device.noise, talkers);
+  const double range = impl_->measure(robot, sensor);
+  const unsigned talkers = model.error.cross_talk > 0.0 ? cross_talkers(robot, sensor) : 0;
+  return range_reading(range, model, device.noise, talkers);
+}
+
+template <class Which>
+world::RayFan& Simulation::Impl::add_fan(const Eyes& its, const RangeLayout::Fan& fan,
+                                         std::size_t count, Which which) {
+  if (fans.empty()) looks.resize(std::max(world::kFansTogether, its.layout->fans.size()));
+  const Vec2 position = world.position(its.body);
+  const Heading heading = world.heading(its.body);
+  Looks& look = looks[fans.size()];
+  for (std::size_t i = 0; i < count; ++i) {
+    look.directions[i] = heading.turned(its.layout->headings[which(i)]).forward();
   }
-  return range_reading(impl_->look(robot, device.sight, model.max_range), model, device.noise);
+  world::RayFan& rays = fans.emplace_back();
+  rays.origin = position + heading.rotate(fan.origin);
+  rays.directions = {look.directions.data(), count};
+  rays.max_range = fan.max_range;
+  rays.ignore = its.body;
+  if (fan.spread == 0.0) return rays;
+  for (std::size_t i = 0; i < count; ++i) {
+    look.origins[i] = position + heading.rotate(its.layout->origins[which(i)]);
+  }
+  rays.origins = {look.origins.data(), count};
+  rays.spread = fan.spread;
+  return rays;
 }
 
 void Simulation::Impl::add_fans(RobotIndex robot, std::span<double> ranges) {
   const Eyes& its = eyes[robot];
-  if (fans.empty()) looks.resize(std::max(world::kFansTogether, its.layout->fans.size()));
-  const Vec2 position = world.position(its.body);
-  const Heading heading = world.heading(its.body);
   for (const RangeLayout::Fan& fan : its.layout->fans) {
-    Looks& look = looks[fans.size()];
-    const Heading* const headings = its.layout->headings.data() + fan.first;
-    for (std::size_t i = 0; i < fan.count; ++i) {
-      look.directions[i] = heading.turned(headings[i]).forward();
-    }
-    world::RayFan& rays = fans.emplace_back();
-    rays.origin = position + heading.rotate(fan.origin);
-    rays.directions = {look.directions.data(), fan.count};
-    rays.max_range = fan.max_range;
-    rays.ignore = its.body;
-    rays.ranges = ranges.subspan(fan.first, fan.count);
-    if (fan.spread == 0.0) continue;
-    const Vec2* const origins = its.layout->origins.data() + fan.first;
-    for (std::size_t i = 0; i < fan.count; ++i) {
-      look.origins[i] = position + heading.rotate(origins[i]);
-    }
-    rays.origins = {look.origins.data(), fan.count};
-    rays.spread = fan.spread;
+    add_fan(its, fan, fan.count, [&](std::size_t ray) { return fan.first + ray; }).ranges =
+        ranges.subspan(fan.first, fan.count);
   }
 }
 

@@ -10,6 +10,7 @@
 #include "errors.hpp"
 #include "eyebridge/robot/drive_controller.hpp"
 #include "eyebridge/robot/odometry.hpp"
+#include "known_rays.hpp"
 #include "motor.hpp"
 #include "range_layout.hpp"
 #include "sensing.hpp"
@@ -110,6 +111,7 @@ struct RobotDevices {
 
   RobotModel model;
   std::vector<RayDevice> ranges;
+  KnownRays known_rays;  ///< Of the range sensors.
   std::vector<RayDevice> proximities;
   std::vector<Random> bumpers;
   Random compass;

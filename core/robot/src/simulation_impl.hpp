@@ -37,6 +37,15 @@ struct Simulation::Impl {
   /// How far away a range sensor takes things to be, metres, by its kind and without its error;
   /// at its reach, or beyond, when it notices none.
   [[nodiscard]] double measure(RobotIndex robot, std::size_t sensor);
+  /// How far the ray of a range sensor goes, metres; at its reach, or beyond, when it meets
+  /// nothing.
+  [[nodiscard]] double ray_range(RobotIndex robot, std::size_t sensor);
+  /// Keeps how far the rays of those range sensors go that have a bit here.
+  void measure_rays(RobotIndex robot, std::uint64_t sensors);
+  /// Adds a fan to `fans`: its rays are those of the sensors which(0), which(1), … of `fan`.
+  template <class Which>
+  world::RayFan& add_fan(const Eyes& its, const RangeLayout::Fan& fan, std::size_t count,
+                         Which which);
   /// Adds the rays of `robot`, whose range sensors are all rays, to `fans`, where there are none or
   /// room for all of its among world::kFansTogether; they will be `ranges` long.
   void add_fans(RobotIndex robot, std::span<double> ranges);

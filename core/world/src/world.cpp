@@ -72,6 +72,7 @@ Pose World::pose(BodyId id) const {
   const Vec2 p = position(id);
   return {p.x, p.y, heading(id).angle()};
 }
+std::uint64_t World::version() const { return impl_->bodies.version(); }
 Vec2 World::position(BodyId id) const { return impl_->bodies.position(id); }
 Heading World::heading(BodyId id) const { return {impl_->bodies.cos_[id], impl_->bodies.sin_[id]}; }
 double World::radius(BodyId id) const { return impl_->bodies.radius_[id]; }

@@ -160,6 +160,9 @@ class World {
   /// once a step, after the robots moved.
   void step_objects(double dt);
 
+  /// Another number after each change of what rays meet: a body has moved, come or left.
+  [[nodiscard]] std::uint64_t version() const;
+
   /// Range from `origin` along the unit vector `direction` to the nearest wall or body other than
   /// `ignore`, or `max_range`.
   [[nodiscard]] double cast_ray(Vec2 origin, Vec2 direction, double max_range, BodyId ignore) const;
