@@ -1,4 +1,5 @@
 #include <ctime>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 
 #include "bench_worlds.hpp"
 #include "eyebridge/world/ray_caster.hpp"
+#include "eyebridge/world/world.hpp"
 
 namespace eyebridge {
 namespace {
@@ -96,7 +98,74 @@ void register_all(const char* scene, WorldModel (*make)(int), bool maze) {
   }
 }
 
+/// `count` boxes of 0.1 x 0.1 m in the reach of a LIDAR, or walls where their sides are.
+WorldModel boxes(int count, bool as_walls) {
+  WorldModel model;
+  model.width = model.height = 8.0;
+  Random random(8);
+  for (int i = 0; i < count; ++i) {
+    world::ObjectSpec box;
+    box.kind = world::ObjectKind::Box;
+    box.size = {0.1, 0.1};
+    box.pose = {8.0 * random.uniform(), 8.0 * random.uniform(), kPi * random.uniform()};
+    if (!as_walls) {
+      model.objects.push_back(box);
+      continue;
+    }
+    const Heading heading = Heading::from_angle(box.pose.theta);
+    const Vec2 corners[] = {{0.05, 0.05}, {-0.05, 0.05}, {-0.05, -0.05}, {0.05, -0.05}};
+    for (std::size_t k = 0; k < 4; ++k) {
+      world::Wall wall;
+      wall.a = box.pose.position() + heading.rotate(corners[k]);
+      wall.b = box.pose.position() + heading.rotate(corners[(k + 1) % 4]);
+      model.walls.push_back(wall);
+    }
+  }
+  return model;
+}
+
+/// Nanoseconds a ray of scans with 360 rays, or of single ones.
+double lidar_ns(const world::World& world, bool single, std::size_t rounds) {
+  const std::vector<Vec2> directions = scan_directions();
+  const std::vector<Vec2> places = places_in(world.model());
+  std::vector<double> ranges(kRays);
+  const double start = cpu_seconds();
+  for (std::size_t i = 0; i < rounds; ++i) {
+    const Vec2 origin = places[i % places.size()];
+    if (single) {
+      for (std::size_t k = 0; k < kRays; ++k) {
+        ranges[k] = world.cast_ray(origin, directions[k], 8.0, world::kNoBody);
+      }
+    } else {
+      world.cast_sweep(origin, directions, 2 * kPi / kRays, 8.0, world::kNoBody, ranges);
+    }
+    benchmark::DoNotOptimize(ranges.data());
+  }
+  return (cpu_seconds() - start) * 1e9 / static_cast<double>(rounds * kRays);
+}
+
+/// A scan among boxes; `walls_ns`: the same among walls, just before.
+void among_boxes(benchmark::State& state, int count) {
+  const auto world_of = [&](bool as_walls) {
+    return world::World(std::make_shared<const WorldModel>(boxes(count, as_walls)));
+  };
+  constexpr std::size_t kRounds = 320;
+  const double walls = lidar_ns(world_of(true), false, kRounds);
+  const world::World world = world_of(false);
+  const double among = lidar_ns(world, false, kRounds);
+  const double single = lidar_ns(world, true, kRounds);
+  for (auto _ : state) lidar_ns(world, false, 1);
+  state.counters["ray_ns"] = among;
+  state.counters["walls_ns"] = walls;
+  state.counters["x_walls"] = among / walls;
+  state.counters["single_ns"] = single;
+}
+
 const bool kRegistered = [] {
+  for (const int count : {10, 100, 1000, 10000}) {
+    benchmark::RegisterBenchmark(("Boxes8m/" + std::to_string(count)).c_str(),
+                                 [=](benchmark::State& state) { among_boxes(state, count); });
+  }
   register_all(
       "Maze", [](int walls) { return bench::perfect_maze(walls); }, true);
   register_all(

@@ -11,6 +11,11 @@ constexpr double kBodiesPerCell = 4.0;  // that is as wide as high
 /// Narrow cells: a row of them is one run of bodies, however many they are.
 constexpr double kColumnsPerRow = 4.0;
 
+/// Else it is not in the map.
+bool is_disc(const Bodies& bodies, BodyId id) {
+  return bodies.is_there(id) && !bodies.is_convex(id);
+}
+
 }  // namespace
 
 void BodyMap::refresh(const Bodies& bodies) {
@@ -33,7 +38,7 @@ void BodyMap::refresh(const Bodies& bodies) {
   starts_.assign(columns_ * rows_ + 2, 0);
   // At first each body's cell.
   for (BodyId id = 0; id < count; ++id) {
-    if (!bodies.is_there(id)) continue;
+    if (!is_disc(bodies, id)) continue;
     const Vec2 p = bodies.position(id);
     places_[id] = static_cast<std::uint32_t>(row_of(p.y) * columns_ + column_of(p.x));
     ++starts_[places_[id] + 2];
@@ -42,7 +47,7 @@ void BodyMap::refresh(const Bodies& bodies) {
   // Each cell's start stands one place too high until its bodies are in.
   farthest_ = 0.0;
   for (BodyId id = 0; id < count; ++id) {
-    if (!bodies.is_there(id)) {
+    if (!is_disc(bodies, id)) {
       places_[id] = static_cast<std::uint32_t>(count + kBeyond - 1);  // where nobody is
       continue;
     }

@@ -18,7 +18,8 @@ struct Disc {
   BodyId id;
 };
 
-/// A copy of all discs, sorted by place: for rays, which look far and in all directions.
+/// A copy of all discs, boxes and polygons left out, sorted by place: for rays, which look far and
+/// in all directions.
 ///
 /// Made anew when somebody looks after a body has moved, so that many looks between two steps
 /// share it. Cells hold a few bodies each, those of a row follow each other in memory.

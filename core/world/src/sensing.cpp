@@ -8,9 +8,6 @@ namespace {
 /// Directions nearer to each other than this (radians) are one contact: two walls meet there.
 constexpr double kSameDirection = 1e-6;
 
-/// No body is farther away than this, metres: infinite ranges need an end.
-constexpr double kHorizon = 1e9;
-
 /// In worlds where floats are off by more than this, metres, they are of no use.
 constexpr double kCoarse = 0.1;
 
@@ -28,7 +25,7 @@ void add_once(Vec2 direction, std::size_t first, std::vector<Vec2>& out) {
 }  // namespace
 
 bool World::Impl::are_few(const RayFan& fan) const {
-  return !bodies.any_convex_ && !fan.directions.empty() && fan.directions.size() <= Fan::kMost &&
+  return !fan.directions.empty() && fan.directions.size() <= Fan::kMost &&
          fan.spread <= Fan::kMostSpread;
 }
 
@@ -63,6 +60,7 @@ bool World::Impl::cast_few(std::span<const RayFan> asked) {
   Fan::meet_discs(fans, body_map, bodies.largest_radius());
   for (std::size_t i = 0; i < asked.size(); ++i) {
     std::copy_n(fans[i].ranges().begin(), asked[i].ranges.size(), asked[i].ranges.begin());
+    if (bodies.any_convex_) meet_convex(asked[i]);
   }
   fans.clear();  // the directions are lent
   return true;
@@ -85,6 +83,7 @@ void World::Impl::cast_around(Vec2 origin, std::span<const Vec2> directions, dou
   } else {
     sweep.meet_discs(body_map, bodies.largest_radius());
   }
+  if (bodies.any_convex_) meet_convex(sweep, ignore);
   std::copy_n(sweep.ranges().begin(), ranges.size(), ranges.begin());
 }
 
@@ -109,9 +108,8 @@ void World::cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_r
     const double reach = farthest + radius;
     if (id == ignore || norm_squared(centre - origin) >= reach * reach) return;
     if (bodies.convex_among(id, id)) {
-      const Convex shape = bodies.convex(id);
       for (std::size_t i = 0; i < directions.size(); ++i) {
-        ranges[i] = nearer_convex_hit(shape, origin, directions[i], ranges[i]);
+        ranges[i] = impl_->nearer_body_hit(id, origin, directions[i], ranges[i]);
       }
       return;
     }
@@ -150,8 +148,8 @@ void World::cast_fans(std::span<const RayFan> fans) const {
 
 void World::cast_sweep(Vec2 origin, std::span<const Vec2> directions, double gap, double max_range,
                        BodyId ignore, std::span<double> ranges) const {
-  // Sweeps know discs only, and what has an order.
-  if (impl_->bodies.any_convex_ || gap == 0.0 || directions.size() <= Fan::kMost) {
+  // Sweeps need an order.
+  if (gap == 0.0 || directions.size() <= Fan::kMost) {
     cast_fan(origin, directions, max_range, ignore, ranges);
     return;
   }

@@ -19,6 +19,9 @@
 
 namespace eyebridge::world {
 
+/// No body is farther away than this, metres: infinite ranges need an end.
+inline constexpr double kHorizon = 1e9;
+
 struct World::Impl {
   Impl(std::shared_ptr<const WorldModel> world_model, std::uint64_t run_seed);
 
@@ -118,7 +121,7 @@ struct World::Impl {
   [[nodiscard]] double wall_gap(BodyId id) const;
 
   // sensing.cpp
-  /// Whether they are what cast_few() is for: up to Fan::kMost rays, among discs only.
+  /// Whether they are what cast_few() is for: up to Fan::kMost rays, from places near each other.
   [[nodiscard]] bool are_few(const RayFan& fan) const;
   /// How far the rays of `fan` go until they meet walls.
   void cast_at_walls(const RayFan& fan, std::span<double> ranges) const;
@@ -128,6 +131,13 @@ struct World::Impl {
   /// World::cast_sweep(), for at most Sweep::kMost rays; without a `gap` in any directions.
   void cast_around(Vec2 origin, std::span<const Vec2> directions, double gap, double max_range,
                    BodyId ignore, std::span<double> ranges);
+
+  // convex_rays.cpp
+  /// Shortens the rays that meet a box or polygon other than `ignore`.
+  void meet_convex(Sweep& sweep, BodyId ignore) const;
+  void meet_convex(const RayFan& fan) const;
+  /// nearer_convex_hit() of a box or polygon.
+  [[nodiscard]] double nearer_body_hit(BodyId id, Vec2 origin, Vec2 direction, double best) const;
 
   // balls.cpp
   void roll(BodyId id, double dt);

@@ -85,13 +85,13 @@ TEST(Sweep, GivesExactlyTheRangesOfALoopOverAllWallsAndBodies) {
   }
 }
 
-/// What a loop over all gives; `world` has discs only.
+/// What a loop over all walls and discs gives.
 double expected_range(const World& world, const std::vector<Segment>& segments, Vec2 origin,
                       Vec2 direction, double max_range, BodyId ignore) {
   double range = max_range;
   for (const Segment& s : segments) range = nearer_hit(s, origin, direction, range);
   for (BodyId id = 0; id < world.body_count(); ++id) {
-    if (id == ignore || !world.is_there(id)) continue;
+    if (id == ignore || !world.is_there(id) || world.shape(id) == BodyShape::Polygon) continue;
     range = nearer_disc_hit(world.position(id), world.radius(id), origin, direction, range);
   }
   return range;
@@ -123,6 +123,49 @@ TEST(Sweep, FindsEachOfACrowdAndNoneThatHasLeft) {
           << "fan " << i << ", ray " << k;
     }
   }
+}
+
+TEST(Sweep, AmongBoxesAndPolygonsGivesExactlyTheRangesOfSingleRays) {
+  WorldModel model = random_walls(98, 20, 6.0, 0.08);
+  Random random(99);
+  for (int i = 0; i < 120; ++i) {
+    ObjectSpec object;
+    object.pose = {6.0 * random.uniform(), 6.0 * random.uniform(), 6.0 * random.uniform()};
+    if (i % 3 == 0) {
+      object.kind = ObjectKind::Polygon;
+      object.corners = {{0.1, 0.0}, {-0.05, 0.08}, {-0.1, -0.1}};
+    } else if (i % 3 == 1) {
+      object.kind = ObjectKind::Box;
+      object.size = {0.02 + 0.4 * random.uniform(), 0.02 + 0.1 * random.uniform()};
+    } else {
+      object.radius = 0.02 + 0.05 * random.uniform();
+    }
+    model.objects.push_back(object);
+  }
+  World world(shared(model));
+  const std::vector<Segment> segments = outlines_of(world.model().walls);
+  std::vector<double> ranges;
+  int by_corners = 0;
+  int inside = 0;
+  for (int i = 0; i < 300; ++i) {
+    const auto moved = static_cast<BodyId>(i % 120);
+    if (i % 7 == 0) world.set_pose(moved, {6.0 * random.uniform(), 6.0 * random.uniform(), 1.0});
+    if (i > 200) world.remove(moved);
+    const Rays rays = random_fan(segments, 6.0, random);
+    const auto ignore = static_cast<BodyId>(i % 130);
+    ranges.assign(rays.directions.size(), -1.0);
+    world.cast_sweep(rays.origin, rays.directions, rays.gap, 5.0, ignore, ranges);
+    for (std::size_t k = 0; k < ranges.size(); ++k) {
+      ASSERT_EQ(ranges[k], world.cast_ray(rays.origin, rays.directions[k], 5.0, ignore))
+          << "fan " << i << ", ray " << k;
+      const double others =
+          expected_range(world, segments, rays.origin, rays.directions[k], 5.0, ignore);
+      by_corners += ranges[k] < others ? 1 : 0;
+      inside += ranges[k] == 0.0 && others > 0.0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(by_corners, 1000);
+  EXPECT_GT(inside, 100) << "rays that begin in one";
 }
 
 TEST(Sweep, EveryInstructionSetGivesTheSameBits) {

@@ -170,7 +170,7 @@ class World {
   void cast_fan(Vec2 origin, std::span<const Vec2> directions, double max_range, BodyId ignore,
                 std::span<double> ranges) const;
   /// The same for many fans, in less time than one after the other: kFansTogether at once, where
-  /// neighbours have up to 16 rays each and a spread of up to a metre, and no body has corners.
+  /// neighbours have up to 16 rays each and a spread of up to a metre.
   void cast_fans(std::span<const RayFan> fans) const;
   /// The same ranges, faster, for directions that are evenly spaced: each is the one before turned
   /// by `gap` radians, not 0, to either side, all of them one turn at most.
