@@ -9,6 +9,7 @@
 #include "bench_worlds.hpp"
 #include "eyebridge/world/ray_caster.hpp"
 #include "eyebridge/world/world.hpp"
+#include "targets.hpp"
 
 namespace eyebridge {
 namespace {
@@ -70,9 +71,18 @@ void cast(benchmark::State& state, const WorldModel& model, RayMethod method) {
   }
   const double rate = static_cast<double>(scans * kRays) / (cpu_seconds() - start);
   state.counters["walls"] = static_cast<double>(model.walls.size());
-  state.counters["Mray/s"] = rate / 1e6;
+  const std::size_t walls = model.walls.size();
+  if (method == RayMethod::Grid && model.maze && walls < 1000) {
+    bench::at_least(state, "Mray/s", rate / 1e6, 50);
+  } else {
+    state.counters["Mray/s"] = rate / 1e6;
+  }
   state.counters["brute_Mray/s"] = baseline / 1e6;
-  state.counters["x_brute"] = rate / baseline;
+  if (method == RayMethod::Grid && walls > 1000) {
+    bench::at_least(state, "x_brute", rate / baseline, 100);
+  } else {
+    state.counters["x_brute"] = rate / baseline;
+  }
 }
 
 void register_all(const char* scene, WorldModel (*make)(int), bool maze) {
@@ -157,7 +167,7 @@ void among_boxes(benchmark::State& state, int count) {
   for (auto _ : state) lidar_ns(world, false, 1);
   state.counters["ray_ns"] = among;
   state.counters["walls_ns"] = walls;
-  state.counters["x_walls"] = among / walls;
+  bench::at_most(state, "x_walls", among / walls, 2);
   state.counters["single_ns"] = single;
 }
 

@@ -1,16 +1,17 @@
 #!/usr/bin/env python3
-"""What a call costs in Python beyond what it costs in C. Goal: at most 1.5 us.
+"""What a call costs in Python beyond what it costs in C: wanted are at most 1.5 us, and a tenth more fails.
 
     PYTHONPATH=build/release/python python3 bench/python_calls.py build/release/bin/python_calls
 """
 
 import os
+import resource
 import subprocess
 import sys
-import time
 
 CALLS = 50000
 REPEATS = 7
+MOST_US = 1.5
 os.environ |= {"EYEBRIDGE_FAST": "true", "EYEBRIDGE_KEYS": "KEY1@1e9s"}
 
 from eye import *  # noqa: E402
@@ -19,12 +20,16 @@ from eye import *  # noqa: E402
 def nanoseconds(function, *arguments):
     """Of one call: the fastest of several rounds, less the loop itself."""
 
+    def processor():  # time.process_time() is the robot's
+        usage = resource.getrusage(resource.RUSAGE_SELF)
+        return 1e9 * (usage.ru_utime + usage.ru_stime)
+
     def rounds(body):
         best = float("inf")
         for _ in range(REPEATS):
-            start = time.process_time_ns()
+            start = processor()
             body()
-            best = min(best, (time.process_time_ns() - start) / CALLS)
+            best = min(best, (processor() - start) / CALLS)
         return best
 
     def calls():
@@ -50,9 +55,13 @@ def main():
         "LCDSetPrintf": nanoseconds(LCDSetPrintf, 0, 0, "PSD %5d", 123),
     }
     print(f"{'call':16} {'C, us':>8} {'Python, us':>11} {'more, us':>9}")
+    missed = 0
     for name, ns in python.items():
         base = float(c[name])
-        print(f"{name:16} {base / 1e3:8.2f} {ns / 1e3:11.2f} {(ns - base) / 1e3:9.2f}")
+        more = (ns - base) / 1e3
+        missed += more > MOST_US * 1.1
+        print(f"{name:16} {base / 1e3:8.2f} {ns / 1e3:11.2f} {more:9.2f}{'  MISSED' if more > MOST_US * 1.1 else ''}")
+    sys.exit(1 if missed else 0)
 
 
 if __name__ == "__main__":

@@ -41,7 +41,8 @@ endfunction()
 # set; the CPU's best one runs.
 function(eyebridge_simd target)
   find_package(hwy REQUIRED)  # libhwy-dev
-  # Its headers alone: see EYEBRIDGE_BEST.
+  # Its headers alone, see EYEBRIDGE_BEST: its assertions end in its library.
+  target_compile_definitions(${target} PRIVATE HWY_IS_DEBUG_BUILD=0)
   target_include_directories(${target} SYSTEM PRIVATE $<TARGET_PROPERTY:hwy::hwy,INTERFACE_INCLUDE_DIRECTORIES>)
   # Arrays are padded for registers of 32 bytes: no target better than AVX2 (their bits lie below, in any version of
   # Highway). SSSE3 would help few old CPUs. EMU128, for all others, needs nothing of what g++ 12.2 gets wrong in it.

@@ -1,10 +1,14 @@
 #include "scale/arena.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <fstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+
+#include "eyebridge/base/random.hpp"
+#include "eyebridge/base/units.hpp"
 
 namespace eyebridge::bench {
 namespace {
@@ -49,13 +53,37 @@ std::size_t columns_of(std::size_t places) {
   return columns;
 }
 
+/// `count` of them about `centre`, where no robot starts.
+void add_boxes(world::WorldModel& model, Vec2 centre, std::size_t count,
+               const std::vector<std::vector<double>>& starts) {
+  constexpr double kClear = 0.3;  // metres
+  Random random(5);
+  for (std::size_t i = 0; i < count; ++i) {
+    Vec2 place;
+    const auto is_near = [&](const std::vector<double>& start) {
+      return norm(Vec2{start[0], start[1]} - place) < kClear;
+    };
+    do {
+      place = {kSide * (random.uniform() - 0.5), kSide * (random.uniform() - 0.5)};
+    } while (std::any_of(starts.begin(), starts.end(), is_near));
+    world::ObjectSpec& box = model.objects.emplace_back();
+    box.kind = world::ObjectKind::Box;
+    box.name = "box";
+    box.size = {0.1, 0.1};
+    box.matter.fixed = true;
+    box.pose = {centre.x + place.x, centre.y + place.y, kPi * random.uniform()};
+  }
+}
+
 }  // namespace
 
-Arena read_arena(const std::filesystem::path& folder, std::size_t robots, std::size_t in_one) {
+Arena read_arena(const std::filesystem::path& folder, std::size_t robots, std::size_t in_one,
+                 std::size_t empty, std::size_t boxes) {
   const auto walls = read_table(folder / "walls.csv", 5);
   const auto starts = read_table(folder / "robots.csv", 3);
-  const std::size_t places = robots <= in_one ? 1 : robots / in_one;
-  if (robots / places > starts.size() || robots % places != 0) {
+  const std::size_t inhabited = robots <= in_one ? 1 : robots / in_one;
+  const std::size_t places = inhabited + empty;
+  if (robots / inhabited > starts.size() || robots % inhabited != 0) {
     throw std::runtime_error("no starts for " + std::to_string(robots) + " robots");
   }
   const std::size_t columns = columns_of(places);
@@ -80,7 +108,8 @@ Arena read_arena(const std::filesystem::path& folder, std::size_t robots, std::s
       wall.thickness = w[3];
       model.walls.push_back(wall);
     }
-    for (std::size_t i = 0; i < robots / places; ++i) {
+    add_boxes(model, centre, boxes, starts);
+    for (std::size_t i = 0; place < inhabited && i < robots / inhabited; ++i) {
       const std::vector<double>& start = starts[i];
       arena.starts.push_back({centre.x + start[0], centre.y + start[1], start[2]});
     }

@@ -20,7 +20,10 @@ struct Arena {
 ///
 /// Up to `in_one` robots share one such place. More get as many of them as are needed for so many
 /// each, side by side with shared outer walls, as square as the number allows; `robots` is a
-/// multiple of `in_one` then. Throws std::runtime_error, which names file and line.
-Arena read_arena(const std::filesystem::path& folder, std::size_t robots, std::size_t in_one);
+/// multiple of `in_one` then. `empty` more places have no robots. In each
+/// place are `boxes` fixed boxes of 0.1 m. Throws std::runtime_error, which
+/// names file and line.
+Arena read_arena(const std::filesystem::path& folder, std::size_t robots, std::size_t in_one,
+                 std::size_t empty, std::size_t boxes);
 
 }  // namespace eyebridge::bench

@@ -1,13 +1,10 @@
 // A program that asks where it is and waits, 100 times a second: hundred_hertz SECONDS.
 // `./test scale` times how fast many of them run in virtual time; with "heap N" robot N says,
-// instead, how many bytes of heap are in use when all have printed something, and with "ask N" the
-// first one how many microseconds of real time a question takes, of N.
+// instead, how many bytes of heap are in use when all have printed something.
 #include <malloc.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/syscall.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <eyebot.h>
@@ -27,25 +24,9 @@ static void tell_heap(int robot) {
   OSWait(100);
 }
 
-/// Not clock_gettime(): that is the robot's time.
-static double real_time(void) {
-  struct timespec time = {0, 0};
-  syscall(SYS_clock_gettime, CLOCK_MONOTONIC, &time);
-  return (double)time.tv_sec + (double)time.tv_nsec * 1e-9;
-}
-
-static void ask(int questions) {
-  if (OSMachineID() != 1) return;
-  const double begin = real_time();
-  for (int i = 0; i < questions; ++i) PSDGet(PSD_FRONT);
-  printf("%.2f\n", (real_time() - begin) / questions * 1e6);
-}
-
 int main(int argc, char** argv) {
   if (argc > 2 && strcmp(argv[1], "heap") == 0) {
     tell_heap(atoi(argv[2]));
-  } else if (argc > 2 && strcmp(argv[1], "ask") == 0) {
-    ask(atoi(argv[2]));
   } else {
     work(100 * (argc > 1 ? atoi(argv[1]) : 60));
   }

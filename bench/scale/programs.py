@@ -11,10 +11,10 @@ FIELD = "floor 40000 40000\n0 0 40000 0\n40000 0 40000 40000\n40000 40000 0 4000
 RUNS = 3
 
 
-def run(build, world, robots, words, flags=()):
+def run(build, world, robots, words, flags=(), program="hundred_hertz"):
     """Times real time of one run, its peak of resident memory in MB, and what the programs said."""
     command = [f"{build}/bin/eyebridge", "run", "--fast", "--robots", str(robots), "--world", world, *flags,
-               f"{build}/bench/hundred_hertz", *words]
+               f"{build}/bench/{program}", *words]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     said, messages = process.stdout.read(), process.stderr.read()
     _, status, used = os.wait4(process.pid, 0)
@@ -44,7 +44,7 @@ def main(build):
             memory = max(result[1] for result in results)
             each = 1024 * (memory - alone) / (robots - 2)
             print(f"{robots:>9} {kind:>9} {speed:>12.0f} {goal:>7} {memory:>6.0f} {each:>9.0f}")
-        question = min(float(run(build, world, 2, ["ask", "50000"], ["--isolate"])[2]) for _ in range(RUNS))
+        question = min(float(run(build, world, 2, ["50000"], ["--isolate"], "ask")[2]) for _ in range(RUNS))
         print(f"a question from a process of its own: {question:.1f} µs (wanted: at most 5)")
         each = (heap(build, world, 1000) - heap(build, world, 10)) / 990 / 1024
         print(f"heap that one more robot takes: {each:.1f} kB (wanted: at most 64)")

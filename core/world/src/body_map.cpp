@@ -11,20 +11,19 @@ constexpr double kBodiesPerCell = 4.0;  // that is as wide as high
 /// Narrow cells: a row of them is one run of bodies, however many they are.
 constexpr double kColumnsPerRow = 4.0;
 
-/// Else it is not in the map.
-bool is_disc(const Bodies& bodies, BodyId id) {
-  return bodies.is_there(id) && !bodies.is_convex(id);
-}
-
 }  // namespace
 
 void BodyMap::refresh(const Bodies& bodies) {
   if (version_ == bodies.version()) return;
   version_ = bodies.version();
-  const std::size_t count = bodies.size();
-  if (count != places_.size()) {
+  if (bodies.size() != places_.size()) {
+    ids_.clear();
+    for (BodyId id = 0; id < bodies.size(); ++id) {
+      if (!bodies.is_convex(id)) ids_.push_back(id);
+    }
+    const std::size_t count = ids_.size();
     discs_.resize(count + kBeyond, {0.0, 0.0, std::numeric_limits<double>::quiet_NaN(), kNoBody});
-    places_.resize(count);
+    places_.assign(bodies.size(), where_nobody_is());
     near_.resize(count);
     for (std::vector<float>* row : {&x_, &y_, &r_}) row->assign(count + kBeyond, 0.0F);
     const double cells = static_cast<double>(count) / kBodiesPerCell + 1.0;
@@ -37,8 +36,8 @@ void BodyMap::refresh(const Bodies& bodies) {
   }
   starts_.assign(columns_ * rows_ + 2, 0);
   // At first each body's cell.
-  for (BodyId id = 0; id < count; ++id) {
-    if (!is_disc(bodies, id)) continue;
+  for (const BodyId id : ids_) {
+    if (!bodies.is_there(id)) continue;
     const Vec2 p = bodies.position(id);
     places_[id] = static_cast<std::uint32_t>(row_of(p.y) * columns_ + column_of(p.x));
     ++starts_[places_[id] + 2];
@@ -46,9 +45,9 @@ void BodyMap::refresh(const Bodies& bodies) {
   for (std::size_t c = 2; c < starts_.size(); ++c) starts_[c] += starts_[c - 1];
   // Each cell's start stands one place too high until its bodies are in.
   farthest_ = 0.0;
-  for (BodyId id = 0; id < count; ++id) {
-    if (!is_disc(bodies, id)) {
-      places_[id] = static_cast<std::uint32_t>(count + kBeyond - 1);  // where nobody is
+  for (const BodyId id : ids_) {
+    if (!bodies.is_there(id)) {
+      places_[id] = where_nobody_is();
       continue;
     }
     const Vec2 p = bodies.position(id);

@@ -102,6 +102,9 @@ class BodyMap {
   }
 
  private:
+  [[nodiscard]] std::uint32_t where_nobody_is() const {
+    return static_cast<std::uint32_t>(ids_.size() + kBeyond - 1);
+  }
   [[nodiscard]] std::size_t column_of(double x) const { return index(x * per_column_, columns_); }
   [[nodiscard]] std::size_t row_of(double y) const { return index(y * per_row_, rows_); }
   static std::size_t index(double i, std::size_t count) {
@@ -119,6 +122,7 @@ class BodyMap {
   std::size_t rows_ = 1;
   std::vector<std::uint32_t> starts_{0, 0};  ///< Cell -> first of its discs; one more at the end.
   std::vector<Disc> discs_;
+  std::vector<BodyId> ids_;            ///< Of those that are discs, or were.
   std::vector<std::uint32_t> places_;  ///< Body -> its disc, among `discs_`.
   std::vector<float> x_, y_, r_;
   double farthest_ = 0.0;   ///< Of all coordinates, metres.
