@@ -117,20 +117,27 @@ class DStarLite::Impl {
       if (g_[node] > rhs_[node]) {
         g_[node] = rhs_[node];
         heap_.remove(node);
-        pass_on(node, [&](Node near, Cost reached) { rhs_[near] = std::min(rhs_[near], reached); });
+        pass_on(node, [&](Node near, Cost reached) {
+          if (reached >= rhs_[near]) return false;
+          rhs_[near] = reached;
+          return true;
+        });
       } else {
         const Cost before = g_[node];
         g_[node] = kNoWay;
         update(node);
         pass_on(node, [&](Node near, Cost reached) {
-          if (rhs_[near] == reached - kNoWay + before) rhs_[near] = one_step_ahead(near);
+          if (rhs_[near] != reached - kNoWay + before) return false;
+          rhs_[near] = one_step_ahead(near);
+          return true;
         });
       }
     }
     return expanded;
   }
 
-  /// Calls `change(neighbour, cost of its way over node)` for all but the goal.
+  /// Calls `change(neighbour, cost of its way over node)` for all but the goal: whether it changed
+  /// anything.
   template <class Change>
   void pass_on(Node node, const Change& change) {
     if (graph_.is_blocked(node)) return;  // its neighbours heard of it when it was
@@ -138,8 +145,7 @@ class DStarLite::Impl {
     for (std::size_t d = 0; d < kDirections.size(); ++d) {
       const Node near = graph_.neighbour(node, d);
       if ((steps >> d & 1U) == 0 || near == goal_) continue;
-      change(near, g_[node] + kDirections[d].cost);
-      update(near);
+      if (change(near, g_[node] + kDirections[d].cost)) update(near);
     }
   }
 

@@ -44,6 +44,7 @@ double Simulation::Impl::ray_range(RobotIndex robot, std::size_t sensor) {
 
 void Simulation::Impl::measure_rays(RobotIndex robot, std::uint64_t sensors) {
   const Eyes& its = eyes[robot];
+  Looks lent;
   std::array<double, RangeLayout::kMostInFan> ranges;
   std::array<std::size_t, RangeLayout::kMostInFan> which;
   for (const RangeLayout::Fan& fan : its.layout->fans) {
@@ -55,10 +56,10 @@ void Simulation::Impl::measure_rays(RobotIndex robot, std::uint64_t sensors) {
       count += (sensors >> sensor) & 1U;
     }
     if (count == 0) continue;
-    fans.clear();
-    add_fan(its, fan, count, [&](std::size_t ray) { return which[ray]; }).ranges = {ranges.data(),
-                                                                                    count};
-    world.cast_fans(fans);
+    world::RayFan rays = fan_of(
+        its, fan, count, [&](std::size_t ray) { return which[ray]; }, lent);
+    rays.ranges = {ranges.data(), count};
+    world.cast_fans({&rays, 1});
     for (std::size_t ray = 0; ray < count; ++ray) {
       devices[robot].known_rays.keep(which[ray], ranges[ray]);
     }
@@ -75,34 +76,34 @@ double Simulation::read_range(RobotIndex robot, std::size_t sensor) {
 }
 
 template <class Which>
-world::RayFan& Simulation::Impl::add_fan(const Eyes& its, const RangeLayout::Fan& fan,
-                                         std::size_t count, Which which) {
-  if (fans.empty()) looks.resize(std::max(world::kFansTogether, its.layout->fans.size()));
+world::RayFan Simulation::Impl::fan_of(const Eyes& its, const RangeLayout::Fan& fan,
+                                       std::size_t count, Which which, Looks& lent) const {
   const Vec2 position = world.position(its.body);
   const Heading heading = world.heading(its.body);
-  Looks& look = looks[fans.size()];
   for (std::size_t i = 0; i < count; ++i) {
-    look.directions[i] = heading.turned(its.layout->headings[which(i)]).forward();
+    lent.directions[i] = heading.turned(its.layout->headings[which(i)]).forward();
   }
-  world::RayFan& rays = fans.emplace_back();
+  world::RayFan rays;
   rays.origin = position + heading.rotate(fan.origin);
-  rays.directions = {look.directions.data(), count};
+  rays.directions = {lent.directions.data(), count};
   rays.max_range = fan.max_range;
   rays.ignore = its.body;
   if (fan.spread == 0.0) return rays;
   for (std::size_t i = 0; i < count; ++i) {
-    look.origins[i] = position + heading.rotate(its.layout->origins[which(i)]);
+    lent.origins[i] = position + heading.rotate(its.layout->origins[which(i)]);
   }
-  rays.origins = {look.origins.data(), count};
+  rays.origins = {lent.origins.data(), count};
   rays.spread = fan.spread;
   return rays;
 }
 
 void Simulation::Impl::add_fans(RobotIndex robot, std::span<double> ranges) {
   const Eyes& its = eyes[robot];
+  if (fans.empty()) looks.resize(std::max(world::kFansTogether, its.layout->fans.size()));
   for (const RangeLayout::Fan& fan : its.layout->fans) {
-    add_fan(its, fan, fan.count, [&](std::size_t ray) { return fan.first + ray; }).ranges =
-        ranges.subspan(fan.first, fan.count);
+    const auto which = [&](std::size_t ray) { return fan.first + ray; };
+    fans.push_back(fan_of(its, fan, fan.count, which, looks[fans.size()]));
+    fans.back().ranges = ranges.subspan(fan.first, fan.count);
   }
 }
 

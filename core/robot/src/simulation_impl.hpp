@@ -42,10 +42,15 @@ struct Simulation::Impl {
   [[nodiscard]] double ray_range(RobotIndex robot, std::size_t sensor);
   /// Keeps how far the rays of those range sensors go that have a bit here.
   void measure_rays(RobotIndex robot, std::uint64_t sensors);
-  /// Adds a fan to `fans`: its rays are those of the sensors which(0), which(1), … of `fan`.
+  /// What a fan is lent.
+  struct Looks {
+    std::array<Vec2, RangeLayout::kMostInFan> directions;
+    std::array<Vec2, RangeLayout::kMostInFan> origins;
+  };
+  /// The rays of the sensors which(0), which(1), … of `fan`, without their ranges.
   template <class Which>
-  world::RayFan& add_fan(const Eyes& its, const RangeLayout::Fan& fan, std::size_t count,
-                         Which which);
+  [[nodiscard]] world::RayFan fan_of(const Eyes& its, const RangeLayout::Fan& fan,
+                                     std::size_t count, Which which, Looks& lent) const;
   /// Adds the rays of `robot`, whose range sensors are all rays, to `fans`, where there are none or
   /// room for all of its among world::kFansTogether; they will be `ranges` long.
   void add_fans(RobotIndex robot, std::span<double> ranges);
@@ -93,10 +98,6 @@ struct Simulation::Impl {
   ScanShapes scans;
   // Of the reading at hand; kept for its memory.
   std::vector<world::RayFan> fans;
-  struct Looks {
-    std::array<Vec2, RangeLayout::kMostInFan> directions;
-    std::array<Vec2, RangeLayout::kMostInFan> origins;
-  };
   std::vector<Looks> looks;  ///< What `fans` are lent.
   std::vector<Vec2> cone_directions;
   std::vector<Vec2> scan_directions;

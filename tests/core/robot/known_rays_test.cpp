@@ -2,11 +2,13 @@
 
 #include <cmath>
 #include <cstdint>
+#include <string>
 
 #include <gtest/gtest.h>
 
 #include "eyebridge/base/random.hpp"
 #include "eyebridge/base/units.hpp"
+#include "instruction_sets.hpp"
 #include "rig.hpp"
 
 namespace eyebridge::robot {
@@ -91,7 +93,7 @@ world::ObjectSpec thing(world::ObjectKind kind, Vec2 place) {
 }
 
 // Whatever moves, comes or goes between two questions, and whoever is asked next.
-TEST(KnownRays, AreThoseOfTheWorldAsItIs) {
+void expect_ranges_of_the_world_as_it_is() {
   Simulation sim(room(4.0, 4.0), {});
   const RobotModel model = with_sensors();
   const RobotIndex a = sim.add_robot(model, {1.0, 1.0, 0.3});
@@ -134,6 +136,13 @@ TEST(KnownRays, AreThoseOfTheWorldAsItIs) {
       }
     }
   }
+}
+
+TEST(KnownRays, AreThoseOfTheWorldAsItIs) {
+  in_every_instruction_set([](const std::string& name) {
+    SCOPED_TRACE(name);
+    expect_ranges_of_the_world_as_it_is();
+  });
 }
 
 }  // namespace
