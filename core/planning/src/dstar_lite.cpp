@@ -4,6 +4,7 @@
 #include <cassert>
 #include <optional>
 
+#include "bucket_queue.hpp"
 #include "grid_graph.hpp"
 #include "node_heap.hpp"
 
@@ -58,17 +59,17 @@ class DStarLite::Impl {
     const tl::expected<Ends, NoPath> ends = ends_of(raster, start, goal_point_);
     if (!ends) return tl::unexpected(ends.error());
     if (ends->start == ends->goal) return Path{{raster.geometry.centre_of(ends->goal)}, 0.0, 0};
+    bool first = false;
     if (start_) {
       km_ += octile(*start_, ends->start);
       start_ = ends->start;
     } else {
       start_ = ends->start;
       goal_ = graph_.node_of(ends->goal);
-      rhs_[goal_] = 0;
-      update(goal_);
+      first = true;
     }
     const Node from = graph_.node_of(ends->start);
-    const std::size_t expanded = compute(from);
+    const std::size_t expanded = first ? search(from) : compute(from);
     if (rhs_[from] >= kNoWay) return tl::unexpected(NoPath::Unreachable);
     Path path;
     path.expanded = expanded;
@@ -103,6 +104,46 @@ class DStarLite::Impl {
     } else {
       heap_.set(node, key_of(node));
     }
+  }
+
+  /// The first plan: A* from the goal, whose queue costs half as much as a heap with keys that
+  /// change. The heap gets what is left open.
+  std::size_t search(Node from) {
+    std::vector<std::uint8_t> open(graph_.size(), 0);
+    std::vector<Node> too_far;
+    BucketQueue queue(octile(*start_, graph_.cell_of(goal_)));
+    const auto reach = [&](Node node, Cost cost) {
+      rhs_[node] = cost;
+      open[node] = 1;
+      queue.push(node, cost + octile(*start_, graph_.cell_of(node)));
+    };
+    const auto expand = [&](Node node) {
+      open[node] = 0;
+      g_[node] = rhs_[node];
+      const unsigned steps = graph_.steps_from(node);
+      for (std::size_t d = 0; d < kDirections.size(); ++d) {
+        const Node near = graph_.neighbour(node, d);
+        const Cost cost = g_[node] + kDirections[d].cost;
+        if ((steps >> d & 1U) != 0 && cost < rhs_[near]) reach(near, cost);
+      }
+    };
+    std::size_t expanded = 0;
+    reach(goal_, 0);
+    for (std::optional<Cost> lowest = queue.lowest(); lowest && *lowest < rhs_[from];
+         lowest = queue.lowest()) {
+      const Node node = queue.pop();
+      if (open[node] == 0) continue;
+      if (rhs_[node] + octile(*start_, graph_.cell_of(node)) >= rhs_[from]) {
+        too_far.push_back(node);
+        continue;
+      }
+      ++expanded;
+      expand(node);
+    }
+    if (rhs_[from] < kNoWay) expand(from);
+    while (queue.lowest()) too_far.push_back(queue.pop());
+    for (const Node node : too_far) update(node);
+    return expanded;
   }
 
   std::size_t compute(Node from) {
