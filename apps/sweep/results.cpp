@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -21,6 +22,7 @@ namespace {
 namespace sqlite = camera::sqlite;
 
 constexpr int kPatience_ms = 10'000;  // for people who look at the file meanwhile
+constexpr auto kSyncPeriod = std::chrono::seconds(1);
 constexpr const char* kVersion = "1";
 // "EBSW"; a file that has another number is not ours.
 constexpr const char* kSchema =
@@ -149,12 +151,20 @@ ResultsFile::ResultsFile(const std::filesystem::path& path, std::string flag)
   }
   try {
     database_ = open_file(path, SQLITE_OPEN_READWRITE);
-    sqlite::run(database_.get(), "PRAGMA foreign_keys=ON; PRAGMA synchronous=FULL");
+    sqlite::run(database_.get(),
+                "PRAGMA foreign_keys=ON; PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL");
     if (is_empty(database_.get())) sqlite::run(database_.get(), kSchema);
     check_version(database_.get());
   } catch (const std::runtime_error& error) {
     refuse(path, error);
   }
+}
+
+ResultsFile::~ResultsFile() {
+  // Closed well, it needs no files beside it. Not possible while somebody reads it, which is not
+  // waited for.
+  sqlite3_busy_timeout(database_.get(), 0);
+  sqlite3_exec(database_.get(), "PRAGMA journal_mode=DELETE", nullptr, nullptr, nullptr);
 }
 
 void ResultsFile::note_input(const std::filesystem::path& path) {
@@ -185,6 +195,11 @@ std::set<std::string> ResultsFile::keys(bool well_only) const {
 
 void ResultsFile::add(const Cell& cell, const Outcome& outcome) {
   sqlite3* database = database_.get();
+  // To wait for the disk at each run would take as long as a short run does.
+  const auto now = std::chrono::steady_clock::now();
+  const bool waits = now - synced_ >= kSyncPeriod;
+  if (waits) synced_ = now;
+  sqlite::run(database, waits ? "PRAGMA synchronous=FULL" : "PRAGMA synchronous=NORMAL");
   sqlite::run(database, "BEGIN IMMEDIATE");
   try {
     const std::int64_t run = add_run(database, cell, outcome);

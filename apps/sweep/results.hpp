@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -32,13 +33,17 @@ struct ResultRow {
 /// collisions, state_hash, wall, cpu; null where there is none), `coordinate` (run, name, value:
 /// the cell), `result` (run, name, value: what the program said), `input` (path, hash: programs and
 /// worlds), `meta` (key, value). Each run is a transaction of its own: what has ended stays,
-/// whatever happens next. One thread.
+/// whatever happens to the process; the disk has it within a second as long as runs go on. While it
+/// is open, files with -wal and -shm after their names lie beside it. One thread.
 class ResultsFile {
  public:
   /// Opens or makes `path` for writing. Throws ConfigError: it is no such file, of another version,
   /// cannot be written, or another sweep is writing it.
   /// `flag` is what names another file, for messages.
   explicit ResultsFile(const std::filesystem::path& path, std::string flag = "--results");
+  ~ResultsFile();
+  ResultsFile(const ResultsFile&) = delete;
+  ResultsFile& operator=(const ResultsFile&) = delete;
 
   /// Says which version of a program or world the runs use. Throws ConfigError when runs of another
   /// version are in the file: they cannot be compared.
@@ -56,6 +61,7 @@ class ResultsFile {
   camera::sqlite::Database database_;
   std::string file_;
   std::string flag_;
+  std::chrono::steady_clock::time_point synced_{};  ///< When the disk was waited for last.
 };
 
 /// All runs in the file, in the order in which they ended. Throws ConfigError when it is missing or

@@ -44,24 +44,30 @@ bool run_cells(const std::vector<Cell>& cells, std::span<const std::size_t> todo
                const std::function<void(std::size_t, const Outcome&)>& ended,
                const std::function<bool()>& stop) {
   std::vector<Running> running;
-  while (!todo.empty() || !running.empty()) {
-    if (stop()) return false;
+  const auto start = [&] {
     while (!todo.empty() && running.size() < static_cast<std::size_t>(settings.jobs)) {
       const std::size_t cell = todo.front();
       todo = todo.subspan(1);
       running.push_back({cell, std::make_unique<CellProcess>(cells[cell], cell + 1, settings)});
     }
+  };
+  while (!todo.empty() || !running.empty()) {
+    if (stop()) return false;
+    start();
     const std::vector<pollfd> ends = wait_for(running);
     const auto now = std::chrono::steady_clock::now();
+    std::vector<Running> over;
     for (std::size_t i = running.size(); i-- > 0;) {
       if (ends[i].revents == 0) {
         running[i].process->check_time(now);
         continue;
       }
-      const Running run = std::move(running[i]);
+      over.push_back(std::move(running[i]));
       running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
-      ended(run.cell, run.process->reap());
     }
+    // What is done with the results takes a while: the next ones run meanwhile.
+    if (!stop()) start();
+    for (const Running& run : over) ended(run.cell, run.process->reap());
   }
   return true;
 }
