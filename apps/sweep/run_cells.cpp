@@ -66,7 +66,7 @@ bool run_cells(const std::vector<Cell>& cells, std::span<const std::size_t> todo
       running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
     }
     // What is done with the results takes a while: the next ones run meanwhile.
-    if (!stop()) start();
+    start();
     for (const Running& run : over) ended(run.cell, run.process->reap());
   }
   return true;
