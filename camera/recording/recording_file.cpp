@@ -1,8 +1,19 @@
 #include "eyebridge/camera/recording/recording_file.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <iterator>
+#include <span>
+#include <string_view>
 #include <system_error>
 
+#include <fcntl.h>
 #include <pthread.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/deaf_thread.hpp"
@@ -15,8 +26,10 @@ constexpr auto kRealCommitPeriod = std::chrono::milliseconds(500);
 // While a recording begins, and while it is closed, whoever looks at it is in the way for a moment.
 constexpr int kPatience_ms = 2000;
 
+// "EBRC". It comes first: by it a recording is known, also one whose program was killed.
+constexpr std::array<char, 4> kApplication = {'E', 'B', 'R', 'C'};
 constexpr const char* kSchema =
-    "PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; PRAGMA application_id=0x45425243;"
+    "PRAGMA application_id=0x45425243; PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL;"
     "CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL);"
     "CREATE TABLE device(kind TEXT NOT NULL, id INTEGER NOT NULL, facts TEXT NOT NULL);"
     "CREATE TABLE exchange(seq INTEGER PRIMARY KEY, t INTEGER NOT NULL, device TEXT NOT NULL,"
@@ -26,6 +39,50 @@ constexpr const char* kSchema =
     " sequence INTEGER NOT NULL, width INTEGER NOT NULL, height INTEGER NOT NULL,"
     " format TEXT NOT NULL, codec TEXT NOT NULL, data BLOB NOT NULL);"
     "INSERT INTO meta VALUES('version','1');";
+
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
+  throw ConfigError({}, "cannot write " + path.string() + ": " + why);
+}
+
+/// Whether the file is empty, or a recording: then another one may take its place. Of sqlite.org's
+/// "Database File Format", section 1.3.
+bool may_be_replaced(int file) {
+  constexpr std::string_view kMagic("SQLite format 3", 16);
+  constexpr std::size_t kIdAt = 68;
+  std::array<char, 100> header{};
+  const ssize_t got = pread(file, header.data(), header.size(), 0);
+  return got == 0 ||
+         (got == std::ssize(header) &&
+          std::ranges::equal(kMagic, std::span(header).first(kMagic.size())) &&
+          std::ranges::equal(kApplication, std::span(header).subspan(kIdAt, kApplication.size())));
+}
+
+/// An empty file at `path`, whose lock nobody else has. What lies there is not touched unless it is
+/// a recording that nobody writes. Throws ConfigError.
+UniqueFd claim(const std::filesystem::path& path) {
+  constexpr int kTries = 10;  // others may begin at the same moment
+  for (int i = 0; i < kTries; ++i) {
+    UniqueFd file(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666));
+    struct stat opened {
+    }, there{};
+    if (!file.valid() || fstat(file.get(), &opened) != 0) refuse(path, std::strerror(errno));
+    if (!S_ISREG(opened.st_mode)) refuse(path, "it is no regular file");
+    if (flock(file.get(), LOCK_EX | LOCK_NB) != 0)
+      refuse(path, "another run records into it; expected another name");
+    if (!may_be_replaced(file.get())) {
+      refuse(path, "it is there and no recording; expected a new name, or that of a recording");
+    }
+    if (stat(path.c_str(), &there) != 0 || there.st_ino != opened.st_ino) continue;
+    if (opened.st_size == 0) return file;
+    // A new file, and not this one made empty: somebody may replay it.
+    for (const char* end : {"", "-wal", "-shm"}) {
+      std::error_code
+          ignored;  // what cannot be removed cannot be written either: SQLite will say so
+      std::filesystem::remove(path.string() + end, ignored);
+    }
+  }
+  refuse(path, "others begin to write it all the time");
+}
 
 sqlite::Database make_database(const std::filesystem::path& path, const RecordingFacts& facts) {
   sqlite3* opened = nullptr;
@@ -47,14 +104,11 @@ sqlite::Database make_database(const std::filesystem::path& path, const Recordin
 }  // namespace
 
 RecordingFile::RecordingFile(const std::filesystem::path& path, const RecordingFacts& facts) {
-  for (const char* end : {"", "-wal", "-shm"}) {
-    std::error_code ignored;  // what cannot be removed cannot be written either: SQLite will say so
-    std::filesystem::remove(path.string() + end, ignored);
-  }
+  lock_ = claim(path);
   try {
     database_ = make_database(path, facts);
   } catch (const std::runtime_error& error) {
-    throw ConfigError({}, "cannot write " + path.string() + ": " + error.what());
+    refuse(path, error.what());
   }
   committer_ = deaf_thread([this] { keep_committing(); });
 }

@@ -4,7 +4,9 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <thread>
 
 #include <gmock/gmock.h>
@@ -193,6 +195,55 @@ TEST_F(Recordings, ThatCannotBeWrittenAreRefused) {
   } catch (const ConfigError& error) {
     EXPECT_THAT(error.text(), HasSubstr("cannot write /no/such/folder/x.ebrec"));
   }
+}
+
+/// Why a recording cannot be made at `path`; "" when it can.
+std::string refusal(const std::string& path) {
+  try {
+    const RecordingFile file(path, {});
+    return "";
+  } catch (const ConfigError& error) {
+    return error.text();
+  }
+}
+
+TEST_F(Recordings, ReplaceNothingButRecordings) {
+  const std::string text = "int main() { return 0; }";
+  std::ofstream(file_) << text;
+  EXPECT_THAT(refusal(file_), HasSubstr("it is there and no recording; expected a new name"));
+  std::ifstream there(file_);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(there), {}), text);
+
+  std::filesystem::remove(file_);
+  run_sql("CREATE TABLE mine(x); INSERT INTO mine VALUES(1)");
+  EXPECT_THAT(refusal(file_), HasSubstr("no recording"));
+  EXPECT_THAT(complaint(), HasSubstr("expected a recording"));
+  run_sql("SELECT x FROM mine");
+
+  EXPECT_THAT(refusal(files_.path("")), HasSubstr("cannot write"));
+  const std::string pipe = files_.path("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THAT(refusal(pipe), HasSubstr("no regular file"));
+}
+
+TEST_F(Recordings, TakeThePlaceOfEarlierOnes) {
+  std::ofstream(file_).close();
+  EXPECT_EQ(refusal(file_), "") << "an empty file is in nobody's way";
+  const FrameReader earlier(file_);
+  EXPECT_EQ(refusal(file_), "");
+  // One whose program was killed while it recorded.
+  const pid_t killed = fork();
+  if (killed == 0) {
+    const RecordingFile file(file_, {});
+    raise(SIGKILL);
+  }
+  waitpid(killed, nullptr, 0);
+  EXPECT_EQ(refusal(file_), "");
+}
+
+TEST_F(Recordings, AreWrittenByOneAtATime) {
+  const RecordingFile file(file_, {});
+  EXPECT_THAT(refusal(file_), HasSubstr("another run records into it"));
 }
 
 TEST_F(Recordings, ThoseWhoLookAtOneThatBeginsDoNotEndIt) {

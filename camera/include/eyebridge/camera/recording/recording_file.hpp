@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "eyebridge/base/clock.hpp"
+#include "eyebridge/base/unique_fd.hpp"
 #include "eyebridge/camera/recording/sqlite.hpp"
 
 namespace eyebridge::camera {
@@ -29,7 +30,8 @@ using RecordingFacts = std::vector<std::pair<std::string_view, std::string>>;
 /// when it had stopped writing long before. Any thread.
 class RecordingFile {
  public:
-  /// Replaces `path`. Throws ConfigError without a place when it cannot be written.
+  /// Replaces `path` if it is a recording. Throws ConfigError without a place when it is anything
+  /// else, another run is writing it, or it cannot be written.
   RecordingFile(const std::filesystem::path& path, const RecordingFacts& facts);
   /// Commits, and makes one file of three.
   ~RecordingFile();
@@ -52,6 +54,7 @@ class RecordingFile {
   void commit_pending();
   void keep_committing();
 
+  UniqueFd lock_;  ///< Held until the database is closed.
   sqlite::Database database_;
   std::mutex mutex_;
   std::condition_variable ended_;
