@@ -40,7 +40,7 @@ void put_anywhere(robot::Simulation& simulation, std::uint64_t seed) {
 Episode::Episode(std::shared_ptr<const files::Scenario> scenario,
                  const robot::SimulationSettings& settings, Start start)
     : scenario_(std::move(scenario)),
-      model_(std::make_shared<const world::WorldModel>(scenario_->world)),
+      model_(scenario_, &scenario_->world),
       start_(start),
       settings_(settings) {
   begin();

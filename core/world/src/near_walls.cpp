@@ -18,6 +18,18 @@ constexpr double kUsualCells = 1024.0;
 
 }  // namespace
 
+/// Of one cell. Without `fits` there are too many.
+struct NearWalls::List {
+  bool fits = false;
+  std::size_t length = 0;
+  std::size_t stride = 0;
+  Vec2 centre;
+  std::vector<std::uint32_t> indices;
+  std::vector<float> ends;
+};
+
+NearWalls::~NearWalls() = default;
+
 NearWalls::NearWalls(std::vector<Segment> segments, std::size_t most)
     : segments_(std::move(segments)),
       most_(most),
@@ -32,12 +44,19 @@ NearWalls::NearWalls(std::vector<Segment> segments, std::size_t most)
   }
 }
 
-NearWalls::Layer* NearWalls::layer_for(double reach) {
-  for (Layer& layer : layers_) {
-    if (layer.reach == reach) return &layer;
+const NearWalls::Layer* NearWalls::layer_for(double reach) const {
+  for (const std::atomic<Layer*>& known : layers_) {
+    const Layer* const layer = known.load(std::memory_order_acquire);
+    if (layer == nullptr) break;
+    if (layer->reach == reach) return layer;
   }
-  if (layers_.size() == kMostLayers) return nullptr;
-  Layer& layer = layers_.emplace_back();
+  const std::lock_guard lock(making_);
+  for (const auto& layer : made_layers_) {
+    if (layer->reach == reach) return layer.get();
+  }
+  if (made_layers_.size() == kMostLayers) return nullptr;
+  auto made = std::make_unique<Layer>();
+  Layer& layer = *made;
   layer.reach = reach;
   const Vec2 extent = high_ - low_;
   const double size = std::max(extent.x, extent.y);
@@ -49,14 +68,17 @@ NearWalls::Layer* NearWalls::layer_for(double reach) {
   layer.error = 1e-4 + 1e-6 * (extent.x + extent.y);
   layer.columns = static_cast<std::size_t>(extent.x / layer.cell) + 1;
   layer.rows = static_cast<std::size_t>(extent.y / layer.cell) + 1;
-  layer.starts.assign(layer.columns * layer.rows, kUnknown);
-  return &layer;
+  layer.lists = std::vector<std::atomic<const List*>>(layer.columns * layer.rows);
+  layers_[made_layers_.size()].store(made.get(), std::memory_order_release);
+  return made_layers_.emplace_back(std::move(made)).get();
 }
 
-std::uint32_t NearWalls::make_list(Layer& layer, Vec2 centre) {
+const NearWalls::List* NearWalls::make_list(const Layer& layer, Vec2 centre) const {
+  auto list = std::make_unique<List>();
+  list->centre = centre;
   // From the farthest corner of the cell; more than rounding makes of a place.
   const double limit = layer.reach + 0.5 * std::sqrt(2.0) * layer.cell * (1.0 + 1e-6) + 1e-6;
-  std::vector<std::uint32_t> near;
+  std::vector<std::uint32_t>& near = list->indices;
   if (limit * limit < std::numeric_limits<double>::max()) {
     grid_.each_in_box(centre - Vec2{limit, limit}, centre + Vec2{limit, limit},
                       [&](std::uint32_t i) {
@@ -65,30 +87,33 @@ std::uint32_t NearWalls::make_list(Layer& layer, Vec2 centre) {
                       });
     std::sort(near.begin(), near.end());
     near.erase(std::unique(near.begin(), near.end()), near.end());
-  } else if (segments_.size() <= most_) {
-    for (std::uint32_t i = 0; i < segments_.size(); ++i) near.push_back(i);
   } else {
-    return kTooMany;
+    for (std::uint32_t i = 0; i < segments_.size() && i <= most_; ++i) near.push_back(i);
   }
-  if (near.size() > most_) return kTooMany;
-  const auto start = static_cast<std::uint32_t>(layer.items.size());
-  layer.items.push_back(static_cast<std::uint32_t>(near.size()));
-  layer.items.insert(layer.items.end(), near.begin(), near.end());
-  // Where item i stands, its floats begin at 4 i: padded lists fill whole registers.
-  const std::size_t stride = (near.size() + kPadding - 1) / kPadding * kPadding;
-  layer.items.resize(start + std::max(stride, near.size() + 1), 0);
-  layer.ends.resize(4 * layer.items.size(), std::numeric_limits<float>::quiet_NaN());
-  float* const ends = layer.ends.data() + 4 * std::size_t{start};
-  for (std::size_t i = 0; i < near.size(); ++i) {
-    const Segment& s = segments_[near[i]];
-    const Vec2 a = s.a - centre;
+  list->fits = near.size() <= most_;
+  if (!list->fits) {
+    near = {};
+  } else {
+    fill_ends(*list);
+  }
+  return made_lists_.emplace_back(std::move(list)).get();
+}
+
+void NearWalls::fill_ends(List& list) const {
+  list.length = list.indices.size();
+  list.stride = (list.length + kPadding - 1) / kPadding * kPadding;
+  list.ends.resize(4 * list.stride, std::numeric_limits<float>::quiet_NaN());
+  float* const ends = list.ends.data();
+  for (std::size_t i = 0; i < list.length; ++i) {
+    const Segment& s = segments_[list.indices[i]];
+    const Vec2 a = s.a - list.centre;
     const Vec2 b = a + s.length * s.u;
     ends[i] = static_cast<float>(a.x);
-    ends[stride + i] = static_cast<float>(a.y);
-    ends[2 * stride + i] = static_cast<float>(b.x);
-    ends[3 * stride + i] = static_cast<float>(b.y);
+    ends[list.stride + i] = static_cast<float>(a.y);
+    ends[2 * list.stride + i] = static_cast<float>(b.x);
+    ends[3 * list.stride + i] = static_cast<float>(b.y);
   }
-  return start;
+  list.indices.resize(list.stride, 0);
 }
 
 std::optional<NearWalls::Layer::Cell> NearWalls::Layer::cell_of(Vec2 place) const {
@@ -101,22 +126,28 @@ std::optional<NearWalls::Layer::Cell> NearWalls::Layer::cell_of(Vec2 place) cons
   return Cell{static_cast<std::size_t>(x), static_cast<std::size_t>(y)};
 }
 
-std::optional<WallList> NearWalls::around(Vec2 origin, double reach) {
+std::optional<WallList> NearWalls::around(Vec2 origin, double reach) const {
   if (segments_.empty()) return WallList{};
-  Layer* const layer = layer_for(reach);
+  const Layer* const layer = layer_for(reach);
   if (layer == nullptr) return std::nullopt;
   const std::optional<Layer::Cell> cell = layer->cell_of(origin - low_);
   if (!cell) return std::nullopt;
-  std::uint32_t& start = layer->starts[cell->row * layer->columns + cell->column];
-  const Vec2 centre = low_ + layer->cell * Vec2{static_cast<double>(cell->column) + 0.5,
-                                                static_cast<double>(cell->row) + 0.5};
-  if (start == kUnknown) start = make_list(*layer, centre);
-  if (start == kTooMany) return std::nullopt;
-  const std::size_t length = layer->items[start];
-  return WallList{{layer->items.data() + start + 1, length},
-                  layer->ends.data() + 4 * std::size_t{start},
-                  (length + kPadding - 1) / kPadding * kPadding,
-                  centre,
+  std::atomic<const List*>& known = layer->lists[cell->row * layer->columns + cell->column];
+  const List* list = known.load(std::memory_order_acquire);
+  if (list == nullptr) {
+    const std::lock_guard lock(making_);
+    list = known.load(std::memory_order_relaxed);
+    if (list == nullptr) {
+      list = make_list(*layer, low_ + layer->cell * Vec2{static_cast<double>(cell->column) + 0.5,
+                                                         static_cast<double>(cell->row) + 0.5});
+      known.store(list, std::memory_order_release);
+    }
+  }
+  if (!list->fits) return std::nullopt;
+  return WallList{{list->indices.data(), list->length},
+                  list->ends.data(),
+                  list->stride,
+                  list->centre,
                   layer->error};
 }
 

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <array>
+#include <atomic>
 #include <cstdint>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
@@ -21,7 +25,7 @@ struct WallList {
   double error = 0.0;  ///< Metres by which the floats may be off.
 };
 
-/// Which walls are within reach of a place. Remembers what it found: not thread-safe.
+/// Which walls are within reach of a place. Remembers what it found. Any thread.
 ///
 /// The floor is divided into cells of a sixth of the reach, or up to a third where there would be
 /// more than a thousand of them; the list of a cell is made when the first ray starts there, and
@@ -35,15 +39,16 @@ class NearWalls {
 
   /// Where more than `most` walls are near, there is no list.
   explicit NearWalls(std::vector<Segment> segments, std::size_t most = kMost);
+  ~NearWalls();
 
   /// Indices of all segments within `reach` metres of `origin`, and of some more; ascending.
-  /// Nothing when there are too many, or when too many different reaches have been asked for. Valid
-  /// until the next call.
-  [[nodiscard]] std::optional<WallList> around(Vec2 origin, double reach);
+  /// Nothing when there are too many, or when too many different reaches have been asked for.
+  [[nodiscard]] std::optional<WallList> around(Vec2 origin, double reach) const;
 
   [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
 
  private:
+  struct List;
   /// The lists for one reach.
   struct Layer {
     double reach = 0.0;
@@ -52,9 +57,8 @@ class NearWalls {
     double error = 0.0;  ///< Of the floats, metres.
     std::size_t columns = 1;
     std::size_t rows = 1;
-    std::vector<std::uint32_t> starts;  ///< Cell -> first of its items, kUnknown or kTooMany.
-    std::vector<std::uint32_t> items;   ///< Each list begins with its length.
-    std::vector<float> ends;            ///< Four for each of `items`, list by list.
+    /// One a cell; null where none was made yet.
+    mutable std::vector<std::atomic<const List*>> lists;
 
     struct Cell {
       std::size_t column, row;
@@ -62,19 +66,23 @@ class NearWalls {
     /// Where a place is, seen from the lower left corner of all.
     [[nodiscard]] std::optional<Cell> cell_of(Vec2 place) const;
   };
-  static constexpr std::uint32_t kUnknown = ~std::uint32_t{0};
-  static constexpr std::uint32_t kTooMany = kUnknown - 1;
   static constexpr std::size_t kMostLayers = 8;
 
-  Layer* layer_for(double reach);
-  std::uint32_t make_list(Layer& layer, Vec2 centre);
+  [[nodiscard]] const Layer* layer_for(double reach) const;
+  // making_ is held.
+  [[nodiscard]] const List* make_list(const Layer& layer, Vec2 centre) const;
+  void fill_ends(List& list) const;
 
   std::vector<Segment> segments_;
   std::size_t most_;
   SegmentGrid grid_;
   Vec2 low_;
   Vec2 high_;  ///< Box around all segments.
-  std::vector<Layer> layers_;
+  // What was found. Who looks reads without a lock, who finds nothing makes it with one.
+  mutable std::array<std::atomic<Layer*>, kMostLayers> layers_{};
+  mutable std::mutex making_;
+  mutable std::vector<std::unique_ptr<Layer>> made_layers_;
+  mutable std::vector<std::unique_ptr<const List>> made_lists_;
 };
 
 }  // namespace eyebridge::world

@@ -49,12 +49,13 @@ bool World::Impl::cast_few(std::span<const RayFan> asked) {
       return false;
     }
     Fan& fan = fans.emplace_back(ray, body_map.place_of(ray.ignore));
-    const auto walls_near =
-        by_sweep ? near_walls.around(ray.origin, Fan::reach_of(ray)) : std::nullopt;
+    const auto walls_near = standing_walls->by_sweep
+                                ? standing_walls->near.around(ray.origin, Fan::reach_of(ray))
+                                : std::nullopt;
     if (!walls_near) {
       cast_at_walls(ray, fan.ranges());
     } else {
-      fan.meet_walls(near_walls.segments().data(), *walls_near);
+      fan.meet_walls(standing_walls->near.segments().data(), *walls_near);
     }
   }
   Fan::meet_discs(fans, body_map, bodies.largest_radius());
@@ -71,11 +72,12 @@ void World::Impl::cast_around(Vec2 origin, std::span<const Vec2> directions, dou
   body_map.refresh(bodies);
   const BodyMap::Hidden hidden(body_map, ignore);
   Sweep sweep(origin, directions, gap, max_range);
-  const auto walls_near = by_sweep ? near_walls.around(origin, max_range) : std::nullopt;
+  const auto walls_near =
+      standing_walls->by_sweep ? standing_walls->near.around(origin, max_range) : std::nullopt;
   if (!walls_near) {
     rays.cast_fan(origin, directions, max_range, sweep.ranges());
   } else {
-    sweep.meet_walls(near_walls.segments().data(), *walls_near);
+    sweep.meet_walls(standing_walls->near.segments().data(), *walls_near);
   }
   if (body_map.error(origin) >= kCoarse) {
     const double reach = farthest_of(sweep.ranges()) + bodies.largest_radius();

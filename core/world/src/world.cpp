@@ -5,17 +5,15 @@
 
 #include <fmt/format.h>
 
-#include "ray_grid.hpp"
 #include "world_impl.hpp"
 
 namespace eyebridge::world {
 
 World::Impl::Impl(std::shared_ptr<const WorldModel> world_model, std::uint64_t run_seed)
-    : model(std::move(world_model)),
-      walls(model->walls),
-      rays(*model),
-      by_sweep(rays.method() != RayMethod::EdgeBits),
-      near_walls(by_sweep ? outlines_of(model->walls) : std::vector<Segment>{}),
+    : standing_walls(StandingWalls::of(world_model)),
+      model(std::move(world_model)),
+      walls(standing_walls->index),
+      rays(standing_walls->rays),
       bodies(model->width, model->height),
       seed(run_seed),
       body_map(model->width, model->height) {

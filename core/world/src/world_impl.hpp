@@ -11,11 +11,10 @@
 #include "contacts.hpp"
 #include "eyebridge/world/world.hpp"
 #include "fan.hpp"
-#include "near_walls.hpp"
 #include "paths.hpp"
 #include "reactions.hpp"
+#include "standing_walls.hpp"
 #include "sweep.hpp"
-#include "wall_index.hpp"
 
 namespace eyebridge::world {
 
@@ -152,11 +151,10 @@ struct World::Impl {
 
   [[nodiscard]] bool gives_way(BodyId id) const { return bodies.response_[id].gives_way; }
 
+  std::shared_ptr<const StandingWalls> standing_walls;
   std::shared_ptr<const WorldModel> model;
-  WallIndex walls;
-  RayCaster rays;
-  bool by_sweep;  ///< Walls of rays by `near_walls` where few are near; else by `rays` alone.
-  NearWalls near_walls;
+  const WallIndex& walls;
+  const RayCaster& rays;
   Bodies bodies;
   std::uint64_t seed;
   std::vector<Thing> things;

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -14,6 +17,7 @@
 #include "near_walls.hpp"
 #include "ray_scenes.hpp"
 #include "scenes.hpp"
+#include "standing_walls.hpp"
 
 namespace eyebridge::world {
 namespace {
@@ -282,6 +286,39 @@ TEST(NearWalls, ListsEveryWallInReachOnceAndGivesUpWhereThereAreMany) {
   EXPECT_GT(listed, 1000);
   EXPECT_GT(given_up, 500);
   EXPECT_FALSE(near.around({-1.0, 2.0}, 1.0)) << "outside";
+}
+
+TEST(NearWalls, GivesManyThreadsTheSameLists) {
+  const std::vector<Segment> segments = outlines_of(random_walls(95, 60, 5.0, 0.08).walls);
+  const NearWalls near(segments);
+  std::vector<std::vector<std::uint32_t>> seen(4);
+  {
+    std::vector<std::jthread> threads;
+    for (std::vector<std::uint32_t>& mine : seen) {
+      threads.emplace_back([&] {
+        Random random(96);
+        for (int i = 0; i < 2000; ++i) {
+          const Vec2 place{5 * random.uniform(), 5 * random.uniform()};
+          const auto list = near.around(place, i % 2 == 0 ? 1.0 : 2.0);
+          if (list) mine.insert(mine.end(), list->indices.begin(), list->indices.end());
+        }
+      });
+    }
+  }
+  EXPECT_GT(seen[0].size(), 10000U);
+  for (const auto& each : seen) EXPECT_EQ(each, seen[0]);
+}
+
+TEST(StandingWalls, AreSharedByTheWorldsOfAModelForAsLongAsThereAreSome) {
+  const std::shared_ptr<const WorldModel> model = shared(random_walls(1, 5, 4.0, 0.05));
+  const auto other = std::make_shared<const WorldModel>(*model);
+  auto walls = StandingWalls::of(model);
+  EXPECT_EQ(StandingWalls::of(model), walls);
+  EXPECT_NE(StandingWalls::of(other), walls);
+  const std::weak_ptr<const StandingWalls> gone = walls;
+  walls = nullptr;
+  EXPECT_TRUE(gone.expired());
+  EXPECT_EQ(StandingWalls::of(model)->model, model);
 }
 
 }  // namespace

@@ -1,0 +1,33 @@
+#include "standing_walls.hpp"
+
+#include <map>
+#include <mutex>
+#include <utility>
+
+#include "ray_grid.hpp"
+
+namespace eyebridge::world {
+
+StandingWalls::StandingWalls(std::shared_ptr<const WorldModel> world_model)
+    : model(std::move(world_model)),
+      index(model->walls),
+      rays(*model),
+      by_sweep(rays.method() != RayMethod::EdgeBits),
+      near(by_sweep ? outlines_of(model->walls) : std::vector<Segment>{}) {}
+
+std::shared_ptr<const StandingWalls> StandingWalls::of(
+    const std::shared_ptr<const WorldModel>& model) {
+  // Those that are there hold their models: no address stands for two of them.
+  static std::mutex mutex;
+  static std::map<const WorldModel*, std::weak_ptr<const StandingWalls>> known;
+  const std::lock_guard lock(mutex);
+  if (const auto found = known.find(model.get()); found != known.end()) {
+    if (auto there = found->second.lock()) return there;
+  }
+  std::erase_if(known, [](const auto& entry) { return entry.second.expired(); });
+  auto made = std::make_shared<const StandingWalls>(model);
+  known[model.get()] = made;
+  return made;
+}
+
+}  // namespace eyebridge::world
