@@ -10,7 +10,7 @@ import tempfile
 
 from rounds import ROUNDS, Targets, cpu_of, figures, in_rounds, run, spread
 
-FIELD = "floor 40000 40000\n0 0 40000 0\n40000 0 40000 40000\n40000 40000 0 40000\n0 40000 0 0\n"
+FIELD = "floor 200000 200000\n0 0 200000 0\n200000 0 200000 200000\n200000 200000 0 200000\n0 200000 0 0\n"
 MOST = 1.5  # times the least cost of a unit
 
 
@@ -45,12 +45,12 @@ def rows(build, data, folder):
     pathlib.Path(world).write_text(FIELD, encoding="ascii")
     sim = lambda *words: scale_cost(build, data, *words)  # noqa: E731
     return {
-        "robots, ten to a place": ("µs a decision", {n: sim(n, max(2, 20000 // n), "--in-one", 10) for n in (10, 100, 1000, 10000)}),
-        "robots, 1,000 to a place": ("µs a decision", {n: sim(n, max(2, 20000 // n)) for n in (1000, 10000, 100000)}),
-        "robots, steps of 10 ms": ("µs a decision", {n: sim(n, max(2, 20000 // n), "--step", 0.01) for n in (1000, 10000, 100000)}),
+        "robots, ten to a place": ("µs a decision", {n: sim(n, max(6, 100000 // n), "--in-one", 10) for n in (10, 100, 1000, 10000)}),
+        "robots, 1,000 to a place": ("µs a decision", {n: sim(n, max(6, 100000 // n)) for n in (1000, 10000, 100000)}),
+        "robots, steps of 10 ms": ("µs a decision", {n: sim(n, max(6, 100000 // n), "--step", 0.01) for n in (1000, 10000, 100000)}),
         "walls, ten robots": ("µs a decision", {100 * (1 + n): sim(10, 2000, "--empty", n) for n in (0, 9, 99, 999, 4999)}),
         "boxes, a hundred to a place": ("µs a decision", {100 * (1 + n): sim(10, 1000, "--boxes", 100, "--empty", n) for n in (0, 9, 99)}),
-        "programs": ("ns a round", {n: program_cost(build, world, n, max(3, 60000 // n)) for n in (1, 10, 100, 1000, 10000)}),
+        "programs": ("ns a round", {n: program_cost(build, world, n, max(3, 30000 // n)) for n in (1, 10, 100, 1000, 9000)}),
         "hours": ("ms an hour", {n: hour_cost(build, world, folder, n, []) for n in (1, 10)}),
         "hours with --out": ("ms an hour", {n: hour_cost(build, world, folder, n, ["--out", "FOLDER/run"]) for n in (1, 10)}),
         "hours with --record": ("ms an hour", {n: hour_cost(build, world, folder, n, ["--record", "FOLDER/run.ebrec"]) for n in (1, 10)}),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <utility>
 
 namespace eyebridge::world {
@@ -18,14 +19,19 @@ constexpr double kUsualCells = 1024.0;
 
 }  // namespace
 
-/// Of one cell. Without `fits` there are too many.
-struct NearWalls::List {
+/// Of one cell: its ends and indices follow it in memory, so that a processor that has found the
+/// one has the others on their way. Without `fits` there are too many.
+struct alignas(64) NearWalls::List {
   bool fits = false;
   std::size_t length = 0;
   std::size_t stride = 0;
   Vec2 centre;
-  std::vector<std::uint32_t> indices;
-  std::vector<float> ends;
+
+  [[nodiscard]] float* ends() { return reinterpret_cast<float*>(this + 1); }
+  [[nodiscard]] const float* ends() const { return reinterpret_cast<const float*>(this + 1); }
+  [[nodiscard]] const std::uint32_t* indices() const {
+    return reinterpret_cast<const std::uint32_t*>(ends() + 4 * stride);
+  }
 };
 
 NearWalls::~NearWalls() = default;
@@ -74,11 +80,9 @@ const NearWalls::Layer* NearWalls::layer_for(double reach) const {
 }
 
 const NearWalls::List* NearWalls::make_list(const Layer& layer, Vec2 centre) const {
-  auto list = std::make_unique<List>();
-  list->centre = centre;
   // From the farthest corner of the cell; more than rounding makes of a place.
   const double limit = layer.reach + 0.5 * std::sqrt(2.0) * layer.cell * (1.0 + 1e-6) + 1e-6;
-  std::vector<std::uint32_t>& near = list->indices;
+  std::vector<std::uint32_t> near;
   if (limit * limit < std::numeric_limits<double>::max()) {
     grid_.each_in_box(centre - Vec2{limit, limit}, centre + Vec2{limit, limit},
                       [&](std::uint32_t i) {
@@ -90,30 +94,26 @@ const NearWalls::List* NearWalls::make_list(const Layer& layer, Vec2 centre) con
   } else {
     for (std::uint32_t i = 0; i < segments_.size() && i <= most_; ++i) near.push_back(i);
   }
-  list->fits = near.size() <= most_;
-  if (!list->fits) {
-    near = {};
-  } else {
-    fill_ends(*list);
-  }
-  return made_lists_.emplace_back(std::move(list)).get();
-}
-
-void NearWalls::fill_ends(List& list) const {
-  list.length = list.indices.size();
-  list.stride = (list.length + kPadding - 1) / kPadding * kPadding;
-  list.ends.resize(4 * list.stride, std::numeric_limits<float>::quiet_NaN());
-  float* const ends = list.ends.data();
-  for (std::size_t i = 0; i < list.length; ++i) {
-    const Segment& s = segments_[list.indices[i]];
-    const Vec2 a = s.a - list.centre;
+  const bool fits = near.size() <= most_;
+  if (!fits) near.clear();
+  const std::size_t stride = (near.size() + kPadding - 1) / kPadding * kPadding;
+  const std::size_t bytes = sizeof(List) + stride * (4 * sizeof(float) + sizeof(std::uint32_t));
+  List& list =
+      *new (memory_.allocate(bytes, alignof(List))) List{fits, near.size(), stride, centre};
+  float* const ends = list.ends();
+  std::fill_n(ends, 4 * stride, std::numeric_limits<float>::quiet_NaN());
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const Segment& s = segments_[near[i]];
+    const Vec2 a = s.a - centre;
     const Vec2 b = a + s.length * s.u;
     ends[i] = static_cast<float>(a.x);
-    ends[list.stride + i] = static_cast<float>(a.y);
-    ends[2 * list.stride + i] = static_cast<float>(b.x);
-    ends[3 * list.stride + i] = static_cast<float>(b.y);
+    ends[stride + i] = static_cast<float>(a.y);
+    ends[2 * stride + i] = static_cast<float>(b.x);
+    ends[3 * stride + i] = static_cast<float>(b.y);
   }
-  list.indices.resize(list.stride, 0);
+  near.resize(stride, 0);
+  std::ranges::copy(near, const_cast<std::uint32_t*>(list.indices()));
+  return &list;
 }
 
 std::optional<NearWalls::Layer::Cell> NearWalls::Layer::cell_of(Vec2 place) const {
@@ -144,11 +144,8 @@ std::optional<WallList> NearWalls::around(Vec2 origin, double reach) const {
     }
   }
   if (!list->fits) return std::nullopt;
-  return WallList{{list->indices.data(), list->length},
-                  list->ends.data(),
-                  list->stride,
-                  list->centre,
-                  layer->error};
+  return WallList{
+      {list->indices(), list->length}, list->ends(), list->stride, list->centre, layer->error};
 }
 
 }  // namespace eyebridge::world

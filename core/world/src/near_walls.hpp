@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <memory_resource>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -71,7 +72,6 @@ class NearWalls {
   [[nodiscard]] const Layer* layer_for(double reach) const;
   // making_ is held.
   [[nodiscard]] const List* make_list(const Layer& layer, Vec2 centre) const;
-  void fill_ends(List& list) const;
 
   std::vector<Segment> segments_;
   std::size_t most_;
@@ -82,7 +82,7 @@ class NearWalls {
   mutable std::array<std::atomic<Layer*>, kMostLayers> layers_{};
   mutable std::mutex making_;
   mutable std::vector<std::unique_ptr<Layer>> made_layers_;
-  mutable std::vector<std::unique_ptr<const List>> made_lists_;
+  mutable std::pmr::monotonic_buffer_resource memory_;  ///< Of the lists.
 };
 
 }  // namespace eyebridge::world

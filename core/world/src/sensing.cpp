@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 
 #include "world_impl.hpp"
 
@@ -42,20 +43,23 @@ void World::Impl::cast_at_walls(const RayFan& fan, std::span<double> ranges) con
 
 bool World::Impl::cast_few(std::span<const RayFan> asked) {
   body_map.refresh(bodies);
+  // All are looked up first: a processor waits for the walls of many at the same time.
+  std::array<std::optional<WallList>, kFansTogether> near;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const RayFan& ray = asked[i];
+    if (body_map.error(ray.origin) >= kCoarse) return false;
+    if (!standing_walls->by_sweep) continue;
+    near[i] = standing_walls->near.around(ray.origin, Fan::reach_of(ray));
+    if (near[i]) __builtin_prefetch(near[i]->ends);
+  }
   fans.clear();
-  for (const RayFan& ray : asked) {
-    if (body_map.error(ray.origin) >= kCoarse) {
-      fans.clear();
-      return false;
-    }
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    const RayFan& ray = asked[i];
     Fan& fan = fans.emplace_back(ray, body_map.place_of(ray.ignore));
-    const auto walls_near = standing_walls->by_sweep
-                                ? standing_walls->near.around(ray.origin, Fan::reach_of(ray))
-                                : std::nullopt;
-    if (!walls_near) {
-      cast_at_walls(ray, fan.ranges());
+    if (near[i]) {
+      fan.meet_walls(standing_walls->near.segments().data(), *near[i]);
     } else {
-      fan.meet_walls(standing_walls->near.segments().data(), *walls_near);
+      cast_at_walls(ray, fan.ranges());
     }
   }
   Fan::meet_discs(fans, body_map, bodies.largest_radius());
