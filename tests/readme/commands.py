@@ -145,7 +145,8 @@ ROWS = (
     Row("docs/same-bits.md", "eyebridge run --fast --seed 7 --world rooms.wld --report run.toml prog", prints=DROVE,
         leaves=("run.toml",)),
 
-    Row("docs/scale.md", "./test scale", elsewhere="a measurement of minutes, by hand; ./test all has its benchmark with one run"),
+    Row("docs/scale.md", "./test peers", elsewhere="a measurement of minutes, by hand; ./test all has one short round of it"),
+    Row("docs/scale.md", "./test scale", elsewhere="a measurement of minutes, by hand; ./test all has one short round of it"),
     Row("docs/tour.md", "./run --gui", stop=WINDOWS, exit=130),
     Row("docs/tour.md", "eyebridge run --gui --world FILE prog", typed="eyebridge run --gui --world rooms.wld examples/wall_follow.py",
         stop=WINDOWS, exit=130),

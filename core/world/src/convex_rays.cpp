@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "eyebridge/base/math.hpp"
 #include "sweep_bearings.hpp"
 #include "world_impl.hpp"
 
@@ -25,7 +26,8 @@ void World::Impl::meet_convex(Sweep& sweep, BodyId ignore) const {
       }
     };
     if (nearest <= 0.0) return meet(0, ranges.size() - 1);
-    const double half = (std::asin(radius / distance) + kBearingError) * sweep.per_gap + kRayMargin;
+    const double beside = std::sqrt(distance * distance - radius * radius);
+    const double half = (arc_tan2(radius, beside) + kBearingError) * sweep.per_gap + kRayMargin;
     const double middle = sweep.number_of(way);
     sweep.each_between(middle - half, middle + half, meet);
   });
