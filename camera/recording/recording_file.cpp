@@ -63,12 +63,13 @@ UniqueFd claim(const std::filesystem::path& path) {
   constexpr int kTries = 10;  // others may begin at the same moment
   for (int i = 0; i < kTries; ++i) {
     UniqueFd file(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666));
-    struct stat opened {
-    }, there{};
+    struct stat opened = {};
+    struct stat there = {};
     if (!file.valid() || fstat(file.get(), &opened) != 0) refuse(path, std::strerror(errno));
     if (!S_ISREG(opened.st_mode)) refuse(path, "it is no regular file");
-    if (flock(file.get(), LOCK_EX | LOCK_NB) != 0)
+    if (flock(file.get(), LOCK_EX | LOCK_NB) != 0) {
       refuse(path, "another run records into it; expected another name");
+    }
     if (!may_be_replaced(file.get())) {
       refuse(path, "it is there and no recording; expected a new name, or that of a recording");
     }
@@ -76,12 +77,11 @@ UniqueFd claim(const std::filesystem::path& path) {
     if (opened.st_size == 0) return file;
     // A new file, and not this one made empty: somebody may replay it.
     for (const char* end : {"", "-wal", "-shm"}) {
-      std::error_code
-          ignored;  // what cannot be removed cannot be written either: SQLite will say so
+      std::error_code ignored;  // what cannot be removed will be refused in the next round
       std::filesystem::remove(path.string() + end, ignored);
     }
   }
-  refuse(path, "others begin to write it all the time");
+  refuse(path, "it cannot be replaced");
 }
 
 sqlite::Database make_database(const std::filesystem::path& path, const RecordingFacts& facts) {

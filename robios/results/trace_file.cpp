@@ -1,7 +1,7 @@
 #include "trace_file.hpp"
 
-#include <cmath>
-#include <cstdint>
+#include <array>
+#include <charconv>
 #include <iterator>
 
 #include <fmt/format.h>
@@ -11,32 +11,13 @@ namespace {
 
 constexpr Time kRowPeriod = std::chrono::milliseconds(50);
 
-/// A number and the digits behind its point.
-struct Fixed {
-  double value;
-  int digits;
-};
-
-/// As "{:.4f}" writes it, but for a last digit that might be either, and -0: five times as fast, in
-/// hours of virtual time half of what a run costs.
-void append(std::string& row, const Fixed& number) {
-  constexpr double kPowers[] = {1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
-  constexpr double kMost = 1e15;  // exact as an integer
-  const double scaled = std::fabs(number.value) * kPowers[number.digits];
-  if (!(scaled < kMost)) {
-    fmt::format_to(std::back_inserter(row), "{:.{}f}", number.value, number.digits);
-    return;
-  }
-  const auto rounded = static_cast<std::uint64_t>(std::llround(scaled));
-  const fmt::format_int all(rounded);
-  if (number.value < 0.0 && rounded != 0) row += '-';
-  const auto digits = static_cast<std::size_t>(number.digits);
-  const std::size_t whole = all.size() > digits ? all.size() - digits : 0;
-  row.append(all.data(), whole);
-  if (whole == 0) row += '0';
-  row += '.';
-  row.append(digits - (all.size() - whole), '0');
-  row.append(all.data() + whole, all.size() - whole);
+/// As fmt's "{:.4f}", in half the time: in hours of virtual time these numbers are half of what a
+/// run costs.
+void append(std::string& row, double number, int digits) {
+  std::array<char, 400> text;  // the longest double has 309 digits before its point
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), number,
+                                 std::chars_format::fixed, digits);
+  row.append(text.data(), end.ptr);
 }
 
 void append_header(std::string& row, std::size_t ranges) {
@@ -52,18 +33,15 @@ void TraceFile::add(const hal::TracePoint& p) noexcept {
   row_.clear();
   if (next_row_ == Time{0}) append_header(row_, p.ranges.size());
   next_row_ = p.time + kRowPeriod;
-  append(row_, {to_seconds(p.time), 3});
-  for (const Fixed& number :
-       {Fixed{p.pose.x, 6}, Fixed{p.pose.y, 6}, Fixed{p.pose.theta, 6}, Fixed{p.twist.linear, 4},
-        Fixed{p.twist.angular, 4}, Fixed{p.odometry.x, 6}, Fixed{p.odometry.y, 6},
-        Fixed{p.odometry.theta, 6}}) {
+  append(row_, to_seconds(p.time), 3);
+  const auto add = [&](double number, int digits) {
     row_ += ',';
-    append(row_, number);
-  }
-  for (const double range : p.ranges) {
-    row_ += ',';
-    append(row_, {range, 4});
-  }
+    append(row_, number, digits);
+  };
+  for (const double number : {p.pose.x, p.pose.y, p.pose.theta}) add(number, 6);
+  for (const double number : {p.twist.linear, p.twist.angular}) add(number, 4);
+  for (const double number : {p.odometry.x, p.odometry.y, p.odometry.theta}) add(number, 6);
+  for (const double range : p.ranges) add(range, 4);
   row_ += '\n';
   file_.add(row_);
 }

@@ -56,11 +56,12 @@ const NearWalls::Layer* NearWalls::layer_for(double reach) const {
     if (layer == nullptr) break;
     if (layer->reach == reach) return layer;
   }
+  if (layers_.back().load(std::memory_order_acquire) != nullptr) return nullptr;
   const std::lock_guard lock(making_);
   for (const auto& layer : made_layers_) {
     if (layer->reach == reach) return layer.get();
   }
-  if (made_layers_.size() == kMostLayers) return nullptr;
+  if (made_layers_.size() == layers_.size()) return nullptr;
   auto made = std::make_unique<Layer>();
   Layer& layer = *made;
   layer.reach = reach;
