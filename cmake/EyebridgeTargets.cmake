@@ -46,9 +46,9 @@ function(eyebridge_simd target)
   target_include_directories(${target} SYSTEM PRIVATE $<TARGET_PROPERTY:hwy::hwy,INTERFACE_INCLUDE_DIRECTORIES>)
   # Arrays are padded for registers of 32 bytes: no target better than AVX2 (their bits lie below, in any version of
   # Highway). SSSE3 would help few old CPUs. EMU128, for all others, needs nothing of what g++ 12.2 gets wrong in it.
-  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-    target_compile_definitions(${target} PRIVATE HWY_BROKEN_EMU128=0 "HWY_DISABLED_TARGETS=((HWY_AVX2-1)|HWY_SSSE3)")
-  else()
+  target_compile_definitions(${target} PRIVATE HWY_BROKEN_EMU128=0
+    "HWY_DISABLED_TARGETS=((HWY_AVX2-1)|HWY_SSSE3|HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
+  if(NOT CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     target_compile_definitions(${target} PRIVATE HWY_COMPILE_ONLY_STATIC)
   endif()
   if(ARGN)

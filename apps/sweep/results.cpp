@@ -151,10 +151,10 @@ ResultsFile::ResultsFile(const std::filesystem::path& path, std::string flag)
   }
   try {
     database_ = open_file(path, SQLITE_OPEN_READWRITE);
-    sqlite::run(database_.get(),
-                "PRAGMA foreign_keys=ON; PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL");
+    sqlite::run(database_.get(), "PRAGMA foreign_keys=ON");
     if (is_empty(database_.get())) sqlite::run(database_.get(), kSchema);
     check_version(database_.get());
+    sqlite::run(database_.get(), "PRAGMA journal_mode=WAL");  // only now: it changes the file
   } catch (const std::runtime_error& error) {
     refuse(path, error);
   }

@@ -32,9 +32,10 @@ struct ResultRow {
 /// Tables: `run` (one row a run: id, key, how, reason, exit_code, signal, time, distance,
 /// collisions, state_hash, wall, cpu; null where there is none), `coordinate` (run, name, value:
 /// the cell), `result` (run, name, value: what the program said), `input` (path, hash: programs and
-/// worlds), `meta` (key, value). Each run is a transaction of its own: what has ended stays,
-/// whatever happens to the process; the disk has it within a second as long as runs go on. While it
-/// is open, files with -wal and -shm after their names lie beside it. One thread.
+/// worlds), `meta` (key, value). Each run is a transaction of its own: the process may be killed at
+/// any time. The disk is waited for at most once a second, when a run ends, and on closing: a power
+/// cut loses the runs since then. While it is open, two more files (-wal, -shm) belong to it. One
+/// thread.
 class ResultsFile {
  public:
   /// Opens or makes `path` for writing. Throws ConfigError: it is no such file, of another version,

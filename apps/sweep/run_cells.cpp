@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <exception>
 #include <memory>
 #include <system_error>
 
@@ -66,8 +67,14 @@ bool run_cells(const std::vector<Cell>& cells, std::span<const std::size_t> todo
       running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
     }
     // What is done with the results takes a while: the next ones run meanwhile.
-    start();
+    std::exception_ptr failure;
+    try {
+      start();
+    } catch (...) {
+      failure = std::current_exception();
+    }
     for (const Running& run : over) ended(run.cell, run.process->reap());
+    if (failure) std::rethrow_exception(failure);
   }
   return true;
 }

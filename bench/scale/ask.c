@@ -1,5 +1,5 @@
 // How many microseconds of real time a question takes to a program in a process of its own: ask N.
-// A program of its own: who calls syscall() never shares a process with others.
+// A program that calls syscall() gets a process of its own.
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/syscall.h>

@@ -35,8 +35,8 @@ struct Work {
   std::size_t robots = 10;
   double step = 0.1;  ///< Of the simulation, seconds; sensing and control are at 10 Hz in any case.
   double seconds = 20.0;      ///< Simulated, and counted in what is printed.
-  std::size_t in_one = 1000;  ///< So many share a place of 40 x 40 m; more get more of them.
-  std::size_t empty = 0;      ///< Places more, in which nobody is.
+  std::size_t in_one = 1000;  ///< Robots in each place of 40 x 40 m.
+  std::size_t empty = 0;      ///< Additional places without robots.
   std::size_t boxes = 0;      ///< In each place, 0.1 x 0.1 m, fixed.
   double rim = 0.0;           ///< Distance sensors look outward from so far off the centre, metres.
   double friction = 0.3;      ///< Of robots against what they touch.
@@ -168,8 +168,9 @@ int run(int argc, char** argv) {
   app.add_option("--robots", work.robots)->check(CLI::PositiveNumber);
   app.add_option("--step", work.step, "seconds")->check(CLI::PositiveNumber);
   app.add_option("--seconds", work.seconds, "simulated")->check(CLI::PositiveNumber);
-  app.add_option("--in-one", work.in_one, "so many robots share a place of 40 x 40 m");
-  app.add_option("--empty", work.empty, "places more");
+  app.add_option("--in-one", work.in_one, "robots in each place of 40 x 40 m")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--empty", work.empty, "additional places without robots");
   app.add_option("--boxes", work.boxes, "fixed ones in each place");
   app.add_option("--rim", work.rim, "metres from the centre to where distance sensors sit");
   app.add_option("--friction", work.friction, "against what robots touch");

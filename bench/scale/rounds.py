@@ -10,7 +10,7 @@ SLACK = 1.1  # a target is missed where the median is worse by more than a tenth
 
 
 def run(command, **more):
-    """CPU seconds of a process and its children, and what it printed."""
+    """What a process printed, and its messages. Ends this program where it fails."""
     with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **more) as process:
         said, messages = process.communicate()
         if process.returncode != 0:

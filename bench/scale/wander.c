@@ -1,6 +1,5 @@
 // The controller that all peers were measured with, as a program of a user writes it: wander
-// SECONDS. Eight PSDGet() a decision, ten decisions a second; bench/scale/programs.py says how fast
-// many run.
+// SECONDS. Eight PSDGet() a decision, ten decisions a second; `./test peers` runs many of it.
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -40,7 +39,7 @@ static void count(const int* ranges) {
   for (int i = 0; i < kSensors; ++i) {
     const int range = ranges[i] < kNothing_mm ? ranges[i] : kNothing_mm;
     range_m += range * 1e-3;
-    hits += range < kNothing_mm;
+    hits += range < 0.999 * kNothing_mm;
   }
   rays += kSensors;
 }

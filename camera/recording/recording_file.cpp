@@ -26,7 +26,7 @@ constexpr auto kRealCommitPeriod = std::chrono::milliseconds(500);
 // While a recording begins, and while it is closed, whoever looks at it is in the way for a moment.
 constexpr int kPatience_ms = 2000;
 
-// "EBRC". It comes first: by it a recording is known, also one whose program was killed.
+// "EBRC". It is written first: it identifies a recording even if its program was killed.
 constexpr std::array<char, 4> kApplication = {'E', 'B', 'R', 'C'};
 constexpr const char* kSchema =
     "PRAGMA application_id=0x45425243; PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL;"
@@ -47,7 +47,7 @@ constexpr const char* kSchema =
 /// Whether the file is empty, or a recording: then another one may take its place. Of sqlite.org's
 /// "Database File Format", section 1.3.
 bool may_be_replaced(int file) {
-  constexpr std::string_view kMagic("SQLite format 3", 16);
+  constexpr std::string_view kMagic("SQLite format 3\0", 16);
   constexpr std::size_t kIdAt = 68;
   std::array<char, 100> header{};
   const ssize_t got = pread(file, header.data(), header.size(), 0);
@@ -68,7 +68,8 @@ UniqueFd claim(const std::filesystem::path& path) {
     if (!file.valid() || fstat(file.get(), &opened) != 0) refuse(path, std::strerror(errno));
     if (!S_ISREG(opened.st_mode)) refuse(path, "it is no regular file");
     if (flock(file.get(), LOCK_EX | LOCK_NB) != 0) {
-      refuse(path, "another run records into it; expected another name");
+      refuse(path, errno == EWOULDBLOCK ? "another run records into it; expected another name"
+                                        : std::strerror(errno));
     }
     if (!may_be_replaced(file.get())) {
       refuse(path, "it is there and no recording; expected a new name, or that of a recording");
@@ -76,7 +77,7 @@ UniqueFd claim(const std::filesystem::path& path) {
     if (stat(path.c_str(), &there) != 0 || there.st_ino != opened.st_ino) continue;
     if (opened.st_size == 0) return file;
     // A new file, and not this one made empty: somebody may replay it.
-    for (const char* end : {"", "-wal", "-shm"}) {
+    for (const char* end : {"-wal", "-shm", ""}) {  // the one with the lock last
       std::error_code ignored;  // what cannot be removed will be refused in the next round
       std::filesystem::remove(path.string() + end, ignored);
     }

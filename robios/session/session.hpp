@@ -161,7 +161,7 @@ class Session {
   explicit Session(std::unique_ptr<Impl> impl);
   ~Session();
   static Session& only();
-  /// For another kind of part.
+  /// Index for a new kind of part.
   static std::size_t next_own_place();
   OwnPart& own_part(std::size_t place, std::unique_ptr<OwnPart> (*make)(Session&));
   void look_around();

@@ -155,6 +155,22 @@ TEST(ResultsFile, RefusesOtherFiles) {
   EXPECT_THROW(read_results_file(text), ConfigError);
 }
 
+TEST(ResultsFile, LeavesDatabasesOfOthersAsTheyAre) {
+  const ScratchFolder folder;
+  const std::string file = folder.path() + "/mine.db";
+  {
+    const auto database = camera::sqlite::Database([&] {
+      sqlite3* opened = nullptr;
+      EXPECT_EQ(sqlite3_open(file.c_str(), &opened), SQLITE_OK);
+      return opened;
+    }());
+    camera::sqlite::run(database.get(), "CREATE TABLE mine(x)");
+  }
+  const std::string before = testing::file_text(file);
+  EXPECT_THROW(ResultsFile{file}, ConfigError);
+  EXPECT_EQ(testing::file_text(file), before);
+}
+
 TEST(ResultsFile, RefusesRunsOfAnotherVersionOfAProgram) {
   const ScratchFolder folder;
   const std::string program = folder.write("prog", "one");

@@ -49,7 +49,8 @@ Episode::Episode(std::shared_ptr<const files::Scenario> scenario,
 Episode::~Episode() = default;
 
 void Episode::begin() {
-  simulation_.emplace(model_, settings_);
+  // The new one is made before the last one goes: they share the index of the world's walls.
+  simulation_ = robot::Simulation(model_, settings_);
   tally_ = {};
   total_reward_ = 0.0;
   for (const files::RobotPlacement& placed : scenario_->robots) {

@@ -20,7 +20,7 @@ class KnownRays {
   /// What the ranges depend on.
   struct Moment {
     std::uint64_t world = 0;  ///< World::version().
-    Heading heading;          ///< Of the robot; where it is the world's version says.
+    Heading heading;          ///< Of the robot. `world` covers its position.
 
     friend bool operator==(const Moment&, const Moment&) = default;
   };

@@ -27,7 +27,7 @@ class BodyMap {
  public:
   /// So many places beyond a run of Rows may be read.
   static constexpr std::size_t kBeyond = 8;
-  /// The place of who has none.
+  /// The place of a body that is not in the map.
   static constexpr std::uint32_t kNowhere = ~std::uint32_t{0};
 
   explicit BodyMap(double width, double height) : extent_{width, height} {}
@@ -122,7 +122,7 @@ class BodyMap {
   std::size_t rows_ = 1;
   std::vector<std::uint32_t> starts_{0, 0};  ///< Cell -> first of its discs; one more at the end.
   std::vector<Disc> discs_;
-  std::vector<BodyId> ids_;            ///< Of those that are discs, or were.
+  std::vector<BodyId> ids_;            ///< All discs, removed ones too.
   std::vector<std::uint32_t> places_;  ///< Body -> its disc, among `discs_`.
   std::vector<float> x_, y_, r_;
   double farthest_ = 0.0;   ///< Of all coordinates, metres.

@@ -43,7 +43,8 @@ class NearWalls {
   ~NearWalls();
 
   /// Indices of all segments within `reach` metres of `origin`, and of some more; ascending.
-  /// Nothing when there are too many, or when too many different reaches have been asked for.
+  /// Nothing when there are too many, or when more than eight different reaches have been asked
+  /// for.
   [[nodiscard]] std::optional<WallList> around(Vec2 origin, double reach) const;
 
   [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
@@ -78,7 +79,7 @@ class NearWalls {
   SegmentGrid grid_;
   Vec2 low_;
   Vec2 high_;  ///< Box around all segments.
-  // What was found. Who looks reads without a lock, who finds nothing makes it with one.
+  // What was found. Readers take no lock; a missing list is made under `making_`.
   mutable std::array<std::atomic<Layer*>, kMostLayers> layers_{};
   mutable std::mutex making_;
   mutable std::vector<std::unique_ptr<Layer>> made_layers_;

@@ -17,7 +17,7 @@ StandingWalls::StandingWalls(std::shared_ptr<const WorldModel> world_model)
 
 std::shared_ptr<const StandingWalls> StandingWalls::of(
     const std::shared_ptr<const WorldModel>& model) {
-  // Those that are there hold their models: no address stands for two of them.
+  // An entry that has not expired keeps its model alive: its address is not used again.
   static std::mutex mutex;
   static std::map<const WorldModel*, std::weak_ptr<const StandingWalls>> known;
   const std::lock_guard lock(mutex);

@@ -92,7 +92,7 @@ world::ObjectSpec thing(world::ObjectKind kind, Vec2 place) {
   return object;
 }
 
-// Whatever moves, comes or goes between two questions, and whoever is asked next.
+// Random moves, additions and removals between random readings.
 void expect_ranges_of_the_world_as_it_is() {
   Simulation sim(room(4.0, 4.0), {});
   const RobotModel model = with_sensors();
