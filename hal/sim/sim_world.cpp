@@ -160,13 +160,18 @@ void SimWorld::trace_to(TraceSink* sink, robot::RobotIndex robot) {
 }
 
 void SimWorld::trace() {
+  const Time now = static_cast<Time::rep>(steps_) * step_length_;
   for (auto& [robot, traced] : traced_) {
+    if (!traced.sink->is_due(now)) {
+      traced.sink->point({now, simulation_.pose(robot), {}, {}, {}});
+      continue;
+    }
     // Without error: drawing from the sensors' random streams would make a traced run another one.
     std::ranges::transform(
         traced.sensors, traced.ranges.begin(),
         [&, robot = robot](std::size_t sensor) { return simulation_.true_range(robot, sensor); });
-    traced.sink->point({static_cast<Time::rep>(steps_) * step_length_, simulation_.pose(robot),
-                        simulation_.twist(robot), simulation_.odometry(robot), traced.ranges});
+    traced.sink->point({now, simulation_.pose(robot), simulation_.twist(robot),
+                        simulation_.odometry(robot), traced.ranges});
   }
 }
 

@@ -59,6 +59,11 @@ void RunOutput::point(const hal::TracePoint& p) noexcept {
   trace_.add(p);
 }
 
+bool RunOutput::is_due(Time time) const noexcept {
+  const std::lock_guard lock(mutex_);
+  return trace_.is_due(time);
+}
+
 void RunOutput::contact(const hal::TraceContact& contact) noexcept {
   const std::lock_guard lock(mutex_);
   collisions_.add(contact);

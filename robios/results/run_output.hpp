@@ -21,6 +21,7 @@ class RunOutput final : public hal::TraceSink {
   ~RunOutput() override;
 
   void point(const hal::TracePoint& point) noexcept override;
+  [[nodiscard]] bool is_due(Time time) const noexcept override;
   void contact(const hal::TraceContact& contact) noexcept override;
   /// Keeps the first frames as frames/0000.png … One that cannot be written fails finish(), not the
   /// program.
@@ -38,7 +39,7 @@ class RunOutput final : public hal::TraceSink {
   void note_failure(const std::string& failure);
 
   std::filesystem::path directory_;
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   long long frames_left_;
   int frames_taken_ = 0;
   TraceFile trace_;

@@ -29,7 +29,7 @@ void append_header(std::string& row, std::size_t ranges) {
 }  // namespace
 
 void TraceFile::add(const hal::TracePoint& p) noexcept {
-  if (file_.failed() || p.time < next_row_) return;
+  if (!is_due(p.time)) return;
   row_.clear();
   if (next_row_ == Time{0}) append_header(row_, p.ranges.size());
   next_row_ = p.time + kRowPeriod;

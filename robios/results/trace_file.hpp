@@ -16,6 +16,8 @@ class TraceFile {
   explicit TraceFile(const std::filesystem::path& path) : file_(path) {}
 
   void add(const hal::TracePoint& point) noexcept;
+  /// Whether add() of a point at `time` writes a row.
+  [[nodiscard]] bool is_due(Time time) const { return !file_.failed() && time >= next_row_; }
   [[nodiscard]] RowFile& file() { return file_; }
 
  private:

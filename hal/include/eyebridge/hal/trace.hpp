@@ -31,9 +31,11 @@ struct TraceContact {
 class TraceSink {
  public:
   virtual ~TraceSink() = default;
-  /// One step. Whoever cannot take it (a full disk) keeps that to himself until he is asked: a
-  /// step has no one to tell.
+  /// One step. A sink that cannot take it (a full disk) says so when it is asked, later: nobody
+  /// listens during a step.
   virtual void point(const TracePoint& point) noexcept = 0;
+  /// Whether more than the pose of a point at `time` will be used: readings take a while.
+  [[nodiscard]] virtual bool is_due(Time /*time*/) const noexcept { return true; }
   /// A contact, before the point of its step. Who does not care lets it pass.
   virtual void contact(const TraceContact&) noexcept {}
 };
