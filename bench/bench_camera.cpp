@@ -226,14 +226,11 @@ BENCHMARK_CAPTURE(convert_ours, mjpeg_to_half, RawFormat::Mjpeg, 2)->Apply(sizes
 BENCHMARK_CAPTURE(convert_opencv, mjpeg_to_half, RawFormat::Mjpeg, 2)->Apply(sizes);
 const bool kLive = [] {
   if (bench_camera() == nullptr) return false;
-  for (const auto& [name, format] :
-       {std::pair{"yuyv", RawFormat::Yuyv}, std::pair{"mjpeg", RawFormat::Mjpeg}}) {
-    const auto add = [name = std::string(name), format = format](const char* who, auto run) {
-      frames(benchmark::RegisterBenchmark((who + ("/" + name)).c_str(), run, format));
-    };
-    add("live_ours", live_ours);
-    add("live_opencv", live_opencv);
-  }
+  using benchmark::RegisterBenchmark;
+  frames(RegisterBenchmark("live_ours/yuyv", live_ours, RawFormat::Yuyv));
+  frames(RegisterBenchmark("live_opencv/yuyv", live_opencv, RawFormat::Yuyv));
+  frames(RegisterBenchmark("live_ours/mjpeg", live_ours, RawFormat::Mjpeg));
+  frames(RegisterBenchmark("live_opencv/mjpeg", live_opencv, RawFormat::Mjpeg));
   return true;
 }();
 

@@ -160,12 +160,7 @@ ResultsFile::ResultsFile(const std::filesystem::path& path, std::string flag)
   }
 }
 
-ResultsFile::~ResultsFile() {
-  // Closed well, it needs no files beside it. Not possible while somebody reads it, which is not
-  // waited for.
-  sqlite3_busy_timeout(database_.get(), 0);
-  sqlite3_exec(database_.get(), "PRAGMA journal_mode=DELETE", nullptr, nullptr, nullptr);
-}
+ResultsFile::~ResultsFile() { sqlite::leave_one_file(database_.get()); }
 
 void ResultsFile::note_input(const std::filesystem::path& path) {
   const std::string hash = hash_of(path);
@@ -195,7 +190,7 @@ std::set<std::string> ResultsFile::keys(bool well_only) const {
 
 void ResultsFile::add(const Cell& cell, const Outcome& outcome) {
   sqlite3* database = database_.get();
-  // To wait for the disk at each run would take as long as a short run does.
+  // Waiting for the disk after each run would take as long as a short run.
   const auto now = std::chrono::steady_clock::now();
   const bool waits = now - synced_ >= kSyncPeriod;
   if (waits) synced_ = now;

@@ -66,7 +66,7 @@ bool run_cells(const std::vector<Cell>& cells, std::span<const std::size_t> todo
       over.push_back(std::move(running[i]));
       running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
     }
-    // What is done with the results takes a while: the next ones run meanwhile.
+    // Storing results takes a while: the next runs start before.
     std::exception_ptr failure;
     try {
       start();

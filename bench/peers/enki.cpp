@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <numbers>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -30,7 +31,6 @@ constexpr double kWheelBase = 9.0;  // cm
 constexpr double kHeight = 10.0;    // cm, of walls and robots; sensors are half as high
 constexpr double kPsdReach = 4.0, kLidarReach = 8.0;  // metres
 constexpr std::size_t kPsds = 8, kCameras = 4, kPixels = 90;
-constexpr double kHalfTurn = 3.141592653589793;
 
 std::vector<std::vector<double>> read_table(const std::string& file) {
   std::ifstream in(file);
@@ -53,7 +53,8 @@ class Robot : public Enki::DifferentialWheeled {
     setCylindric(0.1 * kCm, kHeight, 100.0);
     if (sense == "psd") {
       for (std::size_t i = 0; i < kPsds; ++i) {  // clockwise from behind
-        const double bearing = kHalfTurn - 2 * kHalfTurn / kPsds * static_cast<double>(i);
+        const double bearing =
+            std::numbers::pi - 2 * std::numbers::pi / kPsds * static_cast<double>(i);
         psds_.push_back(new Enki::IRSensor(this, {0.0, 0.0}, kHeight / 2, bearing, kPsdReach * kCm,
                                            3600.0, 0.0, 20.0));
         addLocalInteraction(psds_.back());
@@ -62,9 +63,9 @@ class Robot : public Enki::DifferentialWheeled {
     } else if (sense == "lidar") {
       for (std::size_t i = 0; i < kCameras;
            ++i) {  // clockwise, the first one looks to the left rear
-        const double bearing = kHalfTurn * (0.75 - 0.5 * static_cast<double>(i));
-        cameras_.push_back(
-            new Enki::CircularCam(this, {0.0, 0.0}, kHeight / 2, bearing, kHalfTurn / 4, kPixels));
+        const double bearing = std::numbers::pi * (0.75 - 0.5 * static_cast<double>(i));
+        cameras_.push_back(new Enki::CircularCam(this, {0.0, 0.0}, kHeight / 2, bearing,
+                                                 std::numbers::pi / 4, kPixels));
         cameras_.back()->setRange(kLidarReach * kCm);
         addLocalInteraction(cameras_.back());
       }

@@ -12,7 +12,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).parent
 sys.path.insert(0, str(HERE.parent / "scale"))
-from rounds import ROUNDS, Targets, cpu_of, figures, in_rounds, run, spread  # noqa: E402
+from rounds import ROUNDS, Targets, figures, in_rounds, measured, run, spread  # noqa: E402
 
 SAME = 0.03  # figures of the same work differ by no more
 # Robots, and the seconds that all simulate of them.
@@ -74,9 +74,9 @@ def write_world(folder, data, robots):
 def program_run(build, world, robots, step, seconds):
     """Many copies of wander.c, less what starting them costs."""
     def once(simulated):
-        return cpu_of([f"{build}/bin/eyebridge", "run", "--fast", "--step", str(step), "--robots", "all", "--world", world,
-                       f"{build}/bench/wander", str(simulated)])
-    spent, said, _ = once(seconds)
+        return measured([f"{build}/bin/eyebridge", "run", "--fast", "--step", str(step), "--robots", "all", "--world", world,
+                         f"{build}/bench/wander", str(simulated)])
+    spent, _, said = once(seconds)
     start, _, _ = once(0)
     lines = [figures(line) for line in said.splitlines()]
     total = {name: sum(line[name] for line in lines) for name in lines[0]}
@@ -86,7 +86,7 @@ def program_run(build, world, robots, step, seconds):
 
 def tasks_of(build, data, others, folder, sense, step_ms, robots):
     seconds, step = SIZES[robots], step_ms / 1000
-    tasks = {name: lambda program=program: figures(run([program, sense, str(robots), str(step), str(seconds), data])[0])
+    tasks = {name: lambda program=program: figures(run([program, sense, str(robots), str(step), str(seconds), data]))
              for name, program in others.items()}
     for name, wanted in OURS.items():
         if (sense, step_ms) not in wanted:
@@ -98,7 +98,7 @@ def tasks_of(build, data, others, folder, sense, step_ms, robots):
         # The peers' robots slide without friction.
         command = [f"{build}/bin/bench_scale", "--sense", sense, "--robots", str(robots), "--step", str(step), "--seconds", str(seconds),
                    "--friction", "0", "--data", data, *FLAGS.get(name, [])]
-        tasks[name or sense] = lambda command=command: figures(run(command)[0])
+        tasks[name or sense] = lambda command=command: figures(run(command))
     return tasks
 
 

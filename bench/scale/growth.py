@@ -2,29 +2,28 @@
 """growth.py BUILD DATA [quick]: what one more robot, wall, box, program or hour costs, from few to very many (docs/scale.md).
 
 quick: one round of the smallest ones, without targets."""
-import os
 import pathlib
 import resource
 import sys
 import tempfile
 
-from rounds import ROUNDS, Targets, cpu_of, figures, in_rounds, run, spread
+from rounds import ROUNDS, Targets, figures, in_rounds, measured, run, spread
 
 FIELD = "floor 200000 200000\n0 0 200000 0\n200000 0 200000 200000\n200000 200000 0 200000\n0 200000 0 0\n"
 MOST = 1.5  # times the least cost of a unit
 
 
 def scale_cost(build, data, robots, seconds, *flags):
-    """Microseconds a robot's decision, with its ten steps' share of sensing and driving."""
+    """Microseconds of a robot's decision: eight ranges, and the steps until the next one."""
     command = [f"{build}/bin/bench_scale", "--robots", str(robots), "--seconds", str(seconds), "--data", data, *map(str, flags)]
-    return lambda: 1e6 * figures(run(command)[0])["cpu_s"] / (robots * seconds * 10)
+    return lambda: 1e6 * figures(run(command))["cpu_s"] / (robots * seconds * 10)
 
 
 def program_cost(build, world, robots, seconds):
     """Nanoseconds of a round of one program: a question, a wait, a step of its robot."""
     def once(simulated):
-        return cpu_of([f"{build}/bin/eyebridge", "run", "--fast", "--robots", str(robots), "--world", world,
-                       f"{build}/bench/hundred_hertz", str(simulated)])[0]
+        return measured([f"{build}/bin/eyebridge", "run", "--fast", "--robots", str(robots), "--world", world,
+                         f"{build}/bench/hundred_hertz", str(simulated)])[0]
     return lambda: 1e9 * (once(seconds) - once(0)) / (robots * seconds * 100)
 
 
@@ -34,8 +33,8 @@ def hour_cost(build, world, folder, hours, flags):
         words = [flag.replace("FOLDER", str(folder)) for flag in flags]
         for left in folder.glob("run*"):
             run(["rm", "-r", str(left)])
-        return 1e3 * cpu_of([f"{build}/bin/eyebridge", "run", "--fast", "--world", world, *words, f"{build}/bench/hundred_hertz",
-                             str(3600 * hours)])[0] / hours
+        return 1e3 * measured([f"{build}/bin/eyebridge", "run", "--fast", "--world", world, *words, f"{build}/bench/hundred_hertz",
+                               str(3600 * hours)])[0] / hours
     return once
 
 
@@ -83,6 +82,5 @@ def main(build, data, quick):
 if __name__ == "__main__":
     if len(sys.argv) not in (3, 4) or sys.argv[3:] not in ([], ["quick"]):
         sys.exit(__doc__)
-    os.environ.pop("EYEBRIDGE_OUT", None)
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     main(*sys.argv[1:3], quick=len(sys.argv) == 4)

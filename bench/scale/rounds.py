@@ -1,21 +1,18 @@
 """How benches that are whole processes are measured: in rounds, each in another order, by CPU time."""
+import os
 import random
-import resource
 import statistics
 import subprocess
 import sys
+import tempfile
 
 ROUNDS = 5
 SLACK = 1.1  # a target is missed where the median is worse by more than a tenth
 
 
-def run(command, **more):
-    """What a process printed, and its messages. Ends this program where it fails."""
-    with subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **more) as process:
-        said, messages = process.communicate()
-        if process.returncode != 0:
-            sys.exit(f"{' '.join(map(str, command))} ended with {process.returncode}:\n{messages or said}")
-    return said, messages
+def run(command, environment=None):
+    """What a process printed. Ends this program where it fails."""
+    return measured(command, environment)[2]
 
 
 def figures(said):
@@ -23,15 +20,17 @@ def figures(said):
     return {name: float(value) for name, value in (word.split("=") for word in said.split()) if name != "hash"}
 
 
-def cpu_of(command):
-    """CPU seconds of a process with all that it starts and waits for, what it printed, and its messages."""
-    def used():
-        usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-        return usage.ru_utime + usage.ru_stime
-
-    before = used()
-    said, messages = run(command)
-    return used() - before, said, messages
+def measured(command, environment=None):
+    """CPU seconds of a process with all that it starts and waits for, the most memory that it or one of these had (MB), and what it printed."""
+    with tempfile.TemporaryFile("w+") as said, tempfile.TemporaryFile("w+") as messages:
+        process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=said, stderr=messages, env=environment)
+        _, status, used = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        said.seek(0)
+        messages.seek(0)
+        if process.returncode != 0:
+            sys.exit(f"{' '.join(map(str, command))} ended with {process.returncode}:\n{messages.read()}")
+        return used.ru_utime + used.ru_stime, used.ru_maxrss / 1024, said.read()
 
 
 def in_rounds(tasks, rounds=ROUNDS, seed=1):

@@ -44,8 +44,8 @@ constexpr const char* kSchema =
   throw ConfigError({}, "cannot write " + path.string() + ": " + why);
 }
 
-/// Whether the file is empty, or a recording: then another one may take its place. Of sqlite.org's
-/// "Database File Format", section 1.3.
+/// Whether the file is empty or a recording: only these are replaced. The header is that of
+/// sqlite.org's "Database File Format", section 1.3.
 bool may_be_replaced(int file) {
   constexpr std::string_view kMagic("SQLite format 3\0", 16);
   constexpr std::size_t kIdAt = 68;
@@ -57,8 +57,8 @@ bool may_be_replaced(int file) {
           std::ranges::equal(kApplication, std::span(header).subspan(kIdAt, kApplication.size())));
 }
 
-/// An empty file at `path`, whose lock nobody else has. What lies there is not touched unless it is
-/// a recording that nobody writes. Throws ConfigError.
+/// Makes an empty file at `path` and locks it. Removes an earlier recording that nobody is writing,
+/// and nothing else. Throws ConfigError.
 UniqueFd claim(const std::filesystem::path& path) {
   constexpr int kTries = 10;  // others may begin at the same moment
   for (int i = 0; i < kTries; ++i) {
@@ -66,13 +66,14 @@ UniqueFd claim(const std::filesystem::path& path) {
     struct stat opened = {};
     struct stat there = {};
     if (!file.valid() || fstat(file.get(), &opened) != 0) refuse(path, std::strerror(errno));
-    if (!S_ISREG(opened.st_mode)) refuse(path, "it is no regular file");
+    if (!S_ISREG(opened.st_mode))
+      refuse(path, "it is no regular file; expected a new name, or an earlier recording");
     if (flock(file.get(), LOCK_EX | LOCK_NB) != 0) {
       refuse(path, errno == EWOULDBLOCK ? "another run records into it; expected another name"
                                         : std::strerror(errno));
     }
     if (!may_be_replaced(file.get())) {
-      refuse(path, "it is there and no recording; expected a new name, or that of a recording");
+      refuse(path, "it is no recording; expected a new name, or an earlier recording");
     }
     if (stat(path.c_str(), &there) != 0 || there.st_ino != opened.st_ino) continue;
     if (opened.st_size == 0) return file;
@@ -82,7 +83,7 @@ UniqueFd claim(const std::filesystem::path& path) {
       std::filesystem::remove(path.string() + end, ignored);
     }
   }
-  refuse(path, "it cannot be replaced");
+  refuse(path, "it cannot be removed; expected a new name, or a folder in which it can be");
 }
 
 sqlite::Database make_database(const std::filesystem::path& path, const RecordingFacts& facts) {
@@ -123,10 +124,7 @@ RecordingFile::~RecordingFile() {
   committer_.join();
   try {
     commit();
-    // Closed well, it needs no files beside it, also where readers may not make any. Not possible
-    // while somebody reads it, which is not waited for.
-    sqlite3_busy_timeout(database_.get(), 0);
-    sqlite::run(database_.get(), "PRAGMA journal_mode=DELETE");
+    sqlite::leave_one_file(database_.get());
   } catch (const std::runtime_error&) {  // write() has met it, or will not come any more
   }
 }

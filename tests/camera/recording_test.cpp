@@ -210,7 +210,7 @@ std::string refusal(const std::string& path) {
 TEST_F(Recordings, ReplaceNothingButRecordings) {
   const std::string text = "int main() { return 0; }";
   std::ofstream(file_) << text;
-  EXPECT_THAT(refusal(file_), HasSubstr("it is there and no recording; expected a new name"));
+  EXPECT_THAT(refusal(file_), HasSubstr("it is no recording; expected a new name"));
   std::ifstream there(file_);
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(there), {}), text);
 

@@ -10,8 +10,8 @@ namespace eyebridge::robot {
 
 /// How far the rays of one robot's sensors go, kept until something moves.
 ///
-/// Programs ask for their sensors one by one, and a fan of eight rays takes little more time than
-/// one: the first question after a move is answered together with all that were asked lately.
+/// Programs read their sensors one by one, and a fan of eight rays takes little more time than one:
+/// the first reading after a move measures all sensors that were read lately.
 class KnownRays {
  public:
   /// The sensors with these numbers are remembered: 0 to kMost - 1.
@@ -25,8 +25,8 @@ class KnownRays {
     friend bool operator==(const Moment&, const Moment&) = default;
   };
 
-  /// Notes that `sensor` is asked for. Which ones to measure now, one bit for each, and to keep();
-  /// 0 where its range is known.
+  /// Notes that `sensor` is read. Returns the sensors to measure now and to keep(), one bit for
+  /// each; 0 where its range is known.
   std::uint64_t ask(const Moment& moment, std::size_t sensor);
   void keep(std::size_t sensor, double range);
   /// Metres.

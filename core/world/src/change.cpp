@@ -112,7 +112,7 @@ void World::change_object(BodyId id, const ObjectSpec& like) {
   changed.reaction = like.reaction;
   changed.yields_within = like.yields_within;
   check_object(changed);
-  if (!same_path) check_path(*impl_->model, changed);
+  if (!same_path) check_path(impl_->model, changed);
   impl_->change(thing, changed);
 }
 

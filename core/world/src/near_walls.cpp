@@ -19,8 +19,8 @@ constexpr double kUsualCells = 1024.0;
 
 }  // namespace
 
-/// Of one cell: its ends and indices follow it in memory, so that a processor that has found the
-/// one has the others on their way. Without `fits` there are too many.
+/// The walls near one cell. Its ends and indices follow it in memory, so that the processor fetches
+/// all together. Where there are too many walls, `fits` is false.
 struct alignas(64) NearWalls::List {
   bool fits = false;
   std::size_t length = 0;

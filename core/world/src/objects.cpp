@@ -68,7 +68,7 @@ BodyId World::add_object(const ObjectSpec& object) {
     throw std::invalid_argument(fmt::format("{} at ({:.3f}, {:.3f}) m would stand in {}",
                                             object.name, pose.x, pose.y, *obstacle));
   }
-  check_path(*impl_->model, object);
+  check_path(impl_->model, object);
   return impl_->add_object(object);
 }
 

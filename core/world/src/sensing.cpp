@@ -43,7 +43,7 @@ void World::Impl::cast_at_walls(const RayFan& fan, std::span<double> ranges) con
 
 bool World::Impl::cast_few(std::span<const RayFan> asked) {
   body_map.refresh(bodies);
-  // All are looked up first: a processor waits for the walls of many at the same time.
+  // Look up all first: the processor then fetches the walls of many fans at the same time.
   std::array<std::optional<WallList>, kFansTogether> near;
   for (std::size_t i = 0; i < asked.size(); ++i) {
     const RayFan& ray = asked[i];

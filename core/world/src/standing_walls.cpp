@@ -15,8 +15,7 @@ StandingWalls::StandingWalls(std::shared_ptr<const WorldModel> world_model)
       by_sweep(rays.method() != RayMethod::EdgeBits),
       near(by_sweep ? outlines_of(model->walls) : std::vector<Segment>{}) {}
 
-std::shared_ptr<const StandingWalls> StandingWalls::of(
-    const std::shared_ptr<const WorldModel>& model) {
+std::shared_ptr<const StandingWalls> StandingWalls::of(std::shared_ptr<const WorldModel> model) {
   // An entry that has not expired keeps its model alive: its address is not used again.
   static std::mutex mutex;
   static std::map<const WorldModel*, std::weak_ptr<const StandingWalls>> known;
@@ -25,8 +24,9 @@ std::shared_ptr<const StandingWalls> StandingWalls::of(
     if (auto there = found->second.lock()) return there;
   }
   std::erase_if(known, [](const auto& entry) { return entry.second.expired(); });
-  auto made = std::make_shared<const StandingWalls>(model);
-  known[model.get()] = made;
+  std::weak_ptr<const StandingWalls>& place = known[model.get()];
+  auto made = std::make_shared<const StandingWalls>(std::move(model));
+  place = made;
   return made;
 }
 

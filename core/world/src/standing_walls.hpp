@@ -9,14 +9,13 @@
 
 namespace eyebridge::world {
 
-/// What never changes in a world: made once for all worlds of a model. A thousand worlds that learn
-/// have one copy in the processor's cache, and an episode that begins anew builds nothing. Any
-/// thread.
+/// What never changes in a world: made once for all worlds of a model. A thousand worlds then share
+/// one copy in the processor's cache, and a new episode builds nothing. Any thread.
 struct StandingWalls {
   explicit StandingWalls(std::shared_ptr<const WorldModel> world_model);
 
   /// The one that other worlds of `model` have, or a new one.
-  static std::shared_ptr<const StandingWalls> of(const std::shared_ptr<const WorldModel>& model);
+  static std::shared_ptr<const StandingWalls> of(std::shared_ptr<const WorldModel> model);
 
   std::shared_ptr<const WorldModel> model;
   WallIndex index;

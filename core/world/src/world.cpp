@@ -10,14 +10,14 @@
 namespace eyebridge::world {
 
 World::Impl::Impl(std::shared_ptr<const WorldModel> world_model, std::uint64_t run_seed)
-    : standing_walls(StandingWalls::of(world_model)),
-      model(std::move(world_model)),
+    : standing_walls(StandingWalls::of(std::move(world_model))),
+      model(*standing_walls->model),
       walls(standing_walls->index),
       rays(standing_walls->rays),
-      bodies(model->width, model->height),
+      bodies(model.width, model.height),
       seed(run_seed),
-      body_map(model->width, model->height) {
-  for (const ObjectSpec& object : model->objects) add_object(object);
+      body_map(model.width, model.height) {
+  for (const ObjectSpec& object : model.objects) add_object(object);
 }
 
 World::World(std::shared_ptr<const WorldModel> model, std::uint64_t seed)
@@ -97,10 +97,10 @@ void World::set_pose(BodyId id, const Pose& pose) {
   impl_->forget_contacts(id);
 }
 
-const WorldModel& World::model() const { return *impl_->model; }
+const WorldModel& World::model() const { return impl_->model; }
 
 Scene World::scene(double time) const {
-  Scene scene{impl_->model, {}, time};
+  Scene scene{impl_->standing_walls->model, {}, time};
   scene.bodies.reserve(body_count());
   for (BodyId id = 0; id < body_count(); ++id) {
     if (!is_there(id)) continue;

@@ -152,7 +152,7 @@ struct World::Impl {
   [[nodiscard]] bool gives_way(BodyId id) const { return bodies.response_[id].gives_way; }
 
   std::shared_ptr<const StandingWalls> standing_walls;
-  std::shared_ptr<const WorldModel> model;
+  const WorldModel& model;
   const WallIndex& walls;
   const RayCaster& rays;
   Bodies bodies;
