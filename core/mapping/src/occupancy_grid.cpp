@@ -73,7 +73,7 @@ OccupancyGrid::OccupancyGrid(const GridGeometry& geometry, const OccupancySettin
   highest_ = static_cast<float>(settings.highest);
   occupied_above_ = static_cast<float>(log_odds_of(settings.occupied_above));
   free_below_ = static_cast<float>(log_odds_of(settings.free_below));
-  raster_ = Raster<float>(geometry, prior_);
+  raster_ = Raster<float, SeenCells>(geometry, prior_);
 }
 
 float OccupancyGrid::clamped(float log_odds) const {
@@ -156,11 +156,16 @@ Result<void> OccupancyGrid::cover(Vec2 lower, Vec2 upper) {
     shift_ = {shift_.column - static_cast<int>(add[0]), shift_.row - static_cast<int>(add[1])};
     const Vec2 origin{anchor_.x + shift_.column * g.resolution,
                       anchor_.y + shift_.row * g.resolution};
-    Raster<float> larger({origin, g.resolution, static_cast<int>(columns), static_cast<int>(rows)},
-                         prior_);
+    Raster<float, SeenCells> larger(
+        {origin, g.resolution, static_cast<int>(columns), static_cast<int>(rows)}, prior_);
     for (int row = 0; row < g.rows; ++row) {
       const Cell to{static_cast<int>(add[0]), row + static_cast<int>(add[1])};
-      std::copy_n(&raster_[{0, row}], g.columns, &larger[to]);
+      const std::span<const float> kept(&raster_[{0, row}], static_cast<std::size_t>(g.columns));
+      if (prior_ == 0.0F) {
+        copy_seen(kept, &larger[to]);
+      } else {
+        std::ranges::copy(kept, &larger[to]);
+      }
     }
     raster_ = std::move(larger);
     ++revision_;
@@ -170,7 +175,11 @@ Result<void> OccupancyGrid::cover(Vec2 lower, Vec2 upper) {
 }
 
 void OccupancyGrid::clear() {
-  std::fill(raster_.cells.begin(), raster_.cells.end(), prior_);
+  if (prior_ == 0.0F) {
+    for_each_seen(raster_.cells, [](std::span<float> seen) { std::ranges::fill(seen, 0.0F); });
+  } else {
+    std::ranges::fill(raster_.cells, prior_);
+  }
   ++revision_;
 }
 
@@ -178,7 +187,14 @@ void OccupancyGrid::decay(double seconds) {
   if (!(seconds > 0.0) || settings_.half_life == 0.0) return;
   constexpr double kLn2 = 0.693147180559945309417;
   const auto kept = static_cast<float>(exp_of(-kLn2 * (seconds / settings_.half_life)));
-  for (float& value : raster_.cells) value = prior_ + (value - prior_) * kept;
+  const auto fade = [&](std::span<float> seen) {
+    for (float& value : seen) value = prior_ + (value - prior_) * kept;
+  };
+  if (prior_ == 0.0F) {
+    for_each_seen(raster_.cells, fade);
+  } else {
+    fade(raster_.cells);
+  }
   ++revision_;
 }
 

@@ -48,10 +48,10 @@ Grid make_grid(double width, double height, double resolution, std::pair<double,
   if (!(resolution > 1e-6 && resolution < 1e6)) {
     refuse("resolution", resolution, "more than 1e-6 m, less than 1e6");
   }
-  constexpr double kMostCells = 1 << 24;
-  if (width / resolution * (height / resolution) > kMostCells) {
+  if (width / resolution * (height / resolution) > static_cast<double>(mapping::kMostMapCells)) {
     refuse("resolution", resolution,
-           fmt::format("cells of which at most {} make {:g} x {:g} m", kMostCells, width, height));
+           fmt::format("cells of which at most {} make {:g} x {:g} m", mapping::kMostMapCells,
+                       width, height));
   }
   mapping::OccupancySettings settings;
   settings.prior = prior;

@@ -157,8 +157,8 @@ TEST(Pgm, ThatIsBadIsAnErrorThatSaysWhatAndWhere) {
   EXPECT_EQ(error("P5\n0 2\n255\n"), "p.pgm:2:1: the width is 0: expected 1 to 16777216");
   EXPECT_EQ(error("P5\n99999999999999999999 2\n255\n"),
             "p.pgm:2:1: the width is 99999999999999999999: expected 1 to 16777216");
-  EXPECT_EQ(error("P5\n5000 5000\n255\n"),
-            "p.pgm:2:10: picture of 5000 x 5000 pixels: expected at most 16777216");
+  EXPECT_EQ(error("P5\n10000 10000\n255\n"),
+            "p.pgm:2:12: picture of 10000 x 10000 pixels: expected at most 67108864");
   EXPECT_EQ(error("P5\n2 2\n65536\n"),
             "p.pgm:3:1: the largest value is 65536: expected 1 to 65535");
   EXPECT_EQ(error("P5\n2 2\n255\nabc"), "p.pgm:4:1: file has 3 bytes of pixels: expected 4, 2 x 2");
@@ -303,7 +303,7 @@ TEST(Map, ThatNoReaderWouldTakeIsNotWritten) {
   const Folder folder;
   const auto refused = [&](const mapping::GridGeometry& geometry) {
     mapping::OccupancySettings settings;
-    settings.max_cells = 1U << 25U;
+    settings.max_cells = 1U << 27U;
     const OccupancyGrid grid(geometry, settings);
     std::string error = error_of([&] { save_map(grid, folder.path() / "room.yaml"); });
     EXPECT_EQ(error_of([&] { save_map_csv(grid, folder.path() / "room.csv"); }), error);
@@ -313,7 +313,7 @@ TEST(Map, ThatNoReaderWouldTakeIsNotWritten) {
   EXPECT_EQ(refused({{0, 0}, 2e3, 1, 1}), "map with cells of 2000 m: expected 1e-04 to 1000");
   EXPECT_EQ(refused({{0, -2e6}, 1.0, 1, 1}),
             "map whose origin is at 0, -2e+06 m: expected at most 1e+06");
-  EXPECT_EQ(refused({{0, 0}, 1.0, 4097, 4096}), "map of 16781312 cells: expected at most 16777216");
+  EXPECT_EQ(refused({{0, 0}, 1.0, 8193, 8192}), "map of 67117056 cells: expected at most 67108864");
 }
 
 TEST(MapCsv, OfMoreThanAnyFileMayHaveIsNotWritten) {

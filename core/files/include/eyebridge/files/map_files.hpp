@@ -45,7 +45,7 @@ struct GreyPicture {
 };
 
 /// Most pixels of a map that is read.
-inline constexpr std::size_t kMaxMapCells = 1U << 24U;
+inline constexpr std::size_t kMaxMapCells = mapping::kMostMapCells;
 
 /// Reads the text of a `.yaml`: `image`, `resolution` and `origin` must be there, `negate`,
 /// `occupied_thresh`, `free_thresh` and `mode` may be, other keys are ignored with a warning. An

@@ -13,7 +13,7 @@ struct TruthSettings {
   double resolution = 0.05;  ///< Metres, > 0.
   int margin = 1;            ///< Cells around the floor, >= 0: walls on its edge need one.
   bool objects = false;      ///< Whether things but balls count, where they stand at first.
-  std::size_t max_cells = 1U << 24U;
+  std::size_t max_cells = kMostMapCells;
 };
 
 /// What really stands on the floor of `model`: cells that hold a part of a wall (or object) are

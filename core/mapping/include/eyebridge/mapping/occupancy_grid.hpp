@@ -7,21 +7,25 @@
 #include "eyebridge/base/pose.hpp"
 #include "eyebridge/base/result.hpp"
 #include "eyebridge/mapping/raster.hpp"
+#include "eyebridge/mapping/seen_cells.hpp"
 
 namespace eyebridge::mapping {
+
+/// Most cells of a map, unless more are asked for: 160 x 160 m with cells of 2 cm.
+inline constexpr std::size_t kMostMapCells = std::size_t{1} << 26U;
 
 /// What is held of a cell.
 enum class CellState : std::uint8_t { Unknown, Free, Occupied };
 
 /// Settings of an OccupancyGrid. Probabilities are 0 … 1, log-odds are ln(p / (1 - p)).
 struct OccupancySettings {
-  double prior = 0.5;                 ///< Of a cell of which nothing is known; within (0, 1).
-  double lowest = -5.0;               ///< Log-odds never sink below this, nor
-  double highest = 5.0;               ///< rise above this: so that a belief can change its mind.
-  double occupied_above = 0.65;       ///< More probable is CellState::Occupied: ROS's default.
-  double free_below = 0.196;          ///< Less probable is CellState::Free: ROS's default.
-  bool growing = false;               ///< Whether evidence beyond the bounds moves them.
-  std::size_t max_cells = 1U << 24U;  ///< No grid has more.
+  double prior = 0.5;            ///< Of a cell of which nothing is known; within (0, 1).
+  double lowest = -5.0;          ///< Log-odds never sink below this, nor
+  double highest = 5.0;          ///< rise above this: so that a belief can change its mind.
+  double occupied_above = 0.65;  ///< More probable is CellState::Occupied: ROS's default.
+  double free_below = 0.196;     ///< Less probable is CellState::Free: ROS's default.
+  bool growing = false;          ///< Whether evidence beyond the bounds moves them.
+  std::size_t max_cells = kMostMapCells;  ///< No grid has more.
   double half_life = 0.0;  ///< Seconds in which decay() halves what is known; 0: never forgets.
 
   friend bool operator==(const OccupancySettings&, const OccupancySettings&) = default;
@@ -33,7 +37,8 @@ struct OccupancySettings {
 /// made from a world or read from a file has what set_probability() put there. Cells are taken as
 /// independent, and evidence is added as log-odds (Moravec and Elfes, "High Resolution Maps from
 /// Wide Angle Sonar", ICRA 1985; Thrun, Burgard and Fox, "Probabilistic Robotics", 2005, table
-/// 9.1). Not thread-safe. The values stay where they are in memory as long as the bounds do.
+/// 9.1). With a prior of 0.5 memory is taken for what is seen. Not thread-safe. The values stay
+/// where they are in memory as long as the bounds do.
 class OccupancyGrid {
  public:
   /// Every cell at the prior. Throws std::invalid_argument for settings or a geometry that cannot
@@ -43,7 +48,7 @@ class OccupancyGrid {
   [[nodiscard]] const GridGeometry& geometry() const { return raster_.geometry; }
   [[nodiscard]] const OccupancySettings& settings() const { return settings_; }
   /// Log-odds of all cells, in row order from the lower left one: what a view without a copy shows.
-  [[nodiscard]] const Raster<float>& raster() const { return raster_; }
+  [[nodiscard]] const Raster<float, SeenCells>& raster() const { return raster_; }
   /// Counts changes of values or bounds: who draws the grid does so again when this has changed.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
@@ -97,7 +102,7 @@ class OccupancyGrid {
   [[nodiscard]] float clamped(float log_odds) const;
 
   OccupancySettings settings_;
-  Raster<float> raster_;
+  Raster<float, SeenCells> raster_;
   Vec2 anchor_;  // the corner that the grid began with: no rounding adds up when it grows
   Cell shift_;   // of the corner it has now, from there
   float prior_ = 0.0F;

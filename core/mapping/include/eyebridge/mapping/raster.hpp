@@ -52,10 +52,10 @@ struct GridGeometry {
 };
 
 /// A value for each cell of a grid, in row order from the lower left one.
-template <class T>
+template <class T, class Cells = std::vector<T>>
 struct Raster {
   GridGeometry geometry;
-  std::vector<T> cells;
+  Cells cells;
 
   Raster() = default;
   explicit Raster(const GridGeometry& where, T value = T{})
