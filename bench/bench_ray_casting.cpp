@@ -171,6 +171,44 @@ void among_boxes(benchmark::State& state, int count) {
   state.counters["single_ns"] = single;
 }
 
+/// 40,000 walls of 2 m at one side of a hall of 200 x 200 m, and nothing on the rest of its floor.
+WorldModel walls_at_a_side() {
+  WorldModel model;
+  model.width = model.height = 200.0;
+  constexpr Vec2 kCorners[] = {{0, 0}, {200, 0}, {200, 200}, {0, 200}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    world::Wall wall;
+    wall.a = kCorners[i];
+    wall.b = kCorners[(i + 1) % 4];
+    model.walls.push_back(wall);
+  }
+  Random random(9);
+  for (int i = 0; i < 40'000; ++i) {
+    world::Wall wall;
+    wall.a = {20.0 * random.uniform(), 200.0 * random.uniform()};
+    wall.b = wall.a + 2.0 * Heading::from_angle(2 * kPi * random.uniform()).forward();
+    model.walls.push_back(wall);
+  }
+  return model;
+}
+
+/// Rays of 100 m from the middle of the empty part: they meet nothing, or walls from afar.
+void long_rays(benchmark::State& state) {
+  const RayCaster caster(walls_at_a_side(), RayMethod::Grid);
+  const std::vector<Vec2> directions = scan_directions();
+  std::vector<double> ranges(kRays);
+  const double start = cpu_seconds();
+  std::size_t rays = 0;
+  for (auto _ : state) {
+    caster.cast_fan({90.0, 100.0}, directions, 100.0, ranges);
+    benchmark::DoNotOptimize(ranges.data());
+    rays += kRays;
+  }
+  const double each = (cpu_seconds() - start) * 1e9 / static_cast<double>(rays);
+  bench::at_most(state, "ray_ns", each, 300);
+}
+BENCHMARK(long_rays);
+
 const bool kRegistered = [] {
   for (const int count : {10, 100, 1000, 10000}) {
     benchmark::RegisterBenchmark(("Boxes8m/" + std::to_string(count)).c_str(),

@@ -10,7 +10,8 @@
 
 namespace eyebridge::world {
 
-/// A uniform grid of walls; rays walk the cells in their way, neighbours side by side.
+/// A uniform grid of walls; rays walk the cells in their way, neighbours side by side, and leap
+/// over empty floor.
 ///
 /// Ranges are exactly those of a loop over all walls with nearer_hit(): a ray is tried against too
 /// many walls at most.
@@ -32,6 +33,8 @@ class RayGrid {
   SegmentGrid grid_;
   std::vector<std::uint32_t> starts_;  ///< Cell -> first of its segments; one more at the end.
   std::vector<Segment> segments_;      ///< Those of each cell together.
+  /// Cell -> how far the cells around it are empty; none where there is too little empty floor.
+  std::vector<std::uint8_t> clear_;
 };
 
 }  // namespace eyebridge::world

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -67,12 +68,33 @@ HWY_INLINE void meet_cells(Vec2 origin, const Segment* segments, const std::uint
   }
 }
 
-/// Moves all rays on their way to their next cells, and leaves out those that have ended.
-HWY_INLINE void go_on(RayGroup& rays) {
+/// Moves a ray to the last cell before it leaves the square of `clear` empty cells on each side of
+/// its own.
+inline void leap(RayState& ray, std::size_t clear) {
+  const double cells = static_cast<double>(clear);
+  const double exit[2] = {ray.next[0] + cells * ray.between[0],
+                          ray.next[1] + cells * ray.between[1]};
+  const std::size_t axis = exit[0] < exit[1] ? 0 : 1;
+  const std::size_t other = 1 - axis;
+  ray.cell += clear * ray.step[axis];
+  ray.next[axis] = exit[axis];
+  // Borders of the other axis until then. Where rounding makes it one less or more, the ray goes
+  // through a corner, whose walls are in all cells around it.
+  const double past = exit[axis] - ray.next[other];
+  if (!(past > 0.0)) return;
+  const double borders = std::min(std::floor(past / ray.between[other]) + 1.0, cells);
+  ray.cell += static_cast<std::size_t>(borders) * ray.step[other];
+  ray.next[other] += borders * ray.between[other];
+}
+
+/// Moves all rays on their way to their next cells, and leaves out those that have ended. `clear`
+/// is null where no ray leaps.
+HWY_INLINE void go_on(const std::uint8_t* clear, RayGroup& rays) {
   std::size_t on = 0;
   for (std::size_t k = 0; k < rays.left; ++k) {
     const std::uint32_t ray = rays.active[k];
     RayState& state = rays.states[ray];
+    if (clear != nullptr && clear[state.cell] >= RayGroup::kLeap) leap(state, clear[state.cell]);
     // An index, where the compiler would make a branch of a condition.
     const std::size_t axis = state.next[0] < state.next[1] ? 0 : 1;
     const double border = state.next[axis];
@@ -89,10 +111,15 @@ HWY_INLINE void go_on(RayGroup& rays) {
 /// which cell a ray ends, and a processor that guesses wrong at the end of each ray waits for
 /// longer than the ray takes; here that is data, not a branch. And neighbours are in one cell
 /// mostly, so that a wall is fetched for all of them and several fill a register.
-void walk(Vec2 origin, const Segment* segments, const std::uint32_t* starts, RayGroup& rays) {
+void walk(Vec2 origin, const Segment* segments, const std::uint32_t* starts,
+          const std::uint8_t* clear, RayGroup& rays) {
+  while (clear != nullptr && rays.left != 0) {
+    meet_cells(origin, segments, starts, rays);
+    go_on(clear, rays);
+  }
   while (rays.left != 0) {
     meet_cells(origin, segments, starts, rays);
-    go_on(rays);
+    go_on(nullptr, rays);
   }
 }
 
@@ -104,7 +131,8 @@ HWY_AFTER_NAMESPACE();
 namespace eyebridge::world {
 
 void RayGrid::walk(Vec2 origin, RayGroup& group) const {
-  EYEBRIDGE_BEST(walk)(origin, segments_.data(), starts_.data(), group);
+  EYEBRIDGE_BEST(walk)
+  (origin, segments_.data(), starts_.data(), clear_.empty() ? nullptr : clear_.data(), group);
 }
 
 }  // namespace eyebridge::world

@@ -201,6 +201,38 @@ TEST(RayCaster, AFarCornerOfAWorldIsAsExactAsANearOne) {
   }
 }
 
+/// Small heaps of walls far from each other, in a hall: most of the floor is empty.
+WorldModel heaps_in_a_hall() {
+  WorldModel model = room(1000, 800);
+  Random random(41);
+  for (int heap = 0; heap < 12; ++heap) {
+    const Vec2 place{20 + 960 * random.uniform(), 20 + 760 * random.uniform()};
+    for (int i = 0; i < 300; ++i) {
+      Wall wall;
+      wall.a = place + Vec2{10 * random.uniform(), 10 * random.uniform()};
+      wall.b = wall.a + Vec2{40 * random.uniform(), 40 * random.uniform()};
+      model.walls.push_back(wall);
+    }
+  }
+  return model;
+}
+
+TEST_P(EveryGeneralMethod, AgreesWithBruteForceOverEmptyFloor) {
+  const WorldModel model = heaps_in_a_hall();
+  expect_as_brute_force(model, 42, 300, 2000.0);
+  expect_as_brute_force(model, 43, 100, 90.0);
+  // Along the axes and diagonals, from between cells, too, and from outside.
+  const RayCaster reference(model, RayMethod::BruteForce);
+  const RayCaster caster(model, GetParam().method);
+  for (const Vec2 origin : {Vec2{500, 400}, Vec2{250, 100}, Vec2{0, 0}, Vec2{999.5, 0.5},
+                            Vec2{-300, 400}, Vec2{1300, -200}, Vec2{500, 1e4}}) {
+    for (const Vec2 d : directions_around(1440)) {
+      ASSERT_EQ(caster.cast(origin, d, 5000), reference.cast(origin, d, 5000))
+          << origin.x << ' ' << origin.y << " along " << d.x << ' ' << d.y;
+    }
+  }
+}
+
 TEST(RayCaster, TheGridGivesTheSameBitsInEveryInstructionSet) {
   const WorldModel model = random_walls(5, 700, 5.0, 0.03);
   const RayCaster caster(model);
