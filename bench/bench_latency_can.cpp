@@ -169,9 +169,8 @@ void measure(benchmark::State& state, const std::string& interface, void (*excha
     measuring = true;
     Latencies ours;
     for (auto _ : state) ours.time([&] { exchange(client); });
-    // A command goes through three threads, the raw echo through two: 1.5 times is for what is
-    // read.
-    exchange == read_range ? report(state, ours, raw) : report_only(state, ours, raw);
+    // A command goes through three threads, the raw echo through two.
+    report(state, ours, raw, exchange == read_range);
     alive = false;
     heart.join();  // before the other side is gone
   }

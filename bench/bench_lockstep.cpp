@@ -10,6 +10,7 @@
 
 #include "eyebridge/robot/simulation.hpp"
 #include "eyebridge/world/world_model.hpp"
+#include "process_memory.hpp"
 #include "targets.hpp"
 #include <eyebot.h>
 
@@ -100,15 +101,6 @@ void key_read(benchmark::State& state) {
 }
 BENCHMARK(key_read);
 
-/// Megabytes of this process in memory; of proc(5), /proc/self/statm, second number, in pages.
-double resident_megabytes() {
-  long pages = 0;
-  std::FILE* file = std::fopen("/proc/self/statm", "r");
-  if (file == nullptr || std::fscanf(file, "%*d %ld", &pages) != 1) std::abort();
-  std::fclose(file);
-  return static_cast<double>(pages * sysconf(_SC_PAGESIZE)) / 1e6;
-}
-
 /// A frame with everything around it; rss_MB is the whole process with the renderer on, target 150.
 void camera_qvga(benchmark::State& state) {
   std::vector<BYTE> image(QVGA_SIZE);
@@ -117,7 +109,7 @@ void camera_qvga(benchmark::State& state) {
     return;
   }
   for (auto _ : state) CAMGet(image.data());
-  bench::at_most(state, "rss_MB", resident_megabytes(), 150);
+  bench::at_most(state, "rss_MB", 1e-6 * static_cast<double>(testing::resident_bytes()), 150);
 }
 BENCHMARK(camera_qvga)->Unit(benchmark::kMillisecond);
 

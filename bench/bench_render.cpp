@@ -12,6 +12,7 @@
 #include "eyebridge/base/random.hpp"
 #include "eyebridge/camera/birdseye.hpp"
 #include "eyebridge/camera/source.hpp"
+#include "process_memory.hpp"
 #include "targets.hpp"
 
 // CPU milliseconds a rendered frame; the camera stands elsewhere in the maze for every frame.
@@ -88,14 +89,6 @@ class JumpingView final : public camera::View {
   mutable int step_;
 };
 
-/// Memory of this process that is in RAM, MB (Linux, statm: second field, pages of 4 KiB).
-double resident_megabytes() {
-  long total = 0;
-  long resident = 0;
-  std::ifstream("/proc/self/statm") >> total >> resident;
-  return static_cast<double>(resident) * 4096.0 / 1e6;
-}
-
 constexpr Time kForever{1'000'000'000'000'000};
 
 void render(benchmark::State& state, const char* url) {
@@ -120,7 +113,7 @@ void render(benchmark::State& state, const char* url) {
   if (width == 320) bench::time_at_most(state, 5e5);
   state.counters["walls"] = static_cast<double>(scene.model->walls.size());
   state.counters["frame_kB"] = 3.0 * width * width * 0.75 / 1e3;
-  state.counters["process_MB"] = resident_megabytes();
+  state.counters["process_MB"] = 1e-6 * static_cast<double>(testing::resident_bytes());
 }
 
 void sizes(benchmark::internal::Benchmark* bench) {

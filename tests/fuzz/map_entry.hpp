@@ -14,7 +14,7 @@ namespace eyebridge::fuzz {
 /// The grid has cells, and they lie somewhere.
 inline void check_map(const mapping::OccupancyGrid& grid) {
   const mapping::GridGeometry& g = grid.geometry();
-  if (g.size() < 1 || g.size() > files::kMaxMapCells || !(g.resolution > 0.0)) found();
+  if (g.size() < 1 || g.size() > mapping::kMostMapCells || !(g.resolution > 0.0)) found();
   if (!std::isfinite(g.origin.x) || !std::isfinite(g.origin.y)) found();
   for (const float value : grid.raster().cells) {
     if (!(value >= grid.lowest() && value <= grid.highest())) found();

@@ -37,8 +37,8 @@ class MapCsvReader {
     while (next_row()) {
       int columns = 0;
       do {
-        if (cells.size() == kMaxMapCells) {
-          fail("more than " + std::to_string(kMaxMapCells) + " cells");
+        if (cells.size() == mapping::kMostMapCells) {
+          fail("more than " + std::to_string(mapping::kMostMapCells) + " cells");
         }
         cells.push_back(number("a probability", 0.0, 1.0));
         ++columns;
@@ -55,7 +55,7 @@ class MapCsvReader {
       throw ConfigError({file_, line_ + 1, 1}, "file ends: expected a row of probabilities");
     }
     mapping::OccupancySettings settings;
-    settings.max_cells = kMaxMapCells;
+    settings.max_cells = mapping::kMostMapCells;
     mapping::OccupancyGrid grid(g, settings);
     std::size_t i = 0;
     for (int row = g.rows - 1; row >= 0; --row) {

@@ -6,7 +6,7 @@
 namespace eyebridge::files {
 
 GreyPicture read_map_picture(std::string_view bytes, const std::string& file) {
-  PnmPicture picture = read_pnm(bytes, file, kMaxMapCells);
+  PnmPicture picture = read_pnm(bytes, file, mapping::kMostMapCells);
   GreyPicture grey{picture.columns, picture.rows, {}};
   switch (picture.kind) {
     case PnmKind::Grey:

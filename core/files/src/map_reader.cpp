@@ -191,7 +191,7 @@ mapping::OccupancyGrid map_of(const MapDescription& description, const GreyPictu
   // Cells of which nothing is known stay so, wherever the thresholds lie.
   settings.occupied_above = std::max(description.occupied_thresh, settings.prior);
   settings.free_below = std::min(description.free_thresh, settings.prior);
-  settings.max_cells = kMaxMapCells;
+  settings.max_cells = mapping::kMostMapCells;
   mapping::OccupancyGrid grid(
       {description.origin, description.resolution, picture.columns, picture.rows}, settings);
   std::size_t i = 0;

@@ -49,9 +49,9 @@ void need_readable(const mapping::GridGeometry& geometry) {
   need(std::abs(geometry.origin.x) <= kMostOrigin && std::abs(geometry.origin.y) <= kMostOrigin,
        "map whose origin is at " + decimal(geometry.origin.x) + ", " + decimal(geometry.origin.y) +
            " m: expected at most " + decimal(kMostOrigin));
-  need(geometry.size() <= kMaxMapCells, "map of " + std::to_string(geometry.size()) +
-                                            " cells: expected at most " +
-                                            std::to_string(kMaxMapCells));
+  need(geometry.size() <= mapping::kMostMapCells, "map of " + std::to_string(geometry.size()) +
+                                                      " cells: expected at most " +
+                                                      std::to_string(mapping::kMostMapCells));
 }
 
 MapTexts write_map(const mapping::OccupancyGrid& grid, const std::string& image, MapMode mode) {

@@ -160,12 +160,7 @@ Result<void> OccupancyGrid::cover(Vec2 lower, Vec2 upper) {
         {origin, g.resolution, static_cast<int>(columns), static_cast<int>(rows)}, prior_);
     for (int row = 0; row < g.rows; ++row) {
       const Cell to{static_cast<int>(add[0]), row + static_cast<int>(add[1])};
-      const std::span<const float> kept(&raster_[{0, row}], static_cast<std::size_t>(g.columns));
-      if (prior_ == 0.0F) {
-        copy_seen(kept, &larger[to]);
-      } else {
-        std::ranges::copy(kept, &larger[to]);
-      }
+      copy_differing({&raster_[{0, row}], static_cast<std::size_t>(g.columns)}, &larger[to]);
     }
     raster_ = std::move(larger);
     ++revision_;
@@ -175,11 +170,8 @@ Result<void> OccupancyGrid::cover(Vec2 lower, Vec2 upper) {
 }
 
 void OccupancyGrid::clear() {
-  if (prior_ == 0.0F) {
-    for_each_seen(raster_.cells, [](std::span<float> seen) { std::ranges::fill(seen, 0.0F); });
-  } else {
-    std::ranges::fill(raster_.cells, prior_);
-  }
+  for_blocks_unlike(prior_, raster_.cells,
+                    [&](std::span<float> block) { std::ranges::fill(block, prior_); });
   ++revision_;
 }
 
@@ -187,14 +179,9 @@ void OccupancyGrid::decay(double seconds) {
   if (!(seconds > 0.0) || settings_.half_life == 0.0) return;
   constexpr double kLn2 = 0.693147180559945309417;
   const auto kept = static_cast<float>(exp_of(-kLn2 * (seconds / settings_.half_life)));
-  const auto fade = [&](std::span<float> seen) {
-    for (float& value : seen) value = prior_ + (value - prior_) * kept;
-  };
-  if (prior_ == 0.0F) {
-    for_each_seen(raster_.cells, fade);
-  } else {
-    fade(raster_.cells);
-  }
+  for_blocks_unlike(prior_, raster_.cells, [&](std::span<float> block) {
+    for (float& value : block) value = prior_ + (value - prior_) * kept;
+  });
   ++revision_;
 }
 

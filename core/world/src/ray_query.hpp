@@ -20,7 +20,7 @@ struct RayState {
 /// Neighbours of a fan that go through a grid together, and the ranges found so far.
 struct RayGroup {
   static constexpr std::size_t kMost = 128;
-  /// Fewer empty cells around are crossed one by one: a leap takes a division.
+  /// Where fewer cells around are empty, they are crossed one by one: a leap takes a division.
   static constexpr std::size_t kLeap = 3;
   alignas(64) double dx[kMost];  ///< Up to a multiple of eight there are some.
   alignas(64) double dy[kMost];

@@ -78,8 +78,8 @@ inline void leap(RayState& ray, std::size_t clear) {
   const std::size_t other = 1 - axis;
   ray.cell += clear * ray.step[axis];
   ray.next[axis] = exit[axis];
-  // Borders of the other axis until then. Where rounding makes it one less or more, the ray goes
-  // through a corner, whose walls are in all cells around it.
+  // Borders of the other axis until then. Rounding makes one more or less of them only where the
+  // ray goes through a corner of cells; walls there are listed in all cells around it.
   const double past = exit[axis] - ray.next[other];
   if (!(past > 0.0)) return;
   const double borders = std::min(std::floor(past / ray.between[other]) + 1.0, cells);
@@ -113,13 +113,9 @@ HWY_INLINE void go_on(const std::uint8_t* clear, RayGroup& rays) {
 /// mostly, so that a wall is fetched for all of them and several fill a register.
 void walk(Vec2 origin, const Segment* segments, const std::uint32_t* starts,
           const std::uint8_t* clear, RayGroup& rays) {
-  while (clear != nullptr && rays.left != 0) {
-    meet_cells(origin, segments, starts, rays);
-    go_on(clear, rays);
-  }
   while (rays.left != 0) {
     meet_cells(origin, segments, starts, rays);
-    go_on(nullptr, rays);
+    go_on(clear, rays);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "eyebridge/base/random.hpp"
 #include "eyebridge/bridges/monotonic_clock.hpp"
 #include "patience.hpp"
+#include "process_memory.hpp"
 #include "v4l2/controls.hpp"
 #include "v4l2/v4l2_source.hpp"
 #include "v4l2/video_handle.hpp"
@@ -42,12 +43,7 @@ int open_files() {
   return static_cast<int>(std::distance(begin(all), end(all)));
 }
 
-long resident_kilobytes() {
-  long total = 0;
-  long resident = 0;
-  std::ifstream("/proc/self/statm") >> total >> resident;
-  return resident * 4;
-}
+long resident_kilobytes() { return static_cast<long>(eyebridge::testing::resident_bytes() / 1024); }
 
 class Soak : public ::testing::Test {
  protected:

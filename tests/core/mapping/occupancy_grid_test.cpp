@@ -1,16 +1,15 @@
 #include "eyebridge/mapping/occupancy_grid.hpp"
 
 #include <cmath>
-#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "bad_numbers.hpp"
 #include "eyebridge/mapping/picture.hpp"
+#include "process_memory.hpp"
 
 namespace eyebridge::mapping {
 namespace {
@@ -153,22 +152,12 @@ TEST(OccupancyGrid, KeepsItsBoundsAndMemoryUnlessItGrows) {
   EXPECT_EQ(grid.raster(), OccupancyGrid(four_by_three()).raster());
 }
 
-/// Bytes of memory that this process has.
-std::size_t memory() {
-  std::ifstream file("/proc/self/statm");
-  std::size_t size = 0;
-  std::size_t resident = 0;
-  file >> size >> resident;
-  EXPECT_TRUE(file);
-  return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
-}
-
-// A map of 100 x 100 m in cells of 2 cm, of 100 MB. The kernel may give 2 MB at once, and the
-// address sanitizer keeps notes of an eighth.
+// Much less than the 100 MB of a map of 100 x 100 m with cells of 2 cm. The kernel may give 2 MB at
+// once, and the address sanitizer keeps notes of an eighth.
 constexpr std::size_t kSome = 40U << 20U;
 
 TEST(OccupancyGrid, TakesMemoryForWhatIsSeen) {
-  const std::size_t before = memory();
+  const std::size_t before = testing::resident_bytes();
   OccupancyGrid grid({{0, 0}, 0.02, 5000, 5000});
   for (int row = 1000; row < 1100; ++row) {
     for (int column = 1000; column < 1100; ++column) grid.add({column, row}, 1.0F);
@@ -178,11 +167,11 @@ TEST(OccupancyGrid, TakesMemoryForWhatIsSeen) {
   grid.clear();
   EXPECT_EQ(grid.probability(Cell{1050, 1050}), 0.5);
   EXPECT_EQ(copy.state(Cell{1050, 1050}), CellState::Occupied);
-  EXPECT_LT(memory(), before + kSome);
+  EXPECT_LT(testing::resident_bytes(), before + kSome);
 }
 
 TEST(OccupancyGrid, TakesMemoryForWhatIsSeenWhenItGrowsAndForgets) {
-  const std::size_t before = memory();
+  const std::size_t before = testing::resident_bytes();
   OccupancySettings settings;
   settings.growing = true;
   settings.half_life = 10.0;
@@ -192,7 +181,7 @@ TEST(OccupancyGrid, TakesMemoryForWhatIsSeenWhenItGrowsAndForgets) {
   ASSERT_GT(grid.geometry().size(), std::size_t{25'000'000});
   grid.decay(10.0);
   EXPECT_NEAR(grid.probability(Vec2{1, 1}), 0.75, 1e-6) << "odds of 9 become 3";
-  EXPECT_LT(memory(), before + kSome);
+  EXPECT_LT(testing::resident_bytes(), before + kSome);
 }
 
 TEST(OccupancyGrid, OfAnotherPriorIsClearedAndFadesAsAWhole) {

@@ -44,15 +44,12 @@ struct GreyPicture {
   friend bool operator==(const GreyPicture&, const GreyPicture&) = default;
 };
 
-/// Most pixels of a map that is read.
-inline constexpr std::size_t kMaxMapCells = mapping::kMostMapCells;
-
 /// Reads the text of a `.yaml`: `image`, `resolution` and `origin` must be there, `negate`,
 /// `occupied_thresh`, `free_thresh` and `mode` may be, other keys are ignored with a warning. An
 /// origin that is turned is an error: grids lie along the axes. Throws ConfigError.
 MapDescription read_map_description(std::string_view text, const std::string& file,
                                     std::vector<Warning>& warnings);
-/// Reads a PNM picture by read_pnm(), of at most kMaxMapCells pixels. Throws ConfigError.
+/// Reads a PNM picture by read_pnm(), of at most mapping::kMostMapCells pixels. Throws ConfigError.
 GreyPicture read_map_picture(std::string_view bytes, const std::string& file);
 /// The grid that a map stands for; thresholds become those of its settings.
 mapping::OccupancyGrid map_of(const MapDescription& description, const GreyPicture& picture);
@@ -66,8 +63,8 @@ struct MapTexts {
 };
 /// Writes `grid` as a map whose picture will be called `image`. In Trinary mode its states survive,
 /// in the others its probabilities to one half per cent. Throws ConfigError for a name that cannot
-/// be written on a line, and for a grid that could not be read back: one of more than kMaxMapCells,
-/// for example.
+/// be written on a line, and for a grid that could not be read back: one of more than
+/// mapping::kMostMapCells, for example.
 MapTexts write_map(const mapping::OccupancyGrid& grid, const std::string& image,
                    MapMode mode = MapMode::Trinary);
 /// Writes the map to `path`, a .yaml, and a .pgm of the same name beside it. Throws ConfigError

@@ -37,8 +37,8 @@ struct OccupancySettings {
 /// made from a world or read from a file has what set_probability() put there. Cells are taken as
 /// independent, and evidence is added as log-odds (Moravec and Elfes, "High Resolution Maps from
 /// Wide Angle Sonar", ICRA 1985; Thrun, Burgard and Fox, "Probabilistic Robotics", 2005, table
-/// 9.1). With a prior of 0.5 memory is taken for what is seen. Not thread-safe. The values stay
-/// where they are in memory as long as the bounds do.
+/// 9.1). With a prior of 0.5 it takes memory only for what has been seen. Not thread-safe. The
+/// values stay where they are in memory as long as the bounds do.
 class OccupancyGrid {
  public:
   /// Every cell at the prior. Throws std::invalid_argument for settings or a geometry that cannot

@@ -8,13 +8,14 @@
 
 namespace eyebridge::mapping {
 
-/// The values of a grid's cells, in memory that the system gives when a page of it is first
+/// The values of a grid's cells. The system gives each page of their memory when it is first
 /// written: a map of 100 x 100 m with cells of 2 cm takes 100 MB when all of it has been seen, and
-/// next to nothing at the start. That holds for cells that begin as 0, which is the log-odds of the
-/// usual prior of 0.5; others are written at once. Copies take what is not 0.
+/// next to nothing before. This holds for cells that begin as 0, the log-odds of the usual prior of
+/// 0.5; cells with another value are written at once. A copy takes memory only for pages that are
+/// not 0.
 class SeenCells {
  public:
-  /// Cells that are looked at together: a page of memory.
+  /// Cells of a block, which is left alone as a whole: a page of memory.
   static constexpr std::size_t kBlock = 1024;
 
   SeenCells() = default;
@@ -45,19 +46,15 @@ class SeenCells {
   std::unique_ptr<float[], Free> cells_;
 };
 
-/// Copies `from`, but for blocks that are 0, to `to`, which is 0.
-void copy_seen(std::span<const float> from, float* to);
+/// Copies values to `to` where they are others than there: memory that is only read is not taken.
+void copy_differing(std::span<const float> from, float* to);
 
-/// Whether all of them are 0, and not -0.
-bool are_unseen(std::span<const float> cells);
-
-/// Calls `function(std::span<float>)` for one block of `cells` after the other, but for those that
-/// are 0: what is only read takes no memory.
+/// Calls `function(std::span<float>)` for each block in which a cell is not `value`.
 template <class Function>
-void for_each_seen(std::span<float> cells, const Function& function) {
+void for_blocks_unlike(float value, std::span<float> cells, const Function& function) {
   while (!cells.empty()) {
     const std::span<float> block = cells.first(std::min(SeenCells::kBlock, cells.size()));
-    if (!are_unseen(block)) function(block);
+    if (std::ranges::count(block, value) != std::ssize(block)) function(block);
     cells = cells.subspan(block.size());
   }
 }
