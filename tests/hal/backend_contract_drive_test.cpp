@@ -62,9 +62,11 @@ TEST_P(BackendContract, DoesNotPassItsGoal) {
     }
     return most;
   };
-  const Rig straight = make(1.5);
-  ASSERT_TRUE(straight.backend->drive()->start({0.3, 0.0, kSpeed}));
-  EXPECT_NEAR(farthest(straight).x, 0.3, traits().way);
+  {
+    const Rig straight = make(1.5);
+    ASSERT_TRUE(straight.backend->drive()->start({0.3, 0.0, kSpeed}));
+    EXPECT_NEAR(farthest(straight).x, 0.3, traits().way);
+  }
   const Rig turning = make(1.5);
   ASSERT_TRUE(turning.backend->drive()->start({0.0, kPi / 2, 2.0}));
   EXPECT_NEAR(farthest(turning).theta, kPi / 2, traits().turn);

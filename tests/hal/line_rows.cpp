@@ -29,14 +29,21 @@ Rig around(const std::shared_ptr<RigBoard>& board) {
   return rig;
 }
 
-/// By the registry, as `--hal URL --hdt FILE`.
-Rig opened(const std::shared_ptr<RigBoard>& board, const std::string& options) {
+/// By the registry.
+Rig opened(const std::shared_ptr<RigBoard>& board, const Config& config) {
   Rig rig = around(board);
-  const Config config =
-      rig_config({{"hal", board->port().address() + options}, {"hdt", board->hdt()}});
   rig.backend = open_backend({config, *rig.log});
   return rig;
 }
+
+/// As `--hal URL --hdt FILE`.
+Rig opened(const std::shared_ptr<RigBoard>& board, const std::string& options) {
+  return opened(board,
+                rig_config({{"hal", board->port().address() + options}, {"hdt", board->hdt()}}));
+}
+
+const std::string kRoverFiles = EYEBRIDGE_SOURCE_DIR "/examples/rover/rover.";
+const std::string kRoverOptions = "?dbc=" + kRoverFiles + "dbc&map=" + kRoverFiles + "toml";
 
 /// A terminal, whose bytes wait for a thread of the kernel: a busy computer has let them wait for
 /// longer than the 300 ms after which a board stops. So this one drives itself, and is patient.
@@ -84,8 +91,7 @@ Rig rover_rig(const Pose& start) {
   auto board = std::make_shared<RigBoard>(start, RigFirmware{.rover = true});
   board->connect(ports::make_can_port(ports::frame_line(board->rover()), std::move(robot)));
   Rig rig = around(board);
-  const std::string folder = EYEBRIDGE_SOURCE_DIR "/examples/rover/rover.";
-  const std::string url = "can:pair?dbc=" + folder + "dbc&map=" + folder + "toml";
+  const std::string url = "can:pair" + kRoverOptions;
   const Config config = rig_config({{"hal", url}});
   auto clock = std::make_unique<bridges::MonotonicClock>();
   auto bus = bridges::make_socket_can({std::move(host), false}, "pair", *clock);
@@ -104,6 +110,13 @@ Rig interface_rig(const std::string& interface, const Pose& start) {
   return opened(board, "");
 }
 
+/// The other robot on an interface of the kernel. It has no number: one at a time.
+Rig rover_interface_rig(const std::string& interface, const Pose& start) {
+  auto board = std::make_shared<RigBoard>(start, RigFirmware{.rover = true});
+  board->connect(ports::open_can(ports::frame_line(board->rover()), interface, false, 0, kHere));
+  return opened(board, rig_config({{"hal", "can:" + interface + kRoverOptions}}));
+}
+
 }  // namespace
 
 std::vector<RigCase> contract_rows() {
@@ -117,6 +130,8 @@ std::vector<RigCase> contract_rows() {
     const std::string first = names.substr(0, names.find(','));
     const auto rig = [first](const Pose& start) { return interface_rig(first, start); };
     rows.push_back({"CanOver_" + first, rig, in_real_time(kCan)});
+    const auto rover = [first](const Pose& start) { return rover_interface_rig(first, start); };
+    rows.push_back({"RoverOver_" + first, rover, in_real_time(kRover)});
   }
   return rows;
 }
