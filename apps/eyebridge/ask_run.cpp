@@ -9,6 +9,7 @@
 
 #include "command.hpp"
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/log.hpp"
 
 namespace eyebridge::apps {
 namespace {
@@ -51,14 +52,14 @@ int ask_run(const char* command, pid_t wanted, const robios::Words& words) {
   }
   const auto answer = robios::receive_words(socket);
   if (!answer || answer->size() != 2) {
-    std::fprintf(stderr, "eyebridge: the run has ended\n");
+    tell("the run has ended");
     return kFailed;
   }
   if (answer->front() == "ok") {
     std::printf("%s\n", answer->back().c_str());
     return kFine;
   }
-  std::fprintf(stderr, "eyebridge: %s\n", answer->back().c_str());
+  tell(answer->back());
   return kFailed;
 }
 

@@ -12,6 +12,7 @@
 #include "assess_plan.hpp"
 #include "command.hpp"
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/text.hpp"
 #include "output_file.hpp"
 #include "sweep/assessment_output.hpp"
 #include "sweep/results.hpp"
@@ -44,7 +45,7 @@ void show_assessment(const Assessment& assessment, const fs::path& out, const Sw
   const std::vector<AssessedRun> runs =
       assess_runs(read_results_file(plan.results), cells, assessment.criteria(plan));
   const std::vector<Score> scores = score(runs);
-  std::fputs(assessment_table(scores).c_str(), stdout);
+  std::fputs(printable(assessment_table(scores)).c_str(), stdout);
   write_text(out / "runs.csv", runs_csv(runs));
   write_text(out / "summary.csv", summary_csv(scores));
   plot_assessment(scores, out);

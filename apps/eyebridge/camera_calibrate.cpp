@@ -10,6 +10,7 @@
 #include "camera_commands.hpp"
 #include "command.hpp"
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/log.hpp"
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/camera/calibration.hpp"
 #include "eyebridge/camera/calibrator.hpp"
@@ -84,11 +85,11 @@ int calibrate(const CalibrateOptions& options, const camera::Board& board) {
   const std::string ended = collect(options, *source, *clock, *calibrator);
   const Result<camera::Calibration> lens = calibrator->solve();
   if (!lens) {
-    std::fprintf(stderr, "eyebridge: no calibration: %s%s%s\n", lens.error().what.c_str(),
-                 ended.empty() ? "" : "; it ended because: ", ended.c_str());
+    tell("no calibration: " + lens.error().what +
+         (ended.empty() ? "" : "; it ended because: " + ended));
     return kFailed;
   }
-  if (!ended.empty()) std::fprintf(stderr, "eyebridge: ended early: %s\n", ended.c_str());
+  if (!ended.empty()) tell("ended early: " + ended);
   camera::write_calibration(*lens, options.out);
   const double across = 2.0 * std::atan(0.5 * lens->size.width / lens->fx);
   std::printf("%s: %dx%d pixels, error %.2f pixels by %d views, %.1f degrees across\n",

@@ -9,6 +9,7 @@
 #include "camera_commands.hpp"
 #include "command.hpp"
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/text.hpp"
 #include "machine/cameras.hpp"
 
 namespace eyebridge::apps {
@@ -25,7 +26,7 @@ void add_camera_list(CLI::App& parent, int& code) {
       throw ConfigError({"--root"}, "found " + *root + ", expected a folder");
     }
     const std::vector<Camera> cameras = look_at_cameras(*root);
-    std::fputs(table_of(cameras).c_str(), stdout);
+    std::fputs(printable(table_of(cameras)).c_str(), stdout);
     const bool any = std::ranges::any_of(
         cameras, [](const Camera& one) { return one.device.kind == camera::DeviceKind::Camera; });
     code = any ? kFine : kFailed;

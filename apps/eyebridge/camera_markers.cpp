@@ -9,6 +9,7 @@
 #include "camera_commands.hpp"
 #include "command.hpp"
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/log.hpp"
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/camera/fiducials.hpp"
 #include "eyebridge/camera/png.hpp"
@@ -43,7 +44,7 @@ int write_sheet(const MarkerOptions& options) {
   // Only the walls count: the smallest robot, so that none is too large for a start.
   const files::Scenario scenario = files::load_scenario(options.world, "Mouse");
   for (const Warning& warning : scenario.warnings) {
-    std::fprintf(stderr, "eyebridge: %s\n", warning.str().c_str());
+    tell(warning.str());
   }
   const auto fiducials = camera::place_fiducials(scenario.world, layout);
   if (fiducials.empty()) {

@@ -12,6 +12,7 @@
 #include "camera_input.hpp"
 #include "command.hpp"
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/log.hpp"
 #include "eyebridge/camera/recording/frame_table.hpp"
 #include "stop_signals.hpp"
 
@@ -77,11 +78,11 @@ int record_camera(const CameraRecordOptions& options) {
     const Result<camera::FramePtr> frame = input.next();
     if (!frame && frame.error().code == Errc::Corrupt) {
       ++tally.damaged;
-      std::fprintf(stderr, "eyebridge: warning: %s\n", frame.error().what.c_str());
+      tell("warning: " + frame.error().what);
       continue;
     }
     if (!frame && !input.is_its_end(frame.error())) {
-      std::fprintf(stderr, "eyebridge: %s\n", frame.error().what.c_str());
+      tell(frame.error().what);
       code = kFailed;
     }
     if (!frame || *frame == nullptr) break;
@@ -89,7 +90,7 @@ int record_camera(const CameraRecordOptions& options) {
     writer.add(**frame, now);
     tally.add(**frame, now);
     if (now >= report) {
-      std::fprintf(stderr, "eyebridge: recording, Ctrl-C ends: %s\n", tally.text().c_str());
+      tell("recording, Ctrl-C ends: " + tally.text());
       report = now + kReportPeriod;
     }
     if (options.seconds > 0.0 && now - tally.first_time >= from_seconds(options.seconds)) break;

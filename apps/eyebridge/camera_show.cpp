@@ -12,6 +12,7 @@
 #include "camera_commands.hpp"
 #include "camera_input.hpp"
 #include "command.hpp"
+#include "eyebridge/base/log.hpp"
 #include "eyebridge/camera/convert.hpp"
 #include "eyebridge/camera/png.hpp"
 #include "stop_signals.hpp"
@@ -43,7 +44,7 @@ Look look_through(CameraInput& input, int frames, std::string& failure) {
     const Result<camera::FramePtr> frame = input.next();
     if (!frame && frame.error().code == Errc::Corrupt) {
       ++look.damaged;
-      std::fprintf(stderr, "eyebridge: warning: %s\n", frame.error().what.c_str());
+      tell("warning: " + frame.error().what);
       continue;
     }
     if (!frame && !input.is_its_end(frame.error())) failure = frame.error().what;
@@ -114,7 +115,7 @@ int show_camera(const CameraShowOptions& options) {
   }
   if (look.last != nullptr && failure.empty()) return kFine;
   if (failure.empty()) failure = "camera: no frame came";
-  std::fprintf(stderr, "eyebridge: %s\n", failure.c_str());
+  tell(failure);
   return kFailed;
 }
 

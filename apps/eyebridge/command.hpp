@@ -26,6 +26,7 @@ void add_probe(CLI::App& root, int& code);
 void add_firmware(CLI::App& root, int& code);
 void add_world(CLI::App& root, int& code);
 void add_camera(CLI::App& root, int& code);
+void add_trust(CLI::App& root, int& code);
 void add_config(CLI::App& root, int& code);
 void add_doctor(CLI::App& root, int& code);
 void add_lab(CLI::App& root, int& code);

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "command.hpp"
+#include "eyebridge/base/text.hpp"
 #include "setting_flags.hpp"
 
 namespace eyebridge::apps {
@@ -17,7 +18,8 @@ void add_config(CLI::App& root, int& code) {
   command->add_option("program", *program, "Also look for eyebridge.toml beside this program")
       ->type_name("FILE");
   command->callback([flags, program, &code] {
-    std::fputs(hal::Config::from_command_line(*program, *flags).describe().c_str(), stdout);
+    const std::string text = hal::Config::from_command_line(*program, *flags).describe();
+    std::fputs(printable(text).c_str(), stdout);
     code = kFine;
   });
 }

@@ -11,6 +11,7 @@
 #include <poll.h>
 
 #include "command.hpp"
+#include "eyebridge/base/log.hpp"
 #include "eyebridge/files/load.hpp"
 #include "eyebridge/pins/board_world.hpp"
 #include "eyebridge/pins/psd_table.hpp"
@@ -128,7 +129,7 @@ int run_firmware(const CLI::App& command, const FirmwareOptions& options) {
   const files::Scenario scenario = files::load_scenario(
       options.world, options.robot, files::SearchPlaces::of_process(), {"--robot"});
   for (const Warning& warning : scenario.warnings) {
-    std::fprintf(stderr, "eyebridge: %s\n", warning.str().c_str());
+    tell(warning.str());
   }
   if (scenario.robots.empty()) {
     throw ConfigError({options.world}, "found no robot, expected at least one");

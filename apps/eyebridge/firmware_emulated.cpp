@@ -6,6 +6,7 @@
 
 #include "command.hpp"
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/log.hpp"
 #include "eyebridge/mps2/emulated_board.hpp"
 #include "firmware_parts.hpp"
 #include "own_files.hpp"
@@ -41,7 +42,7 @@ class EmulatedRun {
       path_.note(monotonic_now() - start_, world_.simulation(), 1);
       ports_[0]->pump();
       if (!moved) {
-        std::fprintf(stderr, "eyebridge: %s\n", moved.error().what.c_str());
+        tell(moved.error().what);
         return kFailed;
       }
     }

@@ -7,6 +7,7 @@
 #include "command.hpp"
 #include "commit.hpp"
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/log.hpp"
 
 namespace {
 
@@ -30,6 +31,7 @@ int run(int argc, char** argv) {
   add_firmware(app, code);
   add_world(app, code);
   add_camera(app, code);
+  add_trust(app, code);
   add_config(app, code);
   add_doctor(app, code);
   add_lab(app, code);
@@ -41,7 +43,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& done) {  // --help, --version
     return app.exit(done);
   } catch (const CLI::ParseError& error) {
-    std::fprintf(stderr, "eyebridge: %s\nSee eyebridge --help.\n", error.what());
+    eyebridge::tell(std::string(error.what()) + "\nSee eyebridge --help.");
     return kBadInput;
   }
   return code;
@@ -53,10 +55,10 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const eyebridge::ConfigError& error) {
-    std::fprintf(stderr, "eyebridge: %s\n", error.what());
+    eyebridge::tell(error.what());
     return eyebridge::apps::kBadInput;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "eyebridge: %s\n", error.what());
+    eyebridge::tell(error.what());
     return eyebridge::apps::kFailed;
   }
 }

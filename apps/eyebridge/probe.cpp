@@ -64,7 +64,7 @@ int list_candidates(const std::string& root) {
 
 void print_advice(const std::string& device) {
   for (const std::string& line : advice_on(device))
-    std::printf("  %-12s %s\n", "note", line.c_str());
+    std::printf("  %-12s %s\n", "note", printable(line).c_str());
 }
 
 int probe_io7(const ProbeTarget& target, const ProbeFlags& flags) {
@@ -84,7 +84,7 @@ int probe_io7(const ProbeTarget& target, const ProbeFlags& flags) {
   const auto board =
       look_at_io7(traced(std::move(*stream), clock, trace.get()), clock, patience, counts);
   if (!board) throw ConfigError({name}, why_no_board(board.error(), counts, baud));
-  std::printf("%s: %s", name.c_str(), described(*board, target.url).c_str());
+  std::printf("%s: %s", name.c_str(), printable(described(*board, target.url)).c_str());
   if (is_serial) print_advice(target.line.rest);
   return kFine;
 }
@@ -109,7 +109,7 @@ int probe_can(const ProbeTarget& target, const ProbeFlags& flags) {
   const auto traced_bus = traced(std::move(*bus), clock, trace.get());
   const auto census = listen_to(*traced_bus, clock, span);
   if (!census) throw ConfigError({}, census.error().what);
-  std::fputs(described(*census, name).c_str(), stdout);
+  std::fputs(printable(described(*census, name)).c_str(), stdout);
   std::fflush(stdout);
   if (census->robots.empty()) {
     throw ConfigError({name},

@@ -9,6 +9,7 @@
 
 #include "command.hpp"
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/text.hpp"
 #include "recording_text.hpp"
 #include "run.hpp"
 
@@ -25,11 +26,13 @@ struct RecordFlags {
 int show(const RecordFlags& flags, bool with_calls) {
   const hal::Recording recording = hal::read_recording(flags.show);
   const camera::FrameReader frames(flags.show);
-  std::fputs(recording_summary(recording, frames.frames(), flags.show).c_str(), stdout);
+  const std::string text = recording_summary(recording, frames.frames(), flags.show);
+  std::fputs(printable(text).c_str(), stdout);
   if (with_calls) {
     const std::size_t most = flags.calls.empty() ? 0 : flags.calls.front();
     const std::size_t all = std::numeric_limits<std::size_t>::max();
-    std::fputs(("\n" + recording_calls(recording, most == 0 ? all : most)).c_str(), stdout);
+    const std::string calls = recording_calls(recording, most == 0 ? all : most);
+    std::fputs(("\n" + printable(calls)).c_str(), stdout);
   }
   return kFine;
 }

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "command.hpp"
+#include "eyebridge/base/text.hpp"
 #include "sweep/plot.hpp"
 #include "sweep/results.hpp"
 #include "sweep/summary.hpp"
@@ -23,7 +24,7 @@ struct ShowFlags {
 
 void show(const std::string& results, const ShowFlags& flags) {
   const std::vector<Group> groups = group_runs(read_results_file(results), flags.by);
-  std::fputs(summary_table(groups).c_str(), stdout);
+  std::fputs(printable(summary_table(groups)).c_str(), stdout);
   if (!flags.plot.empty()) plot(groups, flags.value, flags.plot);
 }
 

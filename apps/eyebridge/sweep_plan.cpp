@@ -14,6 +14,7 @@
 #include "check_settings.hpp"
 #include "config/toml_text.hpp"
 #include "eyebridge/base/text.hpp"
+#include "eyebridge/base/trust.hpp"
 #include "eyebridge/hal/config.hpp"
 #include "eyebridge/hal/world_file.hpp"
 #include "program.hpp"
@@ -58,16 +59,14 @@ int core_count() {
   return static_cast<int>(std::max(std::thread::hardware_concurrency(), 1U));
 }
 
-void find_programs(SweepPlan& plan) {
-  Axis* programs = plan.find(AxisKind::Program, "program");
-  if (programs == nullptr) return;  // cells_of() says so
-  for (AxisValue& value : programs->values) {
-    try {
-      value.text = fs::absolute(find_program(value.text)).string();
-    } catch (const ConfigError& error) {
-      if (value.where.line == 0) throw;
-      throw ConfigError(value.where, error.where().file + ": " + error.text());
-    }
+void check_trust(const SweepPlan& plan) {
+  for (const Asked& asked : asked_by(plan)) {
+    if (Trust::of_user().covers(asked.where.file, asked.text)) continue;
+    throw ConfigError(asked.where,
+                      fmt::format("found {}, which starts a program outside of this file's folder; "
+                                  "a file may do that when you have said so: look at it, then "
+                                  "'eyebridge trust {}'",
+                                  printable(asked.text), asked.where.file));
   }
 }
 
@@ -186,6 +185,40 @@ void add_axis_flags(CLI::App& command, SweepFlags& flags, const std::set<std::st
   command.add_option("--jobs", flags.jobs, "Runs at a time [one a core]")->type_name("N");
 }
 
+void find_programs(SweepPlan& plan) {
+  Axis* programs = plan.find(AxisKind::Program, "program");
+  if (programs == nullptr) return;  // cells_of() says so
+  for (AxisValue& value : programs->values) {
+    try {
+      value.text = fs::absolute(find_program(value.text)).string();
+    } catch (const ConfigError& error) {
+      if (value.where.line == 0) throw;
+      throw ConfigError(value.where, error.where().file + ": " + error.text());
+    }
+  }
+}
+
+std::vector<Asked> asked_by(const SweepPlan& plan) {
+  std::vector<Asked> out;
+  for (const Axis& axis : plan.axes) {
+    const bool is_program = axis.kind == AxisKind::Program;
+    const hal::Setting* const setting =
+        axis.kind == AxisKind::Setting ? hal::find_setting(axis.name) : nullptr;
+    for (const AxisValue& value : axis.values) {
+      if (value.where.line == 0) continue;  // a flag
+      if (is_program && !is_within(value.text, fs::path(value.where.file).parent_path())) {
+        std::error_code error;
+        const fs::path file = fs::canonical(value.text, error);
+        out.push_back({"program = " + (error ? value.text : file.string()), value.where});
+      }
+      if (setting != nullptr && hal::has_effect(*setting, value.text)) {
+        out.push_back({hal::asked_by(*setting, value.text), value.where});
+      }
+    }
+  }
+  return out;
+}
+
 SweepPlan make_plan(const SweepFlags& flags, const std::vector<std::string>& words) {
   SweepPlan plan;
   const bool from_file = !words.empty() && fs::path(words.front()).extension() == ".toml";
@@ -230,6 +263,7 @@ SweepPlan make_plan(const SweepFlags& flags, const std::vector<std::string>& wor
 
 RunSettings prepare(SweepPlan& plan) {
   find_programs(plan);
+  check_trust(plan);
   make_paths_absolute(plan);
   RunSettings settings;
   settings.command = fs::read_symlink("/proc/self/exe");

@@ -33,6 +33,19 @@ void add_axis_flags(CLI::App& command, SweepFlags& flags, const std::set<std::st
 /// which take the place of what the file says. Throws ConfigError.
 SweepPlan make_plan(const SweepFlags& flags, const std::vector<std::string>& words);
 
+/// Makes the programs of `plan` absolute. Throws ConfigError where one cannot be started.
+void find_programs(SweepPlan& plan);
+
+/// What a sweep file asks for that the user has to agree to (Trust): programs outside of its
+/// folder.
+struct Asked {
+  std::string text;
+  SourceLocation where;  ///< In the sweep file.
+};
+
+/// For `plan`, whose programs have been found.
+std::vector<Asked> asked_by(const SweepPlan& plan);
+
 /// Everything that can be wrong before the first run: finds all programs, checks every combination
 /// of settings as `eyebridge run` does. Makes paths in `plan` absolute and returns what all runs
 /// have in common. Throws ConfigError.

@@ -10,6 +10,7 @@
 
 #include "command.hpp"
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/log.hpp"
 #include "eyebridge/base/own_place.hpp"
 #include "stop_signals.hpp"
 #include "sweep/progress.hpp"
@@ -79,8 +80,8 @@ bool run_missing(const SweepPlan& plan, const RunChoices& choices, const Prepare
   std::error_code still_in_use;  // by files of runs that went wrong, which may tell why
   std::filesystem::remove(prepared.settings.folder, still_in_use);
   if (all) return true;
-  fmt::print(stderr, "eyebridge: interrupted with {} of {} runs in {}; the same command goes on\n",
-             cells.size() - todo.size() + done, cells.size(), plan.results);
+  tell(fmt::format("interrupted with {} of {} runs in {}; the same command goes on",
+                   cells.size() - todo.size() + done, cells.size(), plan.results));
   return false;
 }
 

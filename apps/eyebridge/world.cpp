@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
+#include "eyebridge/base/log.hpp"
+#include "eyebridge/base/text.hpp"
 #include "eyebridge/camera/birdseye.hpp"
 #include "eyebridge/camera/png.hpp"
 #include "eyebridge/files/load.hpp"
@@ -35,12 +37,12 @@ int check(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     try {
       const files::Scenario scenario = files::load_scenario(path);
-      std::printf("%s: %s\n", path.c_str(), summary(scenario).c_str());
+      std::printf("%s: %s\n", printable(path).c_str(), summary(scenario).c_str());
       for (const Warning& warning : scenario.warnings) {
-        std::printf("  %s\n", warning.str().c_str());
+        std::printf("  %s\n", printable(warning.str()).c_str());
       }
     } catch (const ConfigError& error) {
-      std::fprintf(stderr, "eyebridge: %s\n", error.what());
+      tell(error.what());
       code = kBadInput;
     }
   }
@@ -65,7 +67,7 @@ world::Scene scene_of(const files::Scenario& scenario) {
 int draw(const std::string& path, const std::string& output, int longest_side) {
   const files::Scenario scenario = files::load_scenario(path);
   for (const Warning& warning : scenario.warnings) {
-    std::fprintf(stderr, "eyebridge: %s\n", warning.str().c_str());
+    tell(warning.str());
   }
   const auto target = output.empty() ? std::filesystem::path(path).stem().concat(".png")
                                      : std::filesystem::path(output);

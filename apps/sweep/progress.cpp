@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "eyebridge/base/text.hpp"
+
 namespace eyebridge::apps {
 namespace {
 
@@ -33,14 +35,15 @@ Progress::Progress(std::FILE* out, bool terminal, std::size_t all, std::size_t p
 void Progress::ended(const Cell& cell, const Outcome& outcome, double elapsed) {
   ++done_;
   if (!outcome.well()) ++bad_;
-  const std::string name = short_name(cell);
+  const std::string name = printable(short_name(cell));
+  const std::string reason = printable(outcome.reason);
   if (!terminal_) {
     fmt::print(out_, "{}/{} {}: {}{}\n", done_, all_, name, outcome.how,
-               outcome.reason.empty() ? "" : ", " + outcome.reason);
+               reason.empty() ? "" : ", " + reason);
   } else {
     // What went wrong stays above the bar.
     if (!outcome.well()) {
-      fmt::print(out_, "\r\x1B[K{}: {}, {}\n", name, outcome.how, outcome.reason);
+      fmt::print(out_, "\r\x1B[K{}: {}, {}\n", name, outcome.how, reason);
     }
     draw(elapsed);
   }

@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <string>
 
+#include "eyebridge/base/log.hpp"
+
 namespace eyebridge::camera {
 namespace {
 
@@ -11,8 +13,7 @@ class StderrLog final : public LogSink {
   void write(Severity severity, std::string_view message) override {
     if (severity < Severity::Warning) return;
     const char* kind = severity == Severity::Warning ? "warning: " : "error: ";
-    const std::string line = "eyebridge: " + std::string(kind) + std::string(message) + "\n";
-    std::fwrite(line.data(), 1, line.size(), stderr);
+    tell(std::string(kind).append(message));
   }
 };
 

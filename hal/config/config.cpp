@@ -8,6 +8,7 @@
 #include "config/run_plan.hpp"
 #include "config/toml_text.hpp"
 #include "config/values.hpp"
+#include "eyebridge/base/text.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -50,7 +51,49 @@ void put_variable(Values& values, const std::string& name, const std::string& te
   put(values, *setting, {text, {name}});
 }
 
+/// Throws where a value counts that its file may not ask for.
+void check_trust(const Values& values, const Config::Sources& sources) {
+  if (!sources.may_ask) return;
+  for (const Setting& setting : settings()) {
+    const ConfigValue& value = values.at(std::string(setting.key));
+    const bool from_file = value.where.line > 0;
+    if (!from_file || !has_effect(setting, value.text)) continue;
+    if (sources.may_ask(value.where.file, asked_by(setting, value.text))) continue;
+    throw ConfigError(
+        value.where,
+        fmt::format("found {} = {}, which {}; files of folders may do that when you "
+                    "have said so: look at it, then 'eyebridge trust {}', or give {}",
+                    setting.key, in_quotes(value.text),
+                    setting.effect == Setting::Effect::Starts ? "starts a program" : "writes files",
+                    value.where.file, Config::flag_name(setting.key)));
+  }
+}
+
 }  // namespace
+
+bool has_effect(const Setting& setting, std::string_view text) {
+  return setting.effect != Setting::Effect::None && text != setting.fallback &&
+         !(setting.key == "player" && text == "none");
+}
+
+std::string asked_by(const Setting& setting, const std::string& text) {
+  std::error_code no_folder;  // that of the process is gone: the path stays as it is
+  const bool is_path = setting.kind == Setting::Kind::Path && !text.empty();
+  const std::string full =
+      is_path ? std::filesystem::absolute(text, no_folder).lexically_normal().string() : text;
+  return fmt::format("{} = {}", setting.key, full);
+}
+
+std::vector<std::string> asked_by_file(const std::filesystem::path& file) {
+  const auto text = read_toml_file(file);
+  if (!text) throw ConfigError({file.string()}, "no such file");
+  std::vector<std::string> asked;
+  for (const TomlEntry& entry : read_toml(*text, file.string())) {
+    if (has_effect(*entry.setting, entry.value.text))
+      asked.push_back(asked_by(*entry.setting, entry.value.text));
+  }
+  return asked;
+}
 
 Config Config::load(const Sources& sources) {
   Config config;
@@ -79,9 +122,11 @@ Config Config::load(const Sources& sources) {
     if (name.starts_with(kPrefix) && !is_no_setting(name)) put_variable(values, name, text);
   }
   for (const auto& [key, value] : plan.values) {
-    if (value.where.file == flag_name(key)) put_flag(values, key, value.text);
+    if (value.where.file != flag_name(key)) continue;
+    if (find_setting(key)->effect != Setting::Effect::Writes) put_flag(values, key, value.text);
   }
   for (const auto& [key, text] : sources.flags) put_flag(values, key, text);
+  check_trust(values, sources);
   return config;
 }
 

@@ -1,9 +1,11 @@
+#include <cstdlib>
 #include <system_error>
 #include <utility>
 
 #include <unistd.h>
 
 #include "config/run_plan.hpp"
+#include "eyebridge/base/trust.hpp"
 #include "eyebridge/files/search.hpp"
 #include "eyebridge/hal/config.hpp"
 #include "eyebridge/hal/world_file.hpp"
@@ -45,9 +47,11 @@ Config::Sources sources_of_process(const std::filesystem::path& program) {
   if (program.has_parent_path()) {
     sources.toml_files.push_back(program.parent_path() / kFileName);
   }
-  if (const auto user = user_file(sources.environment); !user.empty()) {
-    sources.toml_files.push_back(user);
-  }
+  const auto user = user_file(sources.environment);
+  if (!user.empty()) sources.toml_files.push_back(user);
+  sources.may_ask = [user = user.string()](const std::string& file, const std::string& asked) {
+    return file == user || Trust::of_user().covers(file, asked);
+  };
   return sources;
 }
 
@@ -95,6 +99,15 @@ Config Config::from_command_line(const std::filesystem::path& program,
   sources.environment.erase(kPlanVariable);
   sources.flags = flags;
   return of_program(program, sources);
+}
+
+void Config::keep_outputs() const {
+  for (const Setting& setting : settings()) {
+    if (setting.effect == Setting::Effect::Writes) ::unsetenv(variable_name(setting.key).c_str());
+  }
+  // A plan for this process alone is one of flags to the others.
+  if (std::getenv(kPlanVariable) == nullptr) return;
+  ::setenv(kPlanVariable, run_plan_text({"of the parent", values_}).c_str(), 1);
 }
 
 Config Config::of_program(const std::filesystem::path& program, const Sources& sources) {

@@ -9,6 +9,11 @@ namespace {
 
 using Kind = Setting::Kind;
 
+constexpr Setting with_effect(Setting setting, Setting::Effect effect) {
+  setting.effect = effect;
+  return setting;
+}
+
 constexpr auto kSettings = std::to_array<Setting>({
     {"hal", Kind::Text, "sim", "how the robot is reached: a backend's URL"},
     {"mix", Kind::Text, "", "devices from other backends: psd=sim; drive=serial:/dev/ttyACM0"},
@@ -29,7 +34,9 @@ constexpr auto kSettings = std::to_array<Setting>({
      "robot|2015"},
     {"supply_voltage", Kind::Number, "7.4", "of a simulated robot's battery, volts", 0.0, 20.0},
     {"serial", Kind::Text, "", "devices of serial interfaces: 0=/dev/ttyUSB0; 1=GPS"},
-    {"player", Kind::Text, "auto", "plays sounds: auto, none, or a command that takes a file"},
+    with_effect(
+        {"player", Kind::Text, "auto", "plays sounds: auto, none, or a command that takes a file"},
+        Setting::Effect::Starts),
     {"radio", Kind::Text, "world",
      "who can be reached: world, none, udp:239.192.7.1:7007?id=2&loss=10%&delay=20ms"},
     {"camera", Kind::Text, "render", "where frames come from: a source's URL, or none"},
@@ -74,11 +81,15 @@ constexpr auto kSettings = std::to_array<Setting>({
     {"gui", Kind::Text, "auto", "windows: on, off, or where there is a display and no --fast",
      -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
      "auto|on|off"},
-    {"out", Kind::Path, "", "folder for pictures and trace; unset: none are written"},
-    {"report", Kind::Path, "",
-     "file for what came of a simulated run: time, way, collisions, end, hash"},
+    with_effect({"out", Kind::Path, "", "folder for pictures and trace; unset: none are written"},
+                Setting::Effect::Writes),
+    with_effect({"report", Kind::Path, "",
+                 "file for what came of a simulated run: time, way, collisions, end, hash"},
+                Setting::Effect::Writes),
     {"id_as_ascii", Kind::Boolean, "false", "classic OSMachineID() gives '1', '2' instead of 1, 2"},
-    {"record", Kind::Path, "", "file (.ebrec) for all exchanges with the devices, and frames"},
+    with_effect(
+        {"record", Kind::Path, "", "file (.ebrec) for all exchanges with the devices, and frames"},
+        Setting::Effect::Writes),
     {"record_frames", Kind::Text, "lossless", "how camera frames are kept in --record",
      -std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
      "lossless|mjpeg|none"},

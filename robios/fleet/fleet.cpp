@@ -12,6 +12,7 @@
 
 #include "crash_handler.hpp"
 #include "eyebridge/base/deaf_thread.hpp"
+#include "eyebridge/base/log.hpp"
 #include "eyebridge/hal/environment.hpp"
 #include "fleet_scheduler.hpp"
 #include "generation.hpp"
@@ -47,6 +48,7 @@ Fleet::Fleet(hal::Config config, const std::vector<std::string>& words,
   windows_ = open_session_windows(config_, log_);
   world_ = hal::open_shared_world(config_, log_, scheduler_->turns());
   add_robots(words);
+  config_.keep_outputs();
 }
 
 Fleet::~Fleet() = default;
@@ -62,6 +64,7 @@ void Fleet::add_robots(const std::vector<std::string>& words) {
     if (comes_too_late(newcomer.time, config_)) break;
     all.push_back({newcomer.model.name, newcomer.program, newcomer.arguments});
   }
+  if (words.empty()) check_trust(all, scenario_);
   std::vector<RobotProgram> programs = programs_of(all, words, scenario_);
   const auto runs = [](const RobotProgram& program) { return !program.file.empty(); };
   const auto is_loaded = [&](const RobotProgram& program) {
@@ -198,15 +201,15 @@ int Fleet::run() {
   Time simulated{0};
   const std::vector<Robot*> all = robots();
   for (Robot* const robot : all) simulated = std::max(simulated, robot->now());
-  const std::string told = fmt::format(
-      "eyebridge: {} robots, {:.2f} s on their clock in {:.2f} s ({:.0f}x), trace {:016x}{}{}\n",
-      all.size(), to_seconds(simulated), wall.count(), to_seconds(simulated) / wall.count(),
-      world_->hash().value(),
-      config_.is_set("out") ? "; results in " + config_.path("out").string() : "",
-      world_->overruns() == 0
-          ? ""
-          : fmt::format("; the computer was too slow {} times", world_->overruns()));
-  dprintf(STDERR_FILENO, "%s", told.c_str());  // as StderrLog does
+  const std::string told =
+      fmt::format("{} robots, {:.2f} s on their clock in {:.2f} s ({:.0f}x), trace {:016x}{}{}",
+                  all.size(), to_seconds(simulated), wall.count(),
+                  to_seconds(simulated) / wall.count(), world_->hash().value(),
+                  config_.is_set("out") ? "; results in " + config_.path("out").string() : "",
+                  world_->overruns() == 0
+                      ? ""
+                      : fmt::format("; the computer was too slow {} times", world_->overruns()));
+  tell(told);
   if (windows_ != nullptr) {
     std::fflush(nullptr);  // whoever reads the programs' output does not wait for the person
     windows_->finish("All programs have ended");

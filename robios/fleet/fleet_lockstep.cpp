@@ -11,6 +11,7 @@
 
 #include "arrivals.hpp"
 #include "crash_handler.hpp"
+#include "eyebridge/base/log.hpp"
 #include "eyebridge/hal/environment.hpp"
 #include "fiber_robot.hpp"
 #include "fleet_scheduler.hpp"
@@ -116,10 +117,10 @@ struct Fleet::InLockstep final : Scheduler {
     for (Robot* const robot : running.load()->robots()) {
       if (robot->index() != lockstep.whose_turn()) continue;
       const std::string call = present_wait().call;
-      fmt::print(stderr,
-                 "eyebridge: robot {}: error: the program has made no call for too long{}, by "
-                 "--hang-limit: all robots end (with --isolate only this one would)\n",
-                 robot->index() + 1, call.empty() ? "" : ", and waits in " + call);
+      eyebridge::tell(
+          fmt::format("robot {}: error: the program has made no call for too long{}, by "
+                      "--hang-limit: all robots end (with --isolate only this one would)",
+                      robot->index() + 1, call.empty() ? "" : ", and waits in " + call));
       robot->break_off(124);
       running.load()->end_without(*robot);
     }

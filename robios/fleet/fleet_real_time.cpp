@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "arrivals.hpp"
+#include "eyebridge/base/log.hpp"
 #include "fleet_scheduler.hpp"
 #include "robot_programs.hpp"
 #include "thread_robot.hpp"
@@ -89,9 +90,9 @@ struct Fleet::InRealTime final : Scheduler {
         .first->second;
   }
   static void tell(const Robot& robot, double seconds) {
-    fmt::print(stderr,
-               "eyebridge: robot {}: warning: the program has computed for {:g} s without a call\n",
-               robot.index() + 1, seconds);
+    eyebridge::tell(
+        fmt::format("robot {}: warning: the program has computed for {:g} s without a call",
+                    robot.index() + 1, seconds));
   }
   /// One that computes on holds up nobody, but where all wait for its first call.
   static void end_early(ThreadRobot& robot) {

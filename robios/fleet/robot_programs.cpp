@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <fstream>
 #include <string_view>
-#include <system_error>
 
 #include "eyebridge/base/robot_program.hpp"
+#include "eyebridge/base/text.hpp"
+#include "eyebridge/base/trust.hpp"
+#include "eyebridge/files/scenario_programs.hpp"
 #include "program_file.hpp"
 
 namespace eyebridge::robios {
@@ -17,17 +19,6 @@ bool begins_with(const fs::path& file, std::string_view bytes) {
   std::ifstream stream(file, std::ios::binary);
   std::string start(bytes.size(), '\0');
   return stream.read(start.data(), static_cast<std::streamsize>(start.size())) && start == bytes;
-}
-
-fs::path found(const std::string& name, const fs::path& scenario) {
-  fs::path written(name);
-  for (const fs::path& path : {written, fs::path(written).replace_extension()}) {
-    for (const fs::path& folder : {scenario.parent_path(), fs::path()}) {
-      std::error_code ignored;  // a folder that may not be searched holds nothing for us
-      if (fs::is_regular_file(folder / path, ignored)) return folder / path;
-    }
-  }
-  return written;
 }
 
 }  // namespace
@@ -47,6 +38,20 @@ bool needs_process(const fs::path& program, const hal::Config& config) {
   }
 }
 
+void check_trust(const std::vector<hal::SharedRobot>& robots, const fs::path& scenario) {
+  for (const hal::SharedRobot& robot : robots) {
+    if (robot.program.empty()) continue;
+    const auto asked = files::asked_for(robot.program, robot.arguments, scenario);
+    if (!asked || Trust::of_user().covers(scenario, *asked)) continue;
+    throw ConfigError(
+        {scenario.string()},
+        "found the program " + in_quotes(robot.program) +
+            ", which lies outside of this file's folder; a file may start those when you have said "
+            "so: look at it, then 'eyebridge trust " +
+            scenario.string() + "'");
+  }
+}
+
 std::vector<RobotProgram> programs_of(const std::vector<hal::SharedRobot>& robots,
                                       const std::vector<std::string>& words,
                                       const fs::path& scenario) {
@@ -59,9 +64,10 @@ std::vector<RobotProgram> programs_of(const std::vector<hal::SharedRobot>& robot
   }
   std::vector<RobotProgram> programs;
   for (const hal::SharedRobot& robot : robots) {
-    programs.push_back(robot.program.empty()
-                           ? RobotProgram{}
-                           : RobotProgram{found(robot.program, scenario), robot.arguments});
+    programs.push_back(
+        robot.program.empty()
+            ? RobotProgram{}
+            : RobotProgram{files::program_file(robot.program, scenario), robot.arguments});
   }
   const auto has_none = [](const RobotProgram& program) { return program.file.empty(); };
   if (!std::ranges::all_of(programs, has_none)) return programs;

@@ -17,6 +17,11 @@ std::vector<RobotProgram> programs_of(const std::vector<hal::SharedRobot>& robot
                                       const std::vector<std::string>& words,
                                       const std::filesystem::path& scenario);
 
+/// Throws ConfigError where the file `scenario` names a program for one of `robots` that lies
+/// outside of its folder, and the user has not agreed (Trust).
+void check_trust(const std::vector<hal::SharedRobot>& robots,
+                 const std::filesystem::path& scenario);
+
 /// True for a Python program, and for one that begins with #!.
 bool is_script(const std::filesystem::path& program);
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "eyebridge/base/log.hpp"
 #include "eyebridge/camera/prepare_process.hpp"
 #include "fleet.hpp"
 #include "program_threads.hpp"
@@ -25,10 +26,10 @@ __attribute__((visibility("default"))) int EYEBRIDGERobotsMain(int argc, char** 
         eyebridge::hal::Config::from_process(words.empty() ? "" : words.front()), words, *calls);
     return fleet->run();
   } catch (const eyebridge::ConfigError& error) {
-    fmt::print(stderr, "eyebridge: {}\n", error.what());
+    eyebridge::tell(error.what());
     return 2;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "eyebridge: the robots cannot be started: {}\n", error.what());
+    eyebridge::tell(fmt::format("the robots cannot be started: {}", error.what()));
     return 1;
   }
 }

@@ -13,6 +13,7 @@
 #include <link.h>
 #include <unistd.h>
 
+#include "eyebridge/base/log.hpp"
 #include "eyebridge/hal/shared_world.hpp"
 #include "eyebridge_host.h"
 #include "generation.hpp"
@@ -61,7 +62,7 @@ Wanted wanted() {
   try {
     become_launcher(false, std::move(words));
   } catch (const ConfigError& error) {
-    fmt::print(stderr, "eyebridge: {}\n", error.what());
+    tell(error.what());
     _exit(1);
   }
 }

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/log.hpp"
 
 namespace eyebridge::robios {
 namespace {
@@ -21,9 +22,7 @@ void StderrLog::write(Severity severity, std::string_view message) {
   // Info speaks for itself; what went wrong says how bad it is.
   const bool plain = severity == Severity::Info;
   const std::string_view name = plain ? "" : kNames[static_cast<std::size_t>(severity)];
-  // Not by stderr: after wide characters of a program it takes no others.
-  dprintf(STDERR_FILENO, "eyebridge: %s%.*s%s%.*s\n", who_.c_str(), static_cast<int>(name.size()),
-          name.data(), plain ? "" : ": ", static_cast<int>(message.size()), message.data());
+  tell(fmt::format("{}{}{}{}", who_, name, plain ? "" : ": ", message));
 }
 
 Severity lowest_severity(const hal::Config& config) {

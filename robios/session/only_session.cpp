@@ -9,6 +9,7 @@
 #include <pthread.h>
 #include <unistd.h>
 
+#include "eyebridge/base/log.hpp"
 #include "eyebridge/camera/prepare_process.hpp"
 #include "eyebridge/hal/shared_world.hpp"
 #include "host.hpp"
@@ -32,6 +33,7 @@ hal::Config read_config() {
                                                 "eyebridge-c++, or a Python program in a file",
                                                 robots.text));
   }
+  config.keep_outputs();
   return config;
 }
 
@@ -79,10 +81,10 @@ Session& Session::only() {
       made->impl_->open_windows();
       return made;
     } catch (const ConfigError& error) {
-      fmt::print(stderr, "eyebridge: {}\n", error.what());
+      tell(error.what());
       std::exit(2);
     } catch (const std::exception& error) {
-      fmt::print(stderr, "eyebridge: the robot cannot be started: {}\n", error.what());
+      tell(fmt::format("the robot cannot be started: {}", error.what()));
       std::exit(1);
     }
   }();

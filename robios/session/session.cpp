@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "costs.hpp"
+#include "eyebridge/base/log.hpp"
 #include "eyebridge/hal/environment.hpp"
 #include "flow.hpp"
 #include "host.hpp"
@@ -196,10 +197,10 @@ void Session::end_hanging(double computed_s) {
 bool Session::may_call(std::string_view call) const {
   const Impl::Stage stage = impl_->stage;
   if (stage == Impl::Stage::Forked) {
-    fmt::print(stderr,
-               "eyebridge: error: {}: called in a forked process; only the process that "
-               "started the robot can use it\n",
-               call);
+    tell(
+        fmt::format("error: {}: called in a forked process; only the process that started the "
+                    "robot can use it",
+                    call));
     _exit(1);
   }
   if (stage == Impl::Stage::Running) return true;

@@ -76,10 +76,12 @@ TEST_F(Run, ProgramsThatAProgramStartsTakeTheFlagsAndSeeVariablesAndFilesOfTheir
                 "#!/bin/sh\n"
                 "EYEBRIDGE_REPORT=variable.txt " EYEBRIDGE_SQUARE
                 " || exit\n"
-                "echo 'report = \"late.txt\"' > eyebridge.toml\n" EYEBRIDGE_SQUARE
+                "echo 'report = \"late.txt\"' > eyebridge.toml\n" EYEBRIDGE_BIN
+                "/eyebridge trust > /dev/null\n" EYEBRIDGE_SQUARE
                 " || exit\n"
                 "exec env EYEBRIDGE_REPORT=same_process.txt " EYEBRIDGE_SQUARE "\n");
-  const ProgramRun r = run({"--fast", "--time-limit", "1s", "prog"});
+  const ProgramRun r =
+      run({"--fast", "--time-limit", "1s", "prog"}, {{"XDG_DATA_HOME", folder_.path() + "/data"}});
   ASSERT_EQ(r.exit_code, 0) << r.err;
   for (const char* report : {"variable.txt", "late.txt", "same_process.txt"}) {
     EXPECT_THAT(testing::file_text(folder_.path() + "/" + report), ContainsRegex("^time = +1\\.0"))
@@ -92,7 +94,9 @@ TEST_F(Run, TheProgramDoesNotReadFilesAgainThatWereChecked) {
   folder_.write("eyebridge.toml", "report = 'checked.txt'\n");
   write_program("prog", "#!/bin/sh\necho 'what?' > eyebridge.toml\nexec ./square\n");
   std::filesystem::copy_file(EYEBRIDGE_SQUARE, folder_.path() + "/square");
-  const ProgramRun r = run({"--fast", "prog"});
+  const std::map<std::string, std::string> own = {{"XDG_DATA_HOME", folder_.path() + "/data"}};
+  ASSERT_EQ(run_command({"trust"}, folder_.path(), own).exit_code, 0);
+  const ProgramRun r = run({"--fast", "prog"}, own);
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(testing::file_text(folder_.path() + "/checked.txt"), HasSubstr("time ="));
 }
@@ -188,7 +192,36 @@ TEST_F(Run, AFolderForResultsThatCannotBeIsAnErrorBeforeTheProgramStarts) {
   std::filesystem::create_directories(folder_.path() + "/taken/trace.csv");
   expect_bad_input(run({"--out", "taken", "prog"}), "taken/trace.csv: it is a folder");
   folder_.write("eyebridge.toml", "out = 'file'\n");
-  expect_bad_input(run({"prog"}), "eyebridge.toml:1:7: cannot write ");
+  const std::map<std::string, std::string> own = {{"XDG_DATA_HOME", folder_.path() + "/data"}};
+  ASSERT_EQ(run_command({"trust"}, folder_.path(), own).exit_code, 0);
+  expect_bad_input(run({"prog"}, own), "eyebridge.toml:1:7: cannot write ");
+}
+
+TEST_F(Run, NoMessageCarriesWhatATerminalObeys) {
+  const std::string bad =
+      "\x1b]0;owned\x07\xC2\x9B"
+      "2J\nline.wld";
+  folder_.write(bad, "floor 1000 1000\n\x1b[31mwall\x1b[0m 1 2\n");
+  folder_.write("eyebridge.toml", "robot = \"\\u001b[31m\"\n");
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"config"},
+        {"run", "prog"},
+        {"run", "--robot", "S4", "--world", bad, "prog"},
+        {"run", "--robot", "S4", "--world", bad + "x", "prog"},
+        {"run", "--" + bad, "prog"},
+        {"run", bad},
+        {"world", "check", bad},
+        {"world", "render", bad},
+        {"record", "--show", bad},
+        {"sweep", bad},
+        {"firmware", "--world", bad},
+        {bad}}) {
+    const ProgramRun r = run_command(words, folder_.path());
+    EXPECT_NE(r.err + r.out, "") << words.front();
+    for (const char* const raw : {"\x1b", "\x07", "\xC2\x9B", "\nline"}) {
+      EXPECT_EQ((r.err + r.out).find(raw), std::string::npos) << words.front() << ' ' << r.err;
+    }
+  }
 }
 
 TEST_F(Run, AMissingWorldIsAnError) {

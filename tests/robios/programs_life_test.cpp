@@ -12,6 +12,7 @@
 namespace eyebridge {
 namespace {
 
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using testing::kClocks;
 using testing::ProgramRun;
@@ -28,6 +29,18 @@ TEST(ProgramLife, AForkedChildLeavesItsParentAlone) {
   const auto first_row =
       trace.substr(trace.find('\n'), trace.find(',', trace.find('\n')) - trace.find('\n') + 1);
   EXPECT_EQ(trace.find(first_row), trace.rfind(first_row)) << "rows were written twice";
+}
+
+TEST(ProgramLife, AProgramThatItStartsDoesNotWriteItsResults) {
+  const ScratchFolder folder;
+  const ProgramRun r =
+      run_named("starts_itself", {{"EYEBRIDGE_OUT", folder.path() + "/out"},
+                                  {"EYEBRIDGE_RECORD", folder.path() + "/x.ebrec"},
+                                  {"EYEBRIDGE_REPORT", folder.path() + "/report"}});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.err.find("error"), std::string::npos) << r.err;
+  EXPECT_THAT(testing::file_text(folder.path() + "/report"), ContainsRegex("^time = +1[.]0"));
+  EXPECT_TRUE(std::filesystem::exists(folder.path() + "/x.ebrec"));
 }
 
 TEST(ProgramLife, ThreadsOfTheRendererDoNotKeepAProgramAlive) {

@@ -20,6 +20,10 @@ void report(std::initializer_list<std::string_view> parts) {
   const auto add = [&](std::string_view part) {
     const std::size_t count = std::min(part.size(), line.size() - 1 - size);
     part.copy(line.data() + size, count);
+    // Not printable(): that takes memory, which a guard has none of when the system has none.
+    std::replace_if(
+        line.data() + size, line.data() + size + count,
+        [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '?');
     size += count;
   };
   add("eyebridge: ");

@@ -1,9 +1,12 @@
 #include "eyebridge/base/config_error.hpp"
 
+#include <algorithm>
+
 namespace eyebridge {
 
 std::string SourceLocation::str() const {
   std::string out = file;
+  std::ranges::replace(out, '\n', '?');  // a name must not look like another message
   if (line > 0) out += ':' + std::to_string(line);
   if (line > 0 && column > 0) out += ':' + std::to_string(column);
   return out;

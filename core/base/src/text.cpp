@@ -26,6 +26,13 @@ std::size_t character_at(std::string_view text) {
   return size;
 }
 
+/// Of a character: C0, DEL, and C1, which terminals obey, too.
+bool is_control(std::string_view character) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+  if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7F;
+  return character.size() == 2 && byte(0) == 0xC2 && byte(1) < 0xA0;
+}
+
 struct Unit {
   std::string_view name;
   double seconds;
@@ -41,16 +48,34 @@ std::string in_quotes(std::string_view text, std::size_t most) {
   std::size_t i = 0;
   while (i < text.size() && i < most) {
     const std::size_t size = character_at(text.substr(i));
-    const auto byte = static_cast<unsigned char>(text[i]);
-    if (size == 0 || byte < 0x20 || byte == 0x7F) {
+    if (size == 0 || is_control(text.substr(i, size))) {
       out += '?';
-      ++i;
+      i += std::max<std::size_t>(size, 1);
     } else {
       out.append(text.substr(i, size));
       i += size;
     }
   }
   return out.append(i < text.size() ? "…'" : "'");
+}
+
+std::string printable(std::string_view text) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t size = character_at(text.substr(i));
+    const std::string_view character = text.substr(i, std::max<std::size_t>(size, 1));
+    i += character.size();
+    if ((size != 0 && !is_control(character)) || character == "\n" || character == "\t") {
+      out += character;
+      continue;
+    }
+    for (const char c : character) {
+      const auto byte = static_cast<unsigned char>(c);
+      out.append("\\x").append(1, kDigits[byte >> 4U]).append(1, kDigits[byte & 15U]);
+    }
+  }
+  return out;
 }
 
 std::string_view trimmed(std::string_view text) {

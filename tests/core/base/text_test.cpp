@@ -6,6 +6,20 @@
 namespace eyebridge {
 namespace {
 
+TEST(Text, PrintableLeavesTerminalsNothingToObey) {
+  EXPECT_EQ(printable("gr\xC3\xB6\xC3\x9F\ttwo\nlines\\x"), "gr\xC3\xB6\xC3\x9F\ttwo\nlines\\x");
+  EXPECT_EQ(printable("\x1B[31m\x07\r\x7F"), "\\x1b[31m\\x07\\x0d\\x7f");
+  // U+009B, which begins a command without an escape, and bytes that are no UTF-8.
+  EXPECT_EQ(printable("\xC2\x9B"
+                      "2J"),
+            "\\xc2\\x9b"
+            "2J");
+  EXPECT_EQ(printable("\xFF\xC3"), "\\xff\\xc3");
+  EXPECT_EQ(in_quotes("\xC2\x9B"
+                      "2J"),
+            "'?2J'");
+}
+
 TEST(Text, QuotesWhatCanBeShown) {
   EXPECT_EQ(in_quotes("plain"), "'plain'");
   EXPECT_EQ(in_quotes("gr\xC3\xB6\xC3\x9F"

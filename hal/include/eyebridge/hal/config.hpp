@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -29,6 +30,8 @@ struct Setting {
   double maximum = std::numeric_limits<double>::infinity();  ///< Likewise; seconds for Durations,
                                                              ///< each side's pixels for Sizes.
   std::string_view choices = {};  ///< Of a Text: "a|b|c" when nothing else is allowed.
+  /// What a value does that a folder's file may not do by itself; see Trust.
+  enum class Effect { None, Starts, Writes } effect = Effect::None;
 };
 
 /// All settings, in the order they are shown.
@@ -77,11 +80,14 @@ class Config {
     std::vector<std::filesystem::path>
         toml_files;    ///< Highest precedence first; missing ones skipped.
     long process = 0;  ///< Its id.
+    /// Whether `file`, one of these, may ask for `asked`: see asked_by(). Unset: for everything.
+    std::function<bool(const std::string& file, const std::string& asked)> may_ask = {};
   };
 
   /// Throws ConfigError: unknown key (with line and column, and the nearest known one), or a value
   /// that is not of the setting's kind, out of its range or not one of its choices. Every source is
-  /// checked whole, also where another one wins. Variables that start with EYEBRIDGE_ count as
+  /// checked whole, also where another one wins. A value that counts, has an effect and comes from
+  /// a file that may not ask for it is an error. Variables that start with EYEBRIDGE_ count as
   /// keys, except EYEBRIDGE_PLAN, EYEBRIDGE_DATA and EYEBRIDGE_TEST_*. Without flags,
   /// EYEBRIDGE_PLAN counts: see plan().
   static Config load(const Sources& sources);
@@ -97,10 +103,14 @@ class Config {
 
   /// This configuration as the text of EYEBRIDGE_PLAN, in which it travels to the program that this
   /// process becomes. That takes it as it is. Where it has set a variable EYEBRIDGE_* or changed
-  /// its folder meanwhile, and in other processes that it starts, only the flags count.
+  /// its folder meanwhile, and in other processes that it starts, only the flags count, of these
+  /// not those that write.
   [[nodiscard]] std::string plan() const;
   /// The same for a process that takes it as it is whatever it finds.
   [[nodiscard]] std::string sealed_plan() const;
+  /// From now on the settings that write are this process's alone: its children inherit the others.
+  /// Changes the environment: no other thread may read that meanwhile.
+  void keep_outputs() const;
 
   [[nodiscard]] const ConfigValue& value(
       std::string_view key) const;                        ///< Key must be in settings().
@@ -133,6 +143,16 @@ class Config {
   std::string sources_;  ///< Fingerprint of what it was loaded from.
   std::filesystem::path program_;
 };
+
+/// Whether `text` for `setting` does what a folder's file may not do by itself.
+bool has_effect(const Setting& setting, std::string_view text);
+
+/// "record = /home/me/run.ebrec": what a file asks for that says `text` for `setting`, as Trust
+/// keeps it.
+std::string asked_by(const Setting& setting, const std::string& text);
+
+/// What the eyebridge.toml `file` asks for that has an effect. Throws ConfigError.
+std::vector<std::string> asked_by_file(const std::filesystem::path& file);
 
 /// What `read` makes of the text of `key`, and of an unknown place if it takes one. A ConfigError
 /// of it is thrown at the place where the value was set.

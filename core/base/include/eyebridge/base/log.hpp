@@ -20,4 +20,8 @@ class NullLog final : public LogSink {
   void write(Severity, std::string_view) override {}
 };
 
+/// One message to the user on standard error: "eyebridge: ", `text` as printable() makes it, and a
+/// line end, in one write where the system takes that. All messages go this way. Any thread.
+void tell(std::string_view text);
+
 }  // namespace eyebridge

@@ -12,6 +12,10 @@ namespace eyebridge {
 /// to about `most` bytes, never within a character.
 std::string in_quotes(std::string_view text, std::size_t most = 60);
 
+/// `text` for a terminal, whole: control characters other than line ends and tabs, and what is no
+/// UTF-8, as \\x1b.
+std::string printable(std::string_view text);
+
 /// `text` without the blanks and line ends around it.
 std::string_view trimmed(std::string_view text);
 

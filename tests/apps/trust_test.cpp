@@ -1,0 +1,165 @@
+// What a folder that came from somewhere may make EyeBridge do: nothing that starts programs or
+// writes files, until its user has said so (docs/security.md).
+#include <filesystem>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include "command.hpp"
+
+namespace eyebridge {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using testing::ProgramRun;
+using testing::ScratchFolder;
+
+class TrustCommand : public ::testing::Test {
+ protected:
+  TrustCommand() {
+    std::filesystem::create_directory(folder_.path() + "/came");
+    std::filesystem::create_directory(folder_.path() + "/mine");
+    std::filesystem::copy_file(EYEBRIDGE_SQUARE, folder_.path() + "/came/square");
+    std::filesystem::create_directory(folder_.path() + "/home");
+    (void)folder_.write("home/.bashrc", "# mine\n");
+    (void)folder_.write("came/room.wld", "floor 2000 2000\n");
+    program("mine/evil", "#!/bin/sh\ntouch ran\n");
+  }
+
+  void program(const std::string& name, const std::string& text) {
+    chmod(folder_.write(name, text).c_str(), 0755);
+  }
+  /// `eyebridge WORDS` in the folder that came.
+  ProgramRun eyebridge(const std::vector<std::string>& words) {
+    return testing::run_command(words, folder_.path() + "/came",
+                                {{"XDG_DATA_HOME", folder_.path() + "/data"},
+                                 {"EYEBRIDGE_FAST", "true"},
+                                 {"EYEBRIDGE_TIME_LIMIT", "1s"}});
+  }
+  /// `./square` there.
+  ProgramRun square(std::map<std::string, std::string> environment = {}) {
+    environment.emplace("XDG_DATA_HOME", folder_.path() + "/data");
+    environment.emplace("XDG_CONFIG_HOME", folder_.path() + "/config");
+    environment.emplace("EYEBRIDGE_FAST", "true");
+    return testing::run_program({{"./square"}, environment, folder_.path() + "/came"});
+  }
+  bool is_there(const std::string& name) {
+    return std::filesystem::exists(folder_.path() + "/" + name);
+  }
+  /// Nothing ran, and the message says what to do.
+  void expect_refused(const ProgramRun& r, const std::string& what, const std::string& how) {
+    EXPECT_EQ(r.exit_code, 2) << r.out;
+    EXPECT_THAT(r.err, AllOf(HasSubstr(what), HasSubstr(how)));
+    EXPECT_FALSE(is_there("came/ran"));
+    EXPECT_EQ(testing::file_text(folder_.path() + "/home/.bashrc"), "# mine\n");
+  }
+
+  ScratchFolder folder_;
+};
+
+TEST_F(TrustCommand, AFoldersFileWritesAndStartsNothingByItself) {
+  for (const char* line :
+       {"record = '../home/.bashrc'", "report = '../home/.bashrc'", "out = '../home/new'",
+        "player = '/bin/sh -c ls'", "player = '../mine/evil'"}) {
+    (void)folder_.write("came/eyebridge.toml", std::string("seed = 2\n") + line + "\n");
+    expect_refused(square(), "eyebridge.toml:2:", "'eyebridge trust eyebridge.toml'");
+    expect_refused(eyebridge({"run", "square"}), "eyebridge.toml:2:", "or give --");
+  }
+  EXPECT_FALSE(is_there("home/new"));
+}
+
+TEST_F(TrustCommand, OfSettingsThatHaveNoEffectNobodyIsAsked) {
+  (void)folder_.write("came/eyebridge.toml",
+                      "seed = 2\nplayer = 'none'\nout = ''\nworld = 'room.wld'\n");
+  EXPECT_EQ(square().exit_code, 0);
+}
+
+TEST_F(TrustCommand, WhatTheUserSaysCounts) {
+  (void)folder_.write("came/eyebridge.toml", "report = '../home/.bashrc'\n");
+  const ProgramRun r = eyebridge({"run", "--report", "mine.txt", "square"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_TRUE(is_there("came/mine.txt"));
+  EXPECT_EQ(square({{"EYEBRIDGE_REPORT", "variable.txt"}}).exit_code, 0);
+  EXPECT_TRUE(is_there("came/variable.txt"));
+  std::filesystem::remove(folder_.path() + "/came/eyebridge.toml");
+  std::filesystem::create_directories(folder_.path() + "/config/eyebridge");
+  (void)folder_.write("config/eyebridge/eyebridge.toml",
+                      "report = '" + folder_.path() + "/own.txt'\n");
+  EXPECT_EQ(square().exit_code, 0);
+  EXPECT_TRUE(is_there("own.txt"));
+}
+
+TEST_F(TrustCommand, TrustIsForTheseWordsOfThisFile) {
+  (void)folder_.write("came/eyebridge.toml", "report = 'report.txt'\nseed = 3\n");
+  const ProgramRun trusted = eyebridge({"trust"});
+  EXPECT_EQ(trusted.exit_code, 0) << trusted.err;
+  EXPECT_THAT(trusted.out, HasSubstr("report = " + folder_.path() + "/came/report.txt"));
+  EXPECT_EQ(square().exit_code, 0);
+  EXPECT_TRUE(is_there("came/report.txt"));
+  // Other settings may change,
+  (void)folder_.write("came/eyebridge.toml", "seed = 4\nreport = 'report.txt'\n");
+  EXPECT_EQ(square().exit_code, 0);
+  // those that write may not.
+  (void)folder_.write("came/eyebridge.toml", "report = '../home/.bashrc'\n");
+  expect_refused(square(), "report = ", "eyebridge trust");
+  // Nor does another file's trust count.
+  std::filesystem::create_directory(folder_.path() + "/came/deeper");
+  std::filesystem::copy_file(EYEBRIDGE_SQUARE, folder_.path() + "/came/deeper/square");
+  (void)folder_.write("came/deeper/eyebridge.toml", "report = '../report.txt'\n");
+  EXPECT_EQ(eyebridge({"run", "deeper/square"}).exit_code, 2);
+}
+
+TEST_F(TrustCommand, ListsAndTakesBack) {
+  (void)folder_.write("came/eyebridge.toml", "report = 'report.txt'\n");
+  EXPECT_EQ(eyebridge({"trust"}).exit_code, 0);
+  EXPECT_THAT(eyebridge({"trust", "--list"}).out,
+              AllOf(HasSubstr("/came/eyebridge.toml"), HasSubstr("report = ")));
+  EXPECT_EQ(eyebridge({"trust", "--revoke"}).exit_code, 0);
+  EXPECT_EQ(eyebridge({"trust", "--list"}).out, "");
+  EXPECT_EQ(square().exit_code, 2);
+  EXPECT_EQ(eyebridge({"trust", "--revoke"}).exit_code, 2) << "there is nothing left";
+  EXPECT_EQ(eyebridge({"trust", "nowhere"}).exit_code, 2);
+  EXPECT_EQ(eyebridge({"trust", "room.wld"}).exit_code, 2);
+}
+
+TEST_F(TrustCommand, ScenariosStartOnlyProgramsOfTheirFolder) {
+  std::filesystem::create_symlink("../mine/evil", folder_.path() + "/came/innocent");
+  for (const char* program : {"../mine/evil", "/bin/sh ../mine/evil", "innocent"}) {
+    (void)folder_.write("came/all.sim", std::string("world room.wld\nS4 500 500 0 square\n") +
+                                            "S4 1500 1500 0 " + program + "\n");
+    expect_refused(eyebridge({"run", "--world", "all.sim"}), "outside of this file's folder",
+                   "'eyebridge trust all.sim'");
+    (void)folder_.write("came/all.sim", std::string("world room.wld\nS4 500 500 0 square\n") +
+                                            "S4 1500 1500 0 " + program + "\nenters 0.5\n");
+    expect_refused(eyebridge({"run", "--world", "all.sim"}), "outside of this file's folder",
+                   "'eyebridge trust all.sim'");
+  }
+  (void)folder_.write("came/all.sim",
+                      "world room.wld\nS4 500 500 0 square\nS4 1500 1500 0 innocent\n");
+  EXPECT_EQ(eyebridge({"trust", "."}).exit_code, 0);
+  EXPECT_EQ(eyebridge({"run", "--world", "all.sim"}).exit_code, 0);
+  EXPECT_TRUE(is_there("came/ran"));
+}
+
+TEST_F(TrustCommand, SweepFilesStartOnlyProgramsOfTheirFolder) {
+  (void)folder_.write("came/sweep.toml", "program = '../mine/evil'\nseed = '1..2'\n");
+  expect_refused(eyebridge({"sweep", "sweep.toml"}),
+                 "sweep.toml:1:", "'eyebridge trust sweep.toml'");
+  (void)folder_.write("came/sweep.toml", "program = './square'\nplayer = ['none', '/bin/sh x']\n");
+  expect_refused(eyebridge({"sweep", "sweep.toml"}), "sweep.toml:2:", "eyebridge trust");
+  EXPECT_EQ(eyebridge({"trust", "sweep.toml"}).exit_code, 0);
+  EXPECT_EQ(eyebridge({"sweep", "sweep.toml"}).exit_code, 0);
+}
+
+TEST_F(TrustCommand, ProgramsThatAProgramStartsDoNotWriteItsResults) {
+  program("came/starts", "#!/bin/sh\n./square\n");
+  const ProgramRun r = eyebridge({"run", "--report", "report.txt", "--out", "out", "starts"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_FALSE(is_there("came/report.txt")) << "they were asked of `starts`";
+  EXPECT_FALSE(is_there("came/out/trace.csv"));
+}
+
+}  // namespace
+}  // namespace eyebridge
