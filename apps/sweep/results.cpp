@@ -15,36 +15,31 @@
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/hash.hpp"
+#include "eyebridge/camera/recording/checked_file.hpp"
 
 namespace eyebridge::apps {
 namespace {
 
 namespace sqlite = camera::sqlite;
 
-constexpr int kPatience_ms = 10'000;  // for people who look at the file meanwhile
 constexpr auto kSyncPeriod = std::chrono::seconds(1);
 constexpr const char* kVersion = "1";
-// "EBSW"; a file that has another number is not ours.
-constexpr const char* kSchema =
-    "BEGIN IMMEDIATE; PRAGMA application_id=0x45425357;"
-    "CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL);"
-    "CREATE TABLE input(path TEXT PRIMARY KEY, hash TEXT NOT NULL);"
+constexpr std::array<std::string_view, 5> kTables = {
+    "CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL)",
+    "CREATE TABLE input(path TEXT PRIMARY KEY, hash TEXT NOT NULL)",
     "CREATE TABLE run(id INTEGER PRIMARY KEY, key TEXT NOT NULL UNIQUE, how TEXT NOT NULL,"
     " reason TEXT NOT NULL, exit_code INTEGER, signal INTEGER, time REAL, distance REAL,"
-    " collisions INTEGER, state_hash TEXT, wall REAL NOT NULL, cpu REAL NOT NULL);"
+    " collisions INTEGER, state_hash TEXT, wall REAL NOT NULL, cpu REAL NOT NULL)",
     "CREATE TABLE coordinate(run INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,"
-    " name TEXT NOT NULL, value TEXT NOT NULL, PRIMARY KEY(run, name));"
+    " name TEXT NOT NULL, value TEXT NOT NULL, PRIMARY KEY(run, name))",
     "CREATE TABLE result(run INTEGER NOT NULL REFERENCES run ON DELETE CASCADE,"
-    " name TEXT NOT NULL, value NOT NULL, PRIMARY KEY(run, name));"
-    "INSERT INTO meta VALUES('version','1'); COMMIT;";
+    " name TEXT NOT NULL, value NOT NULL, PRIMARY KEY(run, name))"};
 
-sqlite::Database open_file(const std::filesystem::path& path, int flags) {
-  sqlite3* opened = nullptr;
-  const int code = sqlite3_open_v2(path.c_str(), &opened, flags, nullptr);
-  sqlite::Database database(opened);
-  if (code != SQLITE_OK) throw std::runtime_error(sqlite3_errmsg(opened));
-  sqlite3_busy_timeout(opened, kPatience_ms);
-  return database;
+// "EBSW"; a file that has another number is not ours.
+void make_tables(sqlite3* database) {
+  sqlite::run(database, "BEGIN IMMEDIATE; PRAGMA application_id=0x45425357");
+  for (const std::string_view table : kTables) sqlite::run(database, std::string(table).c_str());
+  sqlite::run(database, "INSERT INTO meta VALUES('version','1'); COMMIT");
 }
 
 bool is_empty(sqlite3* database) {
@@ -57,6 +52,8 @@ void check_version(sqlite3* database) {
   if (!sqlite::step(id) || sqlite::integer(id, 0) != 0x45425357) {
     throw std::runtime_error("found another kind of file");
   }
+  // People may add views and indices.
+  sqlite::check_tables(database, kTables, kTables.size(), sqlite::Others::Ignored);
   const auto row = sqlite::prepare(database, "SELECT value FROM meta WHERE key='version'");
   if (!sqlite::step(row) || sqlite::text(row, 0) != kVersion) {
     throw std::runtime_error("found another version");
@@ -150,9 +147,9 @@ ResultsFile::ResultsFile(const std::filesystem::path& path, std::string flag)
                                            flag_));
   }
   try {
-    database_ = open_file(path, SQLITE_OPEN_READWRITE);
+    database_ = sqlite::open_checked(path, true);
     sqlite::run(database_.get(), "PRAGMA foreign_keys=ON");
-    if (is_empty(database_.get())) sqlite::run(database_.get(), kSchema);
+    if (is_empty(database_.get())) make_tables(database_.get());
     check_version(database_.get());
     sqlite::run(database_.get(), "PRAGMA journal_mode=WAL");  // only now: it changes the file
   } catch (const std::runtime_error& error) {
@@ -215,7 +212,7 @@ std::vector<ResultRow> read_results_file(const std::filesystem::path& path) {
   constexpr std::array<std::string_view, 5> kColumns = {"time", "distance", "collisions", "wall",
                                                         "cpu"};
   try {
-    const sqlite::Database database = open_file(path, SQLITE_OPEN_READONLY);
+    const sqlite::Database database = sqlite::open_checked(path);
     check_version(database.get());
     const auto runs = sqlite::prepare(
         database.get(),

@@ -4,6 +4,7 @@
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/text.hpp"
+#include "eyebridge/camera/recording/checked_file.hpp"
 #include "sources/frame_schedule.hpp"
 
 namespace eyebridge::camera {
@@ -14,10 +15,14 @@ RecordedFrame read_row(const sqlite::Statement& row) {
   RecordedFrame frame;
   frame.row = sqlite::integer(row, 0);
   const std::string which = "frame " + std::to_string(frame.row) + ": ";
-  frame.given = Time(sqlite::integer(row, 1));
-  frame.taken = Time(sqlite::integer(row, 2));
+  try {
+    frame.given = recorded_time(sqlite::integer(row, 1));
+    frame.taken = recorded_time(sqlite::integer(row, 2));
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error(which + error.what());
+  }
   const std::int64_t sequence = sqlite::integer(row, 3);
-  if (frame.given < Time{0} || sequence < 0) throw std::runtime_error(which + "a negative time");
+  if (sequence < 0) throw std::runtime_error(which + "a negative number");
   frame.sequence = static_cast<std::uint64_t>(sequence);
   const std::int64_t width = sqlite::integer(row, 4);
   const std::int64_t height = sqlite::integer(row, 5);
@@ -78,11 +83,12 @@ void FrameReader::read_rows() {
   const auto table = sqlite::prepare(
       database_.get(), "SELECT 1 FROM sqlite_master WHERE type='table' AND name='frame'");
   if (!sqlite::step(table)) return;  // of a time when recordings had none
-  const auto row = sqlite::prepare(
+  sqlite::Rows rows(
       database_.get(),
       "SELECT seq,t,taken,sequence,width,height,format,codec,length(data) FROM frame ORDER BY seq");
-  while (sqlite::step(row)) {
-    RecordedFrame frame = read_row(row);
+  while (rows.next()) {
+    RecordedFrame frame = read_row(rows.statement());
+    rows.count(frame.bytes);
     if (!frames_.empty() && frame.given < frames_.back().given) {
       throw std::runtime_error("frame " + std::to_string(frame.row) +
                                ": earlier than the one before it");

@@ -17,6 +17,8 @@
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/deaf_thread.hpp"
+#include "eyebridge/base/text.hpp"
+#include "eyebridge/camera/recording/checked_file.hpp"
 
 namespace eyebridge::camera {
 namespace {
@@ -28,17 +30,16 @@ constexpr int kPatience_ms = 2000;
 
 // "EBRC". It is written first: it identifies a recording even if its program was killed.
 constexpr std::array<char, 4> kApplication = {'E', 'B', 'R', 'C'};
-constexpr const char* kSchema =
-    "PRAGMA application_id=0x45425243; PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL;"
-    "CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL);"
-    "CREATE TABLE device(kind TEXT NOT NULL, id INTEGER NOT NULL, facts TEXT NOT NULL);"
+constexpr std::array<std::string_view, 4> kTables = {
+    "CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL)",
+    "CREATE TABLE device(kind TEXT NOT NULL, id INTEGER NOT NULL, facts TEXT NOT NULL)",
     "CREATE TABLE exchange(seq INTEGER PRIMARY KEY, t INTEGER NOT NULL, device TEXT NOT NULL,"
     " id INTEGER NOT NULL, call TEXT NOT NULL, request TEXT NOT NULL, reply TEXT, error INTEGER,"
-    " what TEXT);"
+    " what TEXT)",
     "CREATE TABLE frame(seq INTEGER PRIMARY KEY, t INTEGER NOT NULL, taken INTEGER NOT NULL,"
     " sequence INTEGER NOT NULL, width INTEGER NOT NULL, height INTEGER NOT NULL,"
-    " format TEXT NOT NULL, codec TEXT NOT NULL, data BLOB NOT NULL);"
-    "INSERT INTO meta VALUES('version','1');";
+    " format TEXT NOT NULL, codec TEXT NOT NULL, data BLOB NOT NULL)"};
+constexpr std::size_t kNeeded = 3;  // there was a time when recordings had no frames
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const std::string& why) {
   throw ConfigError({}, "cannot write " + path.string() + ": " + why);
@@ -92,7 +93,11 @@ sqlite::Database make_database(const std::filesystem::path& path, const Recordin
   sqlite::Database database(opened);
   if (code != SQLITE_OK) throw std::runtime_error(sqlite3_errmsg(opened));
   sqlite3_busy_timeout(opened, kPatience_ms);
-  sqlite::run(opened, kSchema);
+  sqlite::run(opened,
+              "PRAGMA application_id=0x45425243; PRAGMA journal_mode=WAL; "
+              "PRAGMA synchronous=NORMAL");
+  for (const std::string_view table : kTables) sqlite::run(opened, std::string(table).c_str());
+  sqlite::run(opened, "INSERT INTO meta VALUES('version','1')");
   const sqlite::Statement add = sqlite::prepare(opened, "INSERT INTO meta VALUES(?,?)");
   for (const auto& [key, value] : facts) {
     sqlite::reset(add);
@@ -172,17 +177,22 @@ void RecordingFile::keep_committing() {
 }
 
 sqlite::Database open_recording(const std::filesystem::path& path) {
-  sqlite3* opened = nullptr;
-  const int code = sqlite3_open_v2(path.c_str(), &opened, SQLITE_OPEN_READONLY, nullptr);
-  sqlite::Database database(opened);
-  if (code != SQLITE_OK) throw std::runtime_error(sqlite3_errmsg(opened));
-  sqlite3_busy_timeout(opened, kPatience_ms);
-  const auto row = sqlite::prepare(opened, "SELECT value FROM meta WHERE key='version'");
+  sqlite::Database database = sqlite::open_checked(path);
+  sqlite::check_tables(database.get(), kTables, kNeeded, sqlite::Others::Refused);
+  const auto row = sqlite::prepare(database.get(), "SELECT value FROM meta WHERE key='version'");
   if (!sqlite::step(row)) throw std::runtime_error("it has no version, expected 1");
   if (const std::string found = sqlite::text(row, 0); found != "1") {
-    throw std::runtime_error("its version is " + found.substr(0, 40) + ", expected 1");
+    throw std::runtime_error("its version is " + in_quotes(found, 40) + ", expected 1");
   }
   return database;
+}
+
+Time recorded_time(std::int64_t ns) {
+  if (ns < 0 || Time(ns) > kLongestRecording) {
+    throw std::runtime_error("found the time " + std::to_string(ns) + " ns, expected 0 ... " +
+                             std::to_string(kLongestRecording.count()));
+  }
+  return Time(ns);
 }
 
 }  // namespace eyebridge::camera

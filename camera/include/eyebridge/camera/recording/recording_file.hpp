@@ -65,8 +65,14 @@ class RecordingFile {
   std::thread committer_;
 };
 
-/// Opens a recording for reading. Throws std::runtime_error: it is missing, none, damaged, or of
-/// another version.
+/// Opens a recording for reading, whoever made it (checked_file.hpp). Throws std::runtime_error: it
+/// is missing, none, damaged, or of another version.
 sqlite::Database open_recording(const std::filesystem::path& path);
+
+/// A year: no run is longer, and a clock that follows a recording gets to its end.
+inline constexpr Time kLongestRecording = std::chrono::hours(24 * 366);
+
+/// A time of a recording. Throws std::runtime_error when it is not 0 ... kLongestRecording.
+Time recorded_time(std::int64_t ns);
 
 }  // namespace eyebridge::camera
