@@ -17,7 +17,7 @@ RecordedFrame read_row(const sqlite::Statement& row) {
   const std::string which = "frame " + std::to_string(frame.row) + ": ";
   try {
     frame.given = recorded_time(sqlite::integer(row, 1));
-    frame.taken = recorded_time(sqlite::integer(row, 2));
+    frame.taken = recorded_time(sqlite::integer(row, 2), -kLongestRecording);  // before the run
   } catch (const std::runtime_error& error) {
     throw std::runtime_error(which + error.what());
   }

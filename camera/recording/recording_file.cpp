@@ -187,9 +187,10 @@ sqlite::Database open_recording(const std::filesystem::path& path) {
   return database;
 }
 
-Time recorded_time(std::int64_t ns) {
-  if (ns < 0 || Time(ns) > kLongestRecording) {
-    throw std::runtime_error("found the time " + std::to_string(ns) + " ns, expected 0 ... " +
+Time recorded_time(std::int64_t ns, Time least) {
+  if (Time(ns) < least || Time(ns) > kLongestRecording) {
+    throw std::runtime_error("found the time " + std::to_string(ns) + " ns, expected " +
+                             std::to_string(least.count()) + " ... " +
                              std::to_string(kLongestRecording.count()));
   }
   return Time(ns);

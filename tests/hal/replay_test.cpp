@@ -200,14 +200,14 @@ TEST_F(Replay, AProgramThatIsKilledLeavesAllButItsLastSecond) {
 }
 
 TEST_F(Replay, RefusesFilesThatAreNoRecordings) {
-  EXPECT_THAT(complaint(),
-              HasSubstr(file_ + ": unable to open database file: expected a recording"));
+  EXPECT_THAT(complaint(), HasSubstr(file_ + ": no such file: expected a recording"));
   std::ofstream(file_) << "not a database, but long enough to look at, and then some more text, "
                           "because SQLite reads a hundred bytes before it says so";
   EXPECT_THAT(complaint(), HasSubstr("file is not a database: expected a recording (.ebrec)"));
   std::filesystem::remove(file_);
   run_sql("CREATE TABLE other(x)");
-  EXPECT_THAT(complaint(), HasSubstr("no such table: meta: expected a recording"));
+  EXPECT_THAT(complaint(),
+              HasSubstr("found the table 'other' that it should not have: expected a recording"));
 }
 
 TEST_F(Replay, RefusesDamagedRecordings) {
@@ -219,8 +219,10 @@ TEST_F(Replay, RefusesDamagedRecordings) {
   EXPECT_THAT(complaint(), HasSubstr("neither a reply nor a known error"));
   run_sql("UPDATE exchange SET reply='1' WHERE seq=2; INSERT INTO device VALUES('wing',1,'')");
   EXPECT_THAT(complaint(), HasSubstr("unknown device 'wing'"));
-  run_sql("DELETE FROM device WHERE kind='wing'; UPDATE meta SET value='2'");
-  EXPECT_THAT(complaint(), HasSubstr("its version is 2, expected 1"));
+  run_sql("DELETE FROM device WHERE kind='wing'; UPDATE exchange SET t=9223372036854775807");
+  EXPECT_THAT(complaint(), HasSubstr("found the time 9223372036854775807 ns, expected 0 ..."));
+  run_sql("UPDATE exchange SET t=0; UPDATE meta SET value='2'");
+  EXPECT_THAT(complaint(), HasSubstr("its version is '2', expected 1"));
 }
 
 TEST_F(Replay, RefusesRecordingsOfACameraAlone) {

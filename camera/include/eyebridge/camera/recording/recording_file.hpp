@@ -72,7 +72,7 @@ sqlite::Database open_recording(const std::filesystem::path& path);
 /// A year: no run is longer, and a clock that follows a recording gets to its end.
 inline constexpr Time kLongestRecording = std::chrono::hours(24 * 366);
 
-/// A time of a recording. Throws std::runtime_error when it is not 0 ... kLongestRecording.
-Time recorded_time(std::int64_t ns);
+/// A time of a recording. Throws std::runtime_error when it is not `least` ... kLongestRecording.
+Time recorded_time(std::int64_t ns, Time least = Time{0});
 
 }  // namespace eyebridge::camera
