@@ -96,6 +96,7 @@ sqlite::Database make_database(const std::filesystem::path& path, const Recordin
   sqlite::run(opened,
               "PRAGMA application_id=0x45425243; PRAGMA journal_mode=WAL; "
               "PRAGMA synchronous=NORMAL");
+  sqlite::run(opened, "BEGIN");
   for (const std::string_view table : kTables) sqlite::run(opened, std::string(table).c_str());
   sqlite::run(opened, "INSERT INTO meta VALUES('version','1')");
   const sqlite::Statement add = sqlite::prepare(opened, "INSERT INTO meta VALUES(?,?)");
@@ -105,6 +106,7 @@ sqlite::Database make_database(const std::filesystem::path& path, const Recordin
     sqlite::bind(add, 2, value);
     sqlite::step(add);
   }
+  sqlite::run(opened, "COMMIT");
   return database;
 }
 

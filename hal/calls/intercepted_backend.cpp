@@ -57,6 +57,10 @@ class InterceptedBackend final : public PassingBackend {
     camera::FrameSink* own = interceptor_->frame_sink();
     return own != nullptr ? own : inner_->frame_sink();
   }
+  std::string lost_results() override {
+    std::string own = interceptor_->lost();
+    return own.empty() ? inner_->lost_results() : own;
+  }
   Result<void> stop() noexcept override {
     auto stopped = inner_->stop();
     interceptor_->finish();

@@ -33,6 +33,8 @@ class CallInterceptor {
   virtual camera::FrameSink* frame_sink() { return nullptr; }
   /// The program has ended: what is in hand must be put away now. May come more than once.
   virtual void finish() noexcept {}
+  /// As Backend::lost_results().
+  virtual std::string lost() { return {}; }
 };
 
 /// Makes the interceptor of a backend, which outlives it.

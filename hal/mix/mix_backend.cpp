@@ -67,6 +67,12 @@ class MixBackend final : public Backend {
     return of(kind).facts_of(kind);
   }
   void trace_to(TraceSink* sink) override { main_->trace_to(sink); }
+  std::string lost_results() override {
+    for (const auto& backend : backends_) {
+      if (std::string lost = backend->lost_results(); !lost.empty()) return lost;
+    }
+    return {};
+  }
   Result<void> stop() noexcept override {
     Result<void> all;
     for (const auto& backend : backends_) {

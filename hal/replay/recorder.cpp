@@ -27,9 +27,11 @@ struct OpenRecording {
 
 class Recorder final : public CallInterceptor, public camera::FrameSink {
  public:
-  Recorder(Backend& backend, LogSink& log, std::shared_ptr<OpenRecording> recording)
+  Recorder(Backend& backend, LogSink& log, std::string path,
+           std::shared_ptr<OpenRecording> recording)
       : clock_(backend.clock()),
         log_(log),
+        path_(std::move(path)),
         keeps_frames_(recording->frames.has_value()),
         recording_(std::move(recording)) {}
 
@@ -53,6 +55,11 @@ class Recorder final : public CallInterceptor, public camera::FrameSink {
     drop();  // closed, it is one file instead of three
   }
 
+  std::string lost() override {
+    const std::lock_guard lock(mutex_);
+    return lost_;
+  }
+
  private:
   /// Without the lock: packing a frame takes milliseconds, and the file locks for itself.
   template <class Write>
@@ -64,6 +71,8 @@ class Recorder final : public CallInterceptor, public camera::FrameSink {
     } catch (const std::runtime_error& error) {
       if (!drop()) return;  // another thread has said it
       log_.write(Severity::Error, fmt::format("the recording ends here: {}", error.what()));
+      const std::lock_guard lock(mutex_);
+      lost_ = fmt::format("the recording {} is not whole: {}", path_, error.what());
     }
   }
 
@@ -79,9 +88,11 @@ class Recorder final : public CallInterceptor, public camera::FrameSink {
 
   Clock& clock_;
   LogSink& log_;
+  const std::string path_;
   const bool keeps_frames_;
   std::mutex mutex_;
   std::shared_ptr<OpenRecording> recording_;
+  std::string lost_;
 };
 
 }  // namespace
@@ -92,7 +103,7 @@ std::unique_ptr<Backend> with_recording(std::unique_ptr<Backend> inner,
                                         std::optional<camera::FrameCodec> frames) {
   return with_interceptor(std::move(inner), [&](Backend& backend) {
     auto recording = std::make_shared<OpenRecording>(path, devices_of(backend), origin, frames);
-    return std::make_unique<Recorder>(backend, log, std::move(recording));
+    return std::make_unique<Recorder>(backend, log, path.string(), std::move(recording));
   });
 }
 

@@ -45,6 +45,7 @@ class SharedSim final : public SharedWorld {
   [[nodiscard]] Environment& environment() override { return *view_; }
   void note(const std::string& name, double value) override { world_->note(name, value); }
   void end() noexcept override { world_->end_report(); }
+  [[nodiscard]] std::string lost_results() override { return world_->lost_report(); }
   [[nodiscard]] StateHash hash() override;
   [[nodiscard]] std::uint64_t overruns() const override;
 

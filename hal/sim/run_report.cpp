@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/own_results.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -18,10 +19,15 @@ namespace {
 constexpr double kPeriod = 1.0;  // seconds of the robot's time
 constexpr std::size_t kLongestName = 32;
 
+/// Opens it, emptied, if it may be replaced.
+UniqueFd open_report(const std::filesystem::path& path) {
+  check_replaceable(path, "report", "time = ");
+  return UniqueFd(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+}
+
 }  // namespace
 
-RunReport::RunReport(const std::filesystem::path& path)
-    : file_(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666)) {
+RunReport::RunReport(const std::filesystem::path& path) : path_(path), file_(open_report(path)) {
   if (!file_.valid()) {
     throw ConfigError({}, fmt::format("cannot write {}: {}", path.string(), std::strerror(errno)));
   }
@@ -40,8 +46,14 @@ void RunReport::note(const std::string& name, double value) {
   assert(notes_.size() <= kMostNotes);
 }
 
+std::string RunReport::lost() const {
+  if (failure_ == 0) return {};
+  return fmt::format("the report {} could not be written: {}", path_.string(),
+                     std::strerror(failure_));
+}
+
 // No text is shorter than the one before, so that one write replaces that one whole. A disk that is
-// full must not stop a robot: whoever reads the report finds none.
+// full must not stop a robot: that is said at the end.
 void RunReport::write(const robot::Simulation& simulation, std::uint64_t trace,
                       bool ended) noexcept {
   std::array<char, 512 + kMostNotes*(kLongestName + 24)> text{};
@@ -68,7 +80,8 @@ void RunReport::write(const robot::Simulation& simulation, std::uint64_t trace,
     end = fmt::format_to_n(end, left(), "{} = {:18.6f}\n", name, value).out;
   }
   const auto size = static_cast<std::size_t>(end - text.data());
-  [[maybe_unused]] const ssize_t written = pwrite(file_.get(), text.data(), size, 0);
+  const ssize_t written = pwrite(file_.get(), text.data(), size, 0);
+  failure_ = written < 0 ? errno : static_cast<std::size_t>(written) < size ? ENOSPC : 0;
 }
 
 }  // namespace eyebridge::hal

@@ -37,11 +37,15 @@ class RunReport {
   void end(const robot::Simulation& simulation, std::uint64_t trace) noexcept {
     write(simulation, trace, true);
   }
+  /// Why the last write did not succeed in full; "" when it did.
+  [[nodiscard]] std::string lost() const;
 
  private:
   void write(const robot::Simulation& simulation, std::uint64_t trace, bool ended) noexcept;
 
+  std::filesystem::path path_;
   UniqueFd file_;
+  int failure_ = 0;  ///< errno of the last write.
   robot::Tally tally_;
   double next_ = 0.0;  ///< When to write again, seconds.
   std::map<std::string, double> notes_;

@@ -161,4 +161,8 @@ Result<void> SimBackend::stop() noexcept {
   return {};
 }
 
+std::string SimBackend::lost_results() {
+  return at_end_ == AtEnd::KeepDriving ? "" : world_->lost_report();
+}
+
 }  // namespace eyebridge::hal

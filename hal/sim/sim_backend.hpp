@@ -44,6 +44,7 @@ class SimBackend final : public Backend {
   WorldControl* world() override { return &control_; }
   Environment* environment() override { return environment_.get(); }
   std::shared_ptr<SharedWorld> shared_world() override { return shared_; }
+  std::string lost_results() override;
   camera::View* camera_view() override { return view_ ? &*view_ : nullptr; }
   camera::Source* camera_source() override { return nullptr; }
   std::vector<DeviceFacts> facts_of(std::string_view kind) override;

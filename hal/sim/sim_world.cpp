@@ -147,6 +147,11 @@ void SimWorld::end_report() noexcept {
   if (report_) report_->end(simulation_, run_trace_.value());
 }
 
+std::string SimWorld::lost_report() {
+  const std::lock_guard lock(mutex_);
+  return report_ ? report_->lost() : "";
+}
+
 void SimWorld::trace_to(TraceSink* sink, robot::RobotIndex robot) {
   const std::lock_guard lock(mutex_);
   traced_.erase(robot);

@@ -75,6 +75,8 @@ class SimWorld {
   void note(const std::string& name, double value);
   /// The program has ended: the report says so.
   void end_report() noexcept;
+  /// Why that could not be written in full; "" when it was, and where there is none.
+  [[nodiscard]] std::string lost_report();
 
   /// Adds a robot to the world as it is now. OutOfRange where it would stand in something.
   Result<robot::RobotIndex> add_robot(const robot::RobotModel& model, const Pose& pose);

@@ -228,6 +228,10 @@ void Fleet::end() {
   for (Robot* const robot : robots()) robot->end_session();
   for (Robot* const robot : robots()) robot->make_process_end();
   world_->end();
+  if (const std::string lost = world_->lost_results(); !lost.empty() && !has_lost_results_) {
+    has_lost_results_ = true;
+    log_.write(Severity::Error, lost);
+  }
 }
 
 void Fleet::look() {
@@ -265,7 +269,10 @@ int Fleet::exit_code() const {
   for (Robot* const robot : robots()) {
     if (robot->exit_code() != 0) return robot->exit_code();
   }
-  return has_refused_ ? 1 : 0;
+  const bool any_lost = has_lost_results_ || std::ranges::any_of(robots(), [](Robot* robot) {
+                          return robot->has_lost_results();
+                        });
+  return has_refused_ || any_lost ? 1 : 0;
 }
 
 }  // namespace eyebridge::robios

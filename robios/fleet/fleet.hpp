@@ -87,6 +87,7 @@ class Fleet final : public Crew {
   std::vector<RobotProgram> newcomer_programs_;  ///< Of the scenario's newcomers that do come.
   std::size_t entries_ = 0;                      ///< How many of them have been asked in.
   bool has_refused_ = false;                     ///< One of them.
+  bool has_lost_results_ = false;                ///< Of the world.
   std::optional<ControlServer> control_;
   Windows* windows_ = nullptr;                  ///< Of the process; null for none.
   mutable std::mutex mutex_;                    ///< Who enters, and robots_.

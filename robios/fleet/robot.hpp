@@ -72,6 +72,10 @@ class Robot : public Runner {
   [[nodiscard]] std::uint64_t calls() const { return session_ != nullptr ? session_->calls() : 0; }
   [[nodiscard]] bool has_ended() const { return ended_; }
   [[nodiscard]] int exit_code() const { return exit_code_; }
+  /// Of a session in this process; another one says it by its exit code.
+  [[nodiscard]] bool has_lost_results() const {
+    return session_ != nullptr && session_->has_lost_results();
+  }
 
   /// The robot of the calling flow; null when it is none's.
   static Robot* current();

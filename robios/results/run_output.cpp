@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/own_results.hpp"
 #include "eyebridge/camera/birdseye.hpp"
 #include "eyebridge/camera/png.hpp"
 
@@ -38,12 +39,28 @@ std::vector<camera::Trail> fading(const std::vector<Vec2>& points) {
   return pieces;
 }
 
+/// Makes the folder, if it may hold results: those of an earlier run in it are replaced, but no
+/// files that only have the same names.
+const std::filesystem::path& claimed(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  const std::filesystem::path trace = folder / "trace.csv";
+  check_replaceable(trace, "trace", kTraceHeader);
+  if (std::filesystem::exists(trace)) return folder;
+  for (const char* const name : {"collisions.csv", "lcd.png", "lcd.txt", "map.png", "frames"}) {
+    if (!std::filesystem::exists(folder / name)) continue;
+    throw ConfigError({}, fmt::format("cannot write {}: found {} and no trace.csv, expected an "
+                                      "empty or new folder, or one with earlier results",
+                                      folder.string(), name));
+  }
+  return folder;
+}
+
 }  // namespace
 
 RunOutput::RunOutput(std::filesystem::path directory, long long frames_to_keep) try
     : directory_(std::move(directory)),
       frames_left_(frames_to_keep),
-      trace_((std::filesystem::create_directories(directory_), directory_ / "trace.csv")),
+      trace_(claimed(directory_) / "trace.csv"),
       collisions_(directory_ / "collisions.csv") {
 } catch (const std::filesystem::filesystem_error& error) {
   throw ConfigError({}, fmt::format("cannot make the folder {}: {}", error.path1().string(),

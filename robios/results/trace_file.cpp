@@ -21,7 +21,8 @@ void append(std::string& row, double number, int digits) {
 }
 
 void append_header(std::string& row, std::size_t ranges) {
-  row += "t,x,y,theta,linear,angular,odometry_x,odometry_y,odometry_theta";
+  row += kTraceHeader;
+  row += "odometry_x,odometry_y,odometry_theta";
   for (std::size_t i = 1; i <= ranges; ++i) fmt::format_to(std::back_inserter(row), ",range_{}", i);
   row += '\n';
 }

@@ -8,6 +8,9 @@
 
 namespace eyebridge::robios {
 
+/// What trace.csv begins with.
+inline constexpr const char* kTraceHeader = "t,x,y,theta,linear,angular,";
+
 /// trace.csv: one row every 50 ms of the robot's time. One thread at a time; failures as a RowFile
 /// keeps them.
 class TraceFile {

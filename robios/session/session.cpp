@@ -309,6 +309,8 @@ int Session::await_joined() {
   return impl_->joining && impl_->stage != Impl::Stage::Forked ? impl_->joining->await_end() : 0;
 }
 
+bool Session::has_lost_results() const { return impl_->results_lost; }
+
 void Session::end() noexcept {
   if (impl_->stage == Impl::Stage::Forked) return;
   std::call_once(impl_->ended, [this] {
@@ -337,6 +339,10 @@ void Session::end() noexcept {
     } catch (const std::exception& error) {
       impl_->results_lost = true;
       impl_->log.write(Severity::Error, error.what());
+    }
+    if (const std::string lost = impl_->backend->lost_results(); !lost.empty()) {
+      impl_->results_lost = true;
+      impl_->log.write(Severity::Error, lost);
     }
     // Again: another thread's call may have been under way.
     if (stops) confirm(impl_->backend->stop());

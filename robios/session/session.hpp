@@ -152,6 +152,8 @@ class Session {
 
   /// Stops the motors and writes the results to --out. Idempotent; never throws.
   void end() noexcept;
+  /// After end(): a result that was asked for could not be written in full. It has been said.
+  [[nodiscard]] bool has_lost_results() const;
   /// Returns in the thread that ends the process: the one that called end() first. In any other it
   /// waits for the process to end, so that the exit code is that of the one reason for the end.
   void await_end();

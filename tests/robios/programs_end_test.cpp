@@ -81,6 +81,7 @@ TEST(ProgramEnd, PicturesThatCannotBeWrittenFailTheRun) {
   for (const char* taken : {"map.png", "lcd.png", "frames"}) {
     const ScratchFolder folder;
     const std::string path = folder.path() + "/" + taken;
+    folder.write("trace.csv", "");  // of an earlier run
     if (std::string(taken) == "frames") {
       folder.write(taken, "a file where a folder belongs");
     } else {
@@ -95,8 +96,47 @@ TEST(ProgramEnd, PicturesThatCannotBeWrittenFailTheRun) {
 
 TEST(ProgramEnd, AFailureOfTheProgramCountsMoreThanOneOfItsResults) {
   const ScratchFolder folder;
+  folder.write("trace.csv", "");
   std::filesystem::create_directory(folder.path() + "/map.png");
   EXPECT_EQ(end_by("return", {}, folder).exit_code, 5);
+}
+
+TEST(ProgramEnd, AReportOrRecordingThatIsNotWholeFailsTheRun) {
+  const ProgramRun report = run_named("driving", {{"EYEBRIDGE_REPORT", "/dev/full"}});
+  EXPECT_EQ(report.exit_code, 1);
+  EXPECT_THAT(report.err, HasSubstr("the report /dev/full could not be written: No space left"));
+  // The system's limit for the size of a file is a disk that is full.
+  const ScratchFolder folder;
+  const std::string program = std::string(EYEBRIDGE_TEST_PROGRAMS) + "/textbook";
+  const ProgramRun record =
+      testing::run_program({{"sh", "-c", "trap '' XFSZ; ulimit -f 100; exec " + program},
+                            {{"EYEBRIDGE_FAST", "true"},
+                             {"EYEBRIDGE_KEYS", "KEY1@1s,KEY2@2s,KEY4@60s"},
+                             {"EYEBRIDGE_RECORD", folder.path() + "/full.ebrec"}},
+                            ""});
+  EXPECT_EQ(record.exit_code, 1);
+  EXPECT_THAT(record.err, HasSubstr("full.ebrec is not whole: "));
+  EXPECT_THAT(record.out, HasSubstr("size 320")) << "the program ran to its end";
+}
+
+TEST(ProgramEnd, ResultsReplaceNothingButResults) {
+  const ScratchFolder folder;
+  const std::string work = folder.write("robot.c", "int main() {}\n");
+  const ProgramRun report = run_named("driving", {{"EYEBRIDGE_REPORT", work}});
+  EXPECT_EQ(report.exit_code, 2);
+  EXPECT_THAT(report.err, HasSubstr("EYEBRIDGE_REPORT: cannot write " + work));
+  EXPECT_EQ(testing::file_text(work), "int main() {}\n");
+  folder.write("map.png", "drawn by hand");
+  const ProgramRun out = run_named("driving", {{"EYEBRIDGE_OUT", folder.path()}});
+  EXPECT_EQ(out.exit_code, 2);
+  EXPECT_THAT(out.err, HasSubstr("found map.png and no trace.csv"));
+  EXPECT_EQ(testing::file_text(folder.path() + "/map.png"), "drawn by hand");
+  // Twice into one place is what people do.
+  for (int i = 0; i < 2; ++i) {
+    const ProgramRun again = run_named("driving", {{"EYEBRIDGE_OUT", folder.path() + "/own"},
+                                                   {"EYEBRIDGE_REPORT", folder.path() + "/r"}});
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+  }
 }
 
 /// A program at a terminal of its own; the test is the person.

@@ -1,4 +1,5 @@
 // Several robots that run programs in one process.
+#include <filesystem>
 #include <map>
 #include <string>
 
@@ -208,6 +209,18 @@ TEST(SeveralRobots, ResultsGoToAFolderEach) {
     EXPECT_EQ(testing::file_text(out + "/lcd.txt").substr(0, 7), std::string("robot ") + number);
     EXPECT_GT(testing::file_text(out + "/trace.csv").size(), 1000U);
   }
+}
+
+TEST(SeveralRobots, AResultThatIsNotWholeFailsTheRun) {
+  const testing::ScratchFolder folder;
+  const auto report = run_named("several", several("2", {{"EYEBRIDGE_REPORT", "/dev/full"}}));
+  EXPECT_EQ(report.exit_code, 1);
+  EXPECT_THAT(report.err, HasSubstr("the report /dev/full could not be written"));
+  std::filesystem::create_directories(folder.path() + "/robot-2");
+  std::filesystem::create_symlink("/dev/full", folder.path() + "/robot-2/trace.csv");
+  const auto out = run_named("several", several("2", {{"EYEBRIDGE_OUT", folder.path()}}));
+  EXPECT_EQ(out.exit_code, 1);
+  EXPECT_THAT(out.err, HasSubstr("robot 2: error: " + folder.path() + "/robot-2/trace.csv"));
 }
 
 TEST(SeveralRobots, WhatOnlyOneCanHaveIsRefused) {

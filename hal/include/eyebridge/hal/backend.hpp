@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -98,6 +99,8 @@ class Backend {
   /// Where every frame that the program is given is to be handed, until stop(); null when this run
   /// is not recorded. Owned by the backend.
   virtual camera::FrameSink* frame_sink() { return nullptr; }
+  /// After stop(): why a report or recording that was asked for is not whole; "" when all are.
+  virtual std::string lost_results() { return {}; }
 
   /// What the robot's description says about its devices of one kind ("psd", "proximity", "bumper",
   /// "motor", "encoder", "servo"; "robot" is the robot itself); nothing where it says nothing.

@@ -30,6 +30,7 @@ class PassingBackend : public Backend {
   camera::View* camera_view() override { return inner_->camera_view(); }
   camera::Source* camera_source() override { return inner_->camera_source(); }
   camera::FrameSink* frame_sink() override { return inner_->frame_sink(); }
+  std::string lost_results() override { return inner_->lost_results(); }
   std::vector<DeviceFacts> facts_of(std::string_view kind) override {
     return inner_->facts_of(kind);
   }

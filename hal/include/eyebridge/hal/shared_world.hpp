@@ -77,6 +77,8 @@ class SharedWorld {
   virtual void note(const std::string& name, double value) = 0;
   /// The last program has ended: the run's report says so.
   virtual void end() noexcept = 0;
+  /// After end(), as Backend::lost_results().
+  [[nodiscard]] virtual std::string lost_results() = 0;
   /// Of everything that moved, and of all that sensors told programs: the same for the same run.
   [[nodiscard]] virtual StateHash hash() = 0;
   /// How often real time slipped because the computer was too slow; 0 in virtual time.
