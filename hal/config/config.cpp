@@ -122,8 +122,7 @@ Config Config::load(const Sources& sources) {
     if (name.starts_with(kPrefix) && !is_no_setting(name)) put_variable(values, name, text);
   }
   for (const auto& [key, value] : plan.values) {
-    if (value.where.file != flag_name(key)) continue;
-    if (find_setting(key)->effect != Setting::Effect::Writes) put_flag(values, key, value.text);
+    if (value.where.file == flag_name(key)) put_flag(values, key, value.text);
   }
   for (const auto& [key, text] : sources.flags) put_flag(values, key, text);
   check_trust(values, sources);

@@ -77,7 +77,9 @@ TEST_F(Sweep, AFileSaysWhatIsRunAndFlagsTakeTheirPlaceInIt) {
   folder_.write("my.toml", "program = '" + cell_ +
                                "'\narguments = ['drive', '{ms}']\nseed = '1..5'\n"
                                "time_limit = '400ms'\n[parameters]\nms = [100, 900]\n");
-  const ProgramRun r = sweep({"--seed", "3", "my.toml"});
+  const auto own = testing::trusted(folder_.path() + "/my.toml", folder_);
+  const ProgramRun r =
+      testing::run_command({"sweep", "--seed", "3", "my.toml"}, folder_.path(), own);
   ASSERT_EQ(r.exit_code, 0) << r.err;
   EXPECT_EQ(select("SELECT value, how FROM run JOIN coordinate ON run = id WHERE name = 'ms' "
                    "ORDER BY value"),

@@ -153,13 +153,5 @@ TEST_F(TrustCommand, SweepFilesStartOnlyProgramsOfTheirFolder) {
   EXPECT_EQ(eyebridge({"sweep", "sweep.toml"}).exit_code, 0);
 }
 
-TEST_F(TrustCommand, ProgramsThatAProgramStartsDoNotWriteItsResults) {
-  program("came/starts", "#!/bin/sh\n./square\n");
-  const ProgramRun r = eyebridge({"run", "--report", "report.txt", "--out", "out", "starts"});
-  EXPECT_EQ(r.exit_code, 0) << r.err;
-  EXPECT_FALSE(is_there("came/report.txt")) << "they were asked of `starts`";
-  EXPECT_FALSE(is_there("came/out/trace.csv"));
-}
-
 }  // namespace
 }  // namespace eyebridge

@@ -30,6 +30,7 @@ class ProgramTest(unittest.TestCase):
     def environment(self, settings):
         """This one's, with the settings as variables: fast=True is EYEBRIDGE_FAST=true."""
         out = dict(os.environ, PYTHONPATH=str(BUILD / "python"), PYTHONDONTWRITEBYTECODE="1")
+        out["XDG_DATA_HOME"] = str(self.folder / "data")  # what is trusted is this test's own
         out.pop("PYTHONUNBUFFERED", None)  # output is buffered, as it is for users
         for name, value in settings.items():
             out["EYEBRIDGE_" + name.upper()] = str(value).lower() if isinstance(value, bool) else str(value)

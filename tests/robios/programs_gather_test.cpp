@@ -35,7 +35,9 @@ class Gathering : public ::testing::Test {
       text += "S4 500 " + std::to_string(y += 500) + " 0 " + EYEBRIDGE_TEST_PROGRAMS +
               (is_apart ? "/gathers_apart " + how.substr(6) : "/gathers " + how) + '\n';
     }
-    settings.emplace("EYEBRIDGE_WORLD", folder_.write("all.sim", text + more));
+    const std::string scenario = folder_.write("all.sim", text + more);
+    settings.emplace("EYEBRIDGE_WORLD", scenario);
+    settings.merge(testing::trusted(scenario, folder_));
     return testing::run_program({{EYEBRIDGE_BIN "/eyebridge", "run"}, settings, ""});
   }
 

@@ -94,6 +94,13 @@ std::string ScratchFolder::write(const std::string& name, const std::string& tex
   return path;
 }
 
+std::map<std::string, std::string> trusted(const std::string& file, const ScratchFolder& folder) {
+  std::map<std::string, std::string> own = {{"XDG_DATA_HOME", folder.path() + "/data"}};
+  const ProgramRun r = run_program({{EYEBRIDGE_BIN "/eyebridge", "trust", file}, own, ""});
+  if (r.exit_code != 0) throw std::runtime_error("eyebridge trust " + file + ": " + r.err);
+  return own;
+}
+
 std::string file_text(const std::string& path) {
   std::ostringstream text;
   text << std::ifstream(path, std::ios::binary).rdbuf();

@@ -41,6 +41,10 @@ class ScratchFolder {
   std::string path_;
 };
 
+/// Lets `file` start programs outside of its folder, as `eyebridge trust` does; the variables with
+/// which programs are to be run that find that out. Kept in `folder`.
+std::map<std::string, std::string> trusted(const std::string& file, const ScratchFolder& folder);
+
 /// The whole file, or "" when there is none.
 std::string file_text(const std::string& path);
 

@@ -29,12 +29,17 @@ Box bounds_of(const std::vector<Segment>& segments) {
   return box;
 }
 
+double length_of(const std::vector<Segment>& segments) {
+  double length = 0.0;
+  for (const Segment& s : segments) length += s.length;
+  return length;
+}
+
 }  // namespace
 
 double cell_size_for(const std::vector<Segment>& segments, double segments_per_cell) {
   if (segments.empty()) return 1.0;
-  double length = 0.0;
-  for (const Segment& s : segments) length += s.length;
+  const double length = length_of(segments);
   // A cell of edge c is crossed by about (total length / area) * c^2 / c pieces of its size.
   return segments_per_cell * bounds_of(segments).area() / length;
 }
@@ -42,6 +47,7 @@ double cell_size_for(const std::vector<Segment>& segments, double segments_per_c
 template <class Visit>
 void SegmentGrid::each_cell_of(const Segment& segment, Visit visit) const {
   const double slack = 1e-7 * cell_;
+  const double width = cell_ * static_cast<double>(columns_);
   const Vec2 end = segment.a + segment.length * segment.u;
   const std::size_t first = column_of(std::min(segment.a.x, end.x) - slack);
   const std::size_t last = column_of(std::max(segment.a.x, end.x) + slack);
@@ -49,7 +55,17 @@ void SegmentGrid::each_cell_of(const Segment& segment, Visit visit) const {
   // Half the extent of a cell across the segment's direction.
   const double half = (cell_ / 2) * (std::fabs(segment.u.x) + std::fabs(segment.u.y)) + slack;
   for (std::size_t row = row_of(std::min(segment.a.y, end.y) - slack); row <= last_row; ++row) {
-    for (std::size_t column = first; column <= last; ++column) {
+    // Where the row can meet that band: a long diagonal segment has few cells in its box.
+    std::size_t begin = first;
+    std::size_t end_column = last;
+    const double y = origin_.y + cell_ * (static_cast<double>(row) + 0.5) - segment.a.y;
+    if (std::fabs(segment.u.y) * width > cell_) {
+      const double middle = segment.a.x + segment.u.x * y / segment.u.y;
+      const double reach = half / std::fabs(segment.u.y) + cell_;
+      begin = std::max(first, column_of(middle - reach));
+      end_column = std::min(last, column_of(middle + reach));
+    }
+    for (std::size_t column = begin; column <= end_column; ++column) {
       const Vec2 centre =
           origin_ + cell_ * Vec2{static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
       if (std::fabs(cross(segment.u, centre - segment.a)) <= half) visit(row * columns_ + column);
@@ -61,7 +77,11 @@ SegmentGrid::SegmentGrid(const std::vector<Segment>& segments, double cell, std:
   if (segments.empty()) return;
   const Box box = bounds_of(segments);
   const double most = 16.0 * static_cast<double>(segments.size()) + 64.0;
-  cell_ = std::max({cell, std::sqrt(box.area() / most), box.extent() / 2048});
+  // A segment is listed in at most 1.5 times as many cells as it is long, and a few: thousands that
+  // lie on one another would need gigabytes.
+  constexpr double kMostItems = 2e6;
+  cell_ = std::max({cell, std::sqrt(box.area() / most), box.extent() / 2048,
+                    1.5 * length_of(segments) / kMostItems});
   per_cell_ = 1.0 / cell_;
   const auto count = [&](double extent) {
     return static_cast<std::size_t>(extent * per_cell_) + 1 + 2 * ring;

@@ -40,8 +40,9 @@ ProgramRun run_scenario(const std::string& first, const std::string& second) {
   const std::string scenario = folder.write(
       "two.sim", fmt::format("world {}/soccer-field.wld\nS4 700 760 0 {}\nS4 2400 760 180 {}\n",
                              EYEBRIDGE_TEST_WORLDS, first, second));
-  return testing::run_program(
-      {{EYEBRIDGE_TEST_COMMAND, "run", "--fast", "--world", scenario}, {}, ""});
+  return testing::run_program({{EYEBRIDGE_TEST_COMMAND, "run", "--fast", "--world", scenario},
+                               testing::trusted(scenario, folder),
+                               ""});
 }
 
 TEST(SeveralClassicRobots, EachHasItsOwnDevicesTimersAndVariables) {

@@ -108,7 +108,8 @@ class Config {
   [[nodiscard]] std::string plan() const;
   /// The same for a process that takes it as it is whatever it finds.
   [[nodiscard]] std::string sealed_plan() const;
-  /// From now on the settings that write are this process's alone: its children inherit the others.
+  /// From now on the settings that write are this process's alone, which has begun to write: its
+  /// children inherit the others. (A script that starts a robot program passes all of them on.)
   /// Changes the environment: no other thread may read that meanwhile.
   void keep_outputs() const;
 
