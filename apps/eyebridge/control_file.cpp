@@ -1,10 +1,10 @@
 #include "control_file.hpp"
 
-#include <fstream>
 #include <iterator>
 #include <regex>
 #include <string>
 
+#include "eyebridge/base/read_file.hpp"
 #include "eyebridge/base/robot_program.hpp"
 
 namespace eyebridge::apps {
@@ -26,9 +26,8 @@ bool is_control_text(std::string_view text) {
 
 bool is_control_file(const std::filesystem::path& program) {
   if (!is_python(program)) return false;
-  std::ifstream file(program, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  return is_control_text(text);
+  constexpr std::uintmax_t kLargest = 64U << 20U;
+  return is_control_text(read_file(program, kLargest).value_or(""));
 }
 
 }  // namespace eyebridge::apps

@@ -36,7 +36,7 @@ bool is_name(std::string_view text) {
 }
 
 /// `text` without control characters, which would spoil a table.
-std::string printable(std::string_view text) {
+std::string on_one_line(std::string_view text) {
   std::string out(text);
   std::ranges::replace_if(
       out, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, '?');
@@ -74,7 +74,7 @@ void read_results(Outcome& outcome, const std::filesystem::path& path) {
     const std::size_t blank = rest.find(' ');
     std::string name(rest.substr(0, blank));
     if (blank == std::string_view::npos || !is_name(name)) continue;
-    const std::string value = printable(trimmed(rest.substr(blank)).substr(0, kLongestValue));
+    const std::string value = on_one_line(trimmed(rest.substr(blank)).substr(0, kLongestValue));
     const auto same = [&](const auto& result) { return result.first == name; };
     const auto measured = outcome.results.begin() + of_report;
     // A program may call its own numbers as the report calls ours.
@@ -110,7 +110,7 @@ std::string last_line(const std::filesystem::path& path) {
   for (std::string line; std::getline(file, line);) {
     if (const std::string_view text = trimmed(line); !text.empty()) last = text;
   }
-  return printable(last.substr(0, 200));
+  return on_one_line(last.substr(0, 200));
 }
 
 std::string signal_name(int signal) {

@@ -2,11 +2,11 @@
 
 #include <array>
 #include <charconv>
-#include <fstream>
 #include <string>
 #include <system_error>
 
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/read_file.hpp"
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/base/url.hpp"
 #include "frames/frame_series.hpp"
@@ -57,9 +57,7 @@ double rate_of(const std::string& text) {
 
 bool is_recording(const fs::path& path) {
   if (path.extension() == ".ebrec") return true;
-  std::array<char, 15> start{};
-  std::ifstream(path, std::ios::binary).read(start.data(), start.size());
-  return std::string_view(start.data(), start.size()) == "SQLite format 3";
+  return first_bytes(path, 15) == "SQLite format 3";
 }
 
 FramesUrl::Kind kind_of(const fs::path& path) {
@@ -68,6 +66,11 @@ FramesUrl::Kind kind_of(const fs::path& path) {
   if (fs::is_directory(status)) {
     pictures_in(path);
     return FramesUrl::Kind::Folder;
+  }
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    throw ConfigError({path.string()},
+                      "is not a file: expected a folder of pictures, a video or a "
+                      "recording (.ebrec)");
   }
   if (!fs::exists(status)) {
     throw ConfigError(kWhere,

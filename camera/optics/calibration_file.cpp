@@ -7,6 +7,7 @@
 #include <toml++/toml.h>
 
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/read_file.hpp"
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/base/toml_names.hpp"
 #include "eyebridge/camera/calibration.hpp"
@@ -129,23 +130,9 @@ Calibration parse_calibration(std::string_view text, const std::string& file) {
 }
 
 Calibration read_calibration(const fs::path& path) {
-  const std::string file = path.string();
-  std::error_code error;
-  if (!fs::is_regular_file(path, error)) {
-    throw ConfigError({file}, error
-                                  ? "calibration cannot be read: " + error.message()
-                                  : std::string("found no ordinary file, expected a calibration"));
-  }
-  std::ifstream in(path, std::ios::binary);
-  std::string text(kLargestFile + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!in.is_open() || in.bad()) throw ConfigError({file}, "calibration cannot be read");
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  if (text.size() > kLargestFile) {
-    throw ConfigError({file}, fmt::format("is too big for a calibration, expected at most {} bytes",
-                                          kLargestFile));
-  }
-  return parse_calibration(text, file);
+  const auto text = read_file(path, kLargestFile);
+  if (!text) throw ConfigError({path.string()}, text.error().what + ": expected a calibration");
+  return parse_calibration(*text, path.string());
 }
 
 std::string to_toml(const Calibration& lens) {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "eyebridge/base/read_file.hpp"
 #include "eyebridge/camera/convert.hpp"
 #include "pictures/decoders.hpp"
 
@@ -30,16 +30,9 @@ constexpr std::array<Format, 3> kPictureFormats{{
 constexpr std::uint64_t kMostBytes = 4 * kMostPicturePixels;
 
 std::vector<std::uint8_t> read_bytes(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  const std::streamoff size = file ? static_cast<std::streamoff>(file.tellg()) : -1;
-  if (size < 0) throw std::runtime_error("cannot be opened");
-  if (static_cast<std::uint64_t>(size) > kMostBytes) throw std::runtime_error("too large");
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
-  file.seekg(0);
-  if (!file.read(reinterpret_cast<char*>(bytes.data()), size)) {
-    throw std::runtime_error("cannot be read");
-  }
-  return bytes;
+  const auto bytes = eyebridge::read_file(path, kMostBytes);
+  if (!bytes) throw std::runtime_error(bytes.error().what);
+  return {bytes->begin(), bytes->end()};
 }
 
 /// The format that `bytes` are in. Throws when it is none of ours.

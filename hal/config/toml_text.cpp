@@ -1,13 +1,12 @@
 #include "config/toml_text.hpp"
 
-#include <fstream>
-
 #include <fmt/format.h>
 
 #include "config/mix_text.hpp"
 #include "config/toml_ascii.hpp"
 #include "config/toml_document.hpp"
 #include "config/values.hpp"
+#include "eyebridge/base/read_file.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -66,20 +65,9 @@ std::optional<std::string> read_toml_file(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::not_found) return std::nullopt;
-  const SourceLocation where{path.string()};
-  if (!std::filesystem::is_regular_file(status)) {
-    throw ConfigError(where, error ? fmt::format("cannot be reached: {}", error.message())
-                                   : std::string("found no ordinary file, expected a TOML file"));
-  }
-  std::ifstream in(path, std::ios::binary);
-  std::string text(kMaxTomlSize + 1, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!in.is_open() || in.bad()) throw ConfigError(where, "cannot be read");
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  if (text.size() > kMaxTomlSize) {
-    throw ConfigError(where, fmt::format("is too big, expected at most {} bytes", kMaxTomlSize));
-  }
-  return text;
+  auto text = read_file(path, kMaxTomlSize);
+  if (!text) throw ConfigError({path.string()}, text.error().what + ": expected a TOML file");
+  return std::move(*text);
 }
 
 }  // namespace eyebridge::hal

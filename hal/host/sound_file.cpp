@@ -2,10 +2,9 @@
 
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
-#include <system_error>
 #include <vector>
 
+#include "eyebridge/base/read_file.hpp"
 #include "eyebridge/hal/sound_file.hpp"
 
 namespace eyebridge::hal {
@@ -20,15 +19,9 @@ tl::unexpected<Error> unreadable(const std::string& path, const std::string& why
 }  // namespace
 
 Result<SoundFacts> read_sound_file(const std::string& path) {
-  std::error_code error;
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) return unreadable(path, error.message());
-  if (size > kMostBytes) return unreadable(path, "expected at most 256 MB");
-  std::vector<std::uint8_t> bytes(size);
-  std::ifstream file(path, std::ios::binary);
-  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-  if (!file) return unreadable(path, std::generic_category().message(errno));
-  auto facts = read_sound(bytes);
+  const auto bytes = read_file(path, kMostBytes);
+  if (!bytes) return unreadable(path, bytes.error().what);
+  auto facts = read_sound({reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()});
   if (!facts) return fail(facts.error().code, "sound: " + path + ": " + facts.error().what);
   return facts;
 }

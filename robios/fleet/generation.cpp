@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <iterator>
 #include <string>
 
@@ -11,6 +10,8 @@
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/own_place.hpp"
+#include "eyebridge/base/read_file.hpp"
+#include "robot_program.hpp"
 
 namespace eyebridge::robios {
 namespace {
@@ -29,9 +30,9 @@ bool is_of_other_generation(const DynamicNames& names) {
 }
 
 bool is_of_other_generation(const std::filesystem::path& program) {
-  std::ifstream stream(program, std::ios::binary);
-  const std::string file{std::istreambuf_iterator<char>(stream), {}};
-  const auto names = dynamic_names(file);
+  const auto file = read_file(program, kLargestProgram);
+  if (!file) return false;
+  const auto names = dynamic_names(*file);
   return names && is_of_other_generation(*names);
 }
 

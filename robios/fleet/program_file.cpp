@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <mutex>
@@ -17,7 +16,9 @@
 #include <elf.h>
 #include <link.h>
 
+#include "eyebridge/base/read_file.hpp"
 #include "generation.hpp"
+#include "robot_program.hpp"
 
 namespace eyebridge::robios {
 namespace {
@@ -219,10 +220,10 @@ const ProgramFile& ProgramFile::of(const fs::path& program) {
   const std::lock_guard lock(mutex);
   const auto found = known->find(program);
   if (found != known->end()) return found->second;
-  std::ifstream stream(program, std::ios::binary);
+  auto bytes = read_file(program, kLargestProgram);
+  if (!bytes) refuse(program, bytes.error().what);
   ProgramFile file;
-  file.bytes.assign(std::istreambuf_iterator<char>(stream), {});
-  if (!stream) refuse(program, std::string("cannot be read: ") + std::strerror(errno));
+  file.bytes.assign(bytes->begin(), bytes->end());
   prepare(program, file);
   return known->emplace(program, std::move(file)).first->second;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -8,6 +9,9 @@ namespace eyebridge::robios {
 
 /// Exit code of a program that cannot be started, as shells say it.
 inline constexpr int kCannotRun = 126;
+
+/// Bytes of a program's file.
+inline constexpr std::uintmax_t kLargestProgram = std::uintmax_t{4} << 30U;
 
 /// What a robot runs.
 struct RobotProgram {

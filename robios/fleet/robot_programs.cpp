@@ -1,9 +1,9 @@
 #include "robot_programs.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <string_view>
 
+#include "eyebridge/base/read_file.hpp"
 #include "eyebridge/base/robot_program.hpp"
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/base/trust.hpp"
@@ -16,9 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool begins_with(const fs::path& file, std::string_view bytes) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string start(bytes.size(), '\0');
-  return stream.read(start.data(), static_cast<std::streamsize>(start.size())) && start == bytes;
+  return first_bytes(file, bytes.size()) == bytes;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/read_file.hpp"
 
 namespace eyebridge::robios {
 namespace {
@@ -19,23 +20,10 @@ Result<void> io_failure(const std::filesystem::path& path, const std::string& do
 }  // namespace
 
 Result<PnmPicture> read_pnm_file(const std::filesystem::path& path) {
-  std::error_code status;
-  if (!std::filesystem::is_regular_file(path, status)) {
-    return fail(Errc::Unsupported, path.string() + ": no such file");
-  }
-  const std::uintmax_t size = std::filesystem::file_size(path, status);
-  if (status || size > kLargestFile) {
-    return fail(Errc::Unsupported, path.string() + ": larger than 256 MB");
-  }
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  std::string bytes(size, '\0');
-  in.read(bytes.data(), static_cast<std::streamsize>(size));
-  if (!in) {
-    return tl::unexpected(io_failure(path, "cannot be read").error());
-  }
+  const auto bytes = read_file(path, kLargestFile);
+  if (!bytes) return fail(bytes.error().code, path.string() + ": " + bytes.error().what);
   try {
-    return read_pnm(bytes, path.string());
+    return read_pnm(*bytes, path.string());
   } catch (const ConfigError& error) {
     return fail(Errc::Corrupt, error.what());
   }

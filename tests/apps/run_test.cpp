@@ -224,6 +224,34 @@ TEST_F(Run, NoMessageCarriesWhatATerminalObeys) {
   }
 }
 
+TEST_F(Run, APipeInThePlaceOfAFileIsNotWaitedFor) {
+  const std::string pipe = folder_.path() + "/pipe";
+  for (const char* const name : {"pipe", "pipe.png", "pipe.wld", "pipe.ebrec", "pipe.toml"}) {
+    ASSERT_EQ(mkfifo((folder_.path() + "/" + name).c_str(), 0600), 0);
+  }
+  folder_.write("room.wld", "floor 2000 2000\nfloor_texture pipe.png\n");
+  std::filesystem::copy_file(EYEBRIDGE_SQUARE, folder_.path() + "/square");
+  const std::string fast = "--fast";
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"run", fast, "--world", "pipe.wld", "square"},
+        {"run", fast, "--hdt", "pipe", "square"},
+        {"run", fast, "--hal", "replay:pipe.ebrec", "square"},
+        {"run", fast, "--camera", "frames:pipe", "square"},
+        {"run", fast, "--camera", "frames:pipe.ebrec", "square"},
+        {"run", fast, "--report", "pipe", "square"},
+        {"run", fast, "--record", "pipe", "square"},
+        {"record", "--show", "pipe.ebrec"},
+        {"world", "check", "pipe.wld"},
+        {"sweep", "pipe.toml"},
+        {"trust", "pipe.toml"}}) {
+    EXPECT_EQ(run_command(words, folder_.path()).exit_code, 2) << words[1] << ' ' << words.back();
+  }
+  const ProgramRun texture = run({fast, "--strict", "--world", "room.wld", "--out", "o", "square"});
+  EXPECT_NE(texture.err, "");
+  ASSERT_EQ(mkfifo((folder_.path() + "/eyebridge.toml").c_str(), 0600), 0);
+  expect_bad_input(run({"prog"}), "eyebridge.toml: is not a file: expected a TOML file");
+}
+
 TEST_F(Run, AMissingWorldIsAnError) {
   expect_bad_input(run({"--world", "nowhere.maz", "prog"}), "nowhere.maz");
   expect_bad_input(run({"--sim", "nowhere.sim", "prog"}), "nowhere.sim");

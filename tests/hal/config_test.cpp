@@ -320,8 +320,9 @@ TEST_F(ConfigTest, KeepsATilde) {
 TEST_F(ConfigTest, SkipsMissingFilesButNotUnreadableOnes) {
   EXPECT_EQ(complaint({{}, {}, {folder_ / "missing.toml"}}), "");
   EXPECT_EQ(complaint({{}, {}, {folder_}}),
-            folder_.string() + ": found no ordinary file, expected a TOML file");
-  EXPECT_THAT(complaint(std::string((1U << 20U) + 1, '\n')), HasSubstr("is too big"));
+            folder_.string() + ": is not a file: expected a TOML file");
+  EXPECT_THAT(complaint(std::string((1U << 20U) + 1, '\n')),
+              HasSubstr("has 1048577 bytes, expected at most 1048576: expected a TOML file"));
 }
 
 TEST_F(ConfigTest, UnsetsWithAnEmptyValueWhatMayBeUnset) {

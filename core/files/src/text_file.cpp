@@ -7,6 +7,7 @@
 
 #include <unistd.h>
 
+#include "eyebridge/base/read_file.hpp"
 #include "eyebridge/files/readers.hpp"
 #include "file_bytes.hpp"
 #include "text.hpp"
@@ -14,26 +15,11 @@
 namespace eyebridge::files {
 
 std::string read_bytes(const std::filesystem::path& path, const std::string& what) {
-  const std::string name = path.string();
-  const auto refuse = [&](const std::string& why) { throw ConfigError({name, 0, 0}, why); };
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) refuse("no such file");
-  // A pipe or device could block or never end.
-  if (!std::filesystem::is_regular_file(status)) refuse("is not a file: expected " + what);
-  const auto size = std::filesystem::file_size(path, error);
-  if (error) refuse("cannot be read: " + error.message());
-  if (size > kMaxFileSize) {
-    refuse("has " + std::to_string(size) + " bytes: expected at most " +
-           std::to_string(kMaxFileSize));
-  }
-  std::ifstream in(path, std::ios::binary);
-  if (!in) refuse("cannot be opened: expected permission to read it");
-  std::string text(static_cast<std::size_t>(size), '\0');
-  in.read(text.data(), static_cast<std::streamsize>(size));
-  if (in.bad()) refuse("cannot be read");
-  text.resize(static_cast<std::size_t>(in.gcount()));  // it may have shrunk meanwhile
-  return text;
+  auto bytes = read_file(path, kMaxFileSize);
+  if (bytes) return std::move(*bytes);
+  std::string why = bytes.error().what;
+  if (why == "is not a file") why += ": expected " + what;
+  throw ConfigError({path.string()}, why);
 }
 
 namespace {

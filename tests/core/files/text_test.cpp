@@ -28,7 +28,7 @@ TEST(TextFile, AHugeFileIsRefusedBeforeItIsRead) {
   const Folder folder;
   const auto path = folder.write("huge.wld", "");
   std::filesystem::resize_file(path, 1ULL << 30U);  // a hole: takes no room on the disk
-  EXPECT_EQ(text_error(path), path.string() + ": has 1073741824 bytes: expected at most 67108864");
+  EXPECT_EQ(text_error(path), path.string() + ": has 1073741824 bytes, expected at most 67108864");
 }
 
 TEST(TextFile, BinaryJunkIsOneError) {

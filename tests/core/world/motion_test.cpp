@@ -11,8 +11,8 @@
 namespace eyebridge::world {
 namespace {
 
-using testing::HasSubstr;
-using testing::UnorderedElementsAre;
+using ::testing::HasSubstr;
+using ::testing::UnorderedElementsAre;
 
 MATCHER_P2(Points, x, y, "") { return norm(arg - Vec2{double(x), double(y)}) < 1e-14; }
 
@@ -166,7 +166,7 @@ TEST(World, ContactsWithoutReachNameWhatStoppedTheRobot) {
   const MoveResult result = world.move(robot, forward(5), kMotionStep);
   std::vector<Vec2> contacts;
   world.contacts(robot, 0.0, contacts);
-  EXPECT_THAT(contacts, testing::ElementsAre(result.contact));
+  EXPECT_THAT(contacts, ::testing::ElementsAre(result.contact));
 }
 
 TEST(World, IsFreeSeesWallsThickWallsAndBodiesButNotTheIgnoredOne) {

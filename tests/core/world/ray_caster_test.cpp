@@ -13,6 +13,7 @@
 
 #include "eyebridge/base/units.hpp"
 #include "instruction_sets.hpp"
+#include "process_memory.hpp"
 #include "scenes.hpp"
 
 namespace eyebridge::world {
@@ -28,7 +29,7 @@ struct MethodCase {
 
 /// Ranges of one method against those of the loop over all walls, from random places in and around
 /// the world.
-class EveryMethod : public testing::TestWithParam<MethodCase> {
+class EveryMethod : public ::testing::TestWithParam<MethodCase> {
  protected:
   const ChosenSet chosen_{GetParam().instruction_set};
 
@@ -150,8 +151,8 @@ std::vector<MethodCase> all_methods() {
   return methods;
 }
 
-INSTANTIATE_TEST_SUITE_P(RayCaster, EveryMethod, testing::ValuesIn(all_methods()), name_of);
-INSTANTIATE_TEST_SUITE_P(RayCaster, EveryGeneralMethod, testing::ValuesIn(general_methods()),
+INSTANTIATE_TEST_SUITE_P(RayCaster, EveryMethod, ::testing::ValuesIn(all_methods()), name_of);
+INSTANTIATE_TEST_SUITE_P(RayCaster, EveryGeneralMethod, ::testing::ValuesIn(general_methods()),
                          name_of);
 
 // So that the rows with AVX2 do not go away without a word.
@@ -231,6 +232,31 @@ TEST_P(EveryGeneralMethod, AgreesWithBruteForceOverEmptyFloor) {
           << origin.x << ' ' << origin.y << " along " << d.x << ' ' << d.y;
     }
   }
+}
+
+/// Walls of 19 m that lie on one another, and some across.
+WorldModel walls_on_one_another(int count) {
+  WorldModel model;
+  for (int i = 0; i < count; ++i) {
+    const double off = 0.01 * (i % 7);
+    const Vec2 end = i % 3 == 0   ? Vec2{19.5, 0.5 + off}
+                     : i % 3 == 1 ? Vec2{0.5 + off, 19.5}
+                                  : Vec2{19.5, 19.5 - off};
+    model.walls.push_back({{0.5, 0.5}, end});
+  }
+  return model;
+}
+
+TEST_P(EveryGeneralMethod, AgreesWithBruteForceAmongWallsThatLieOnOneAnother) {
+  expect_as_brute_force(walls_on_one_another(2000), 44, 40, 30.0);
+}
+
+TEST(RayCaster, ThousandsOfWallsOnOneAnotherTakeLittleMemory) {
+  const WorldModel model = walls_on_one_another(20000);
+  const std::size_t before = testing::resident_bytes();
+  const RayCaster caster(model, RayMethod::Grid);
+  EXPECT_LT(testing::resident_bytes() - before, 400U << 20U);  // 5,000 of them took 1.4 GB
+  EXPECT_GT(caster.cast({10, 5}, {0, 1}, 30), 0.0);
 }
 
 TEST(RayCaster, TheGridGivesTheSameBitsInEveryInstructionSet) {
