@@ -58,6 +58,8 @@ CAMERA = "eyebridge lab --vivid --rw . --"
 # What calibrating leaves; no person holds a board into a simulated camera.
 LENS = "printf '%s\\n' 'size = [640, 480]' 'focal_length = [554.25, 559.8]' 'centre = [323.0, 239.5]' 'distortion = [0, 0, 0, 0, 0]' 'error = 0.3' >cam.toml"
 WINDOWS = "window:– environment"
+# A folder that asks for something that needs trust.
+CAME = "mkdir -p came && echo 'report = \"report.txt\"' >came/eyebridge.toml && "
 
 ROWS = (
     Row(README, "./run", leaves=("out/trace.csv", "out/*.png"), prints="maze solved"),
@@ -147,6 +149,11 @@ ROWS = (
 
     Row("docs/scale.md", "./test peers", elsewhere="a measurement of minutes, by hand; ./test all has one short round of it"),
     Row("docs/scale.md", "./test scale", elsewhere="a measurement of minutes, by hand; ./test all has one short round of it"),
+    Row("docs/security.md", "eyebridge trust", typed=CAME + "cd came && eyebridge trust", prints="report = "),
+    Row("docs/security.md", "eyebridge trust --list", typed=CAME + "eyebridge trust came && eyebridge trust --list", prints="report = "),
+    Row("docs/security.md", "eyebridge trust --revoke FOLDER", typed=CAME + "eyebridge trust came && eyebridge trust --revoke came",
+        prints="not trusted any more"),
+    Row("docs/security.md", "eyebridge config", prints="world"),
     Row("docs/tour.md", "./run --gui", stop=WINDOWS, exit=130),
     Row("docs/tour.md", "eyebridge run --gui --world FILE prog", typed="eyebridge run --gui --world rooms.wld examples/wall_follow.py",
         stop=WINDOWS, exit=130),

@@ -64,7 +64,10 @@ int OSGetTime(int* hrs, int* mins, int* secs, int* ticks);
  * older header; later ones do not have it.)
  */
 int OSSetTime(int hrs, int mins, int secs);
-/** Milliseconds since the program started (one header says 1/100 s). */
+/**
+ * Milliseconds since the program started (one header says 1/100 s). After 24.8 days it goes on from
+ * -2147483648, so that differences of two counts stay right.
+ */
 int OSGetCount(void);
 
 #endif
