@@ -47,7 +47,7 @@ TEST(ProgramsIo, SoundsTakeTheirTime) {
   EXPECT_EQ(r.exit_code, 0) << r.err;
   EXPECT_THAT(r.out, HasSubstr("done at first 1\nbeep 0 0\nbeeped 100\n"));
   EXPECT_THAT(r.out, HasSubstr("play 0\nplayed 500\nbad 1 1\n"));
-  EXPECT_THAT(r.err, HasSubstr("AUPlay: sound: no-such-file.wav: No such file"));
+  EXPECT_THAT(r.err, HasSubstr("AUPlay: sound: no-such-file.wav: no such file"));
 }
 
 TEST(ProgramsIo, CodesOfTheRemoteControlComeFromTheScript) {

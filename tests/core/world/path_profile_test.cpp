@@ -123,6 +123,16 @@ TEST(PathProfile, ItIsSlowEnoughWhereASlowLegBeginsAndForAShortLegBeforeAWait) {
   EXPECT_NEAR(world.position(0).x, 3.05, 1e-6);
 }
 
+TEST(PathProfile, WhoIsPutSomewhereStartsFromStanding) {
+  Path path{1.0, false, {{5, 1}}};
+  path.acceleration = 0.5;
+  World world = world_of(patrol(path));
+  pass_time(world, 1.0);  // 0.5 m/s fast by then
+  world.set_pose(0, {2, 1, 0});
+  pass_time(world, 0.5);
+  EXPECT_NEAR(world.position(0).x, 2 + 0.5 * 0.5 * 0.25, 1e-6);
+}
+
 TEST(PathProfile, ARobotInTheWayCostsTheSpeed) {
   Path path{0.5, false, {{4, 1}}};
   path.acceleration = 0.2;
