@@ -102,12 +102,14 @@ Config Config::from_command_line(const std::filesystem::path& program,
 }
 
 void Config::keep_outputs() const {
+  RunPlan inherited{"of the parent", values_};  // to others it is one of flags
   for (const Setting& setting : settings()) {
-    if (setting.effect == Setting::Effect::Writes) ::unsetenv(variable_name(setting.key).c_str());
+    if (setting.effect != Setting::Effect::Writes) continue;
+    ::unsetenv(variable_name(setting.key).c_str());
+    inherited.values.erase(std::string(setting.key));
   }
-  // A plan for this process alone is one of flags to the others.
   if (std::getenv(kPlanVariable) == nullptr) return;
-  ::setenv(kPlanVariable, run_plan_text({"of the parent", values_}).c_str(), 1);
+  ::setenv(kPlanVariable, run_plan_text(inherited).c_str(), 1);
 }
 
 Config Config::of_program(const std::filesystem::path& program, const Sources& sources) {

@@ -32,15 +32,27 @@ TEST(ProgramLife, AForkedChildLeavesItsParentAlone) {
 }
 
 TEST(ProgramLife, AProgramThatItStartsDoesNotWriteItsResults) {
-  const ScratchFolder folder;
-  const ProgramRun r =
-      run_named("starts_itself", {{"EYEBRIDGE_OUT", folder.path() + "/out"},
-                                  {"EYEBRIDGE_RECORD", folder.path() + "/x.ebrec"},
-                                  {"EYEBRIDGE_REPORT", folder.path() + "/report"}});
-  EXPECT_EQ(r.exit_code, 0) << r.err;
-  EXPECT_EQ(r.err.find("error"), std::string::npos) << r.err;
-  EXPECT_THAT(testing::file_text(folder.path() + "/report"), ContainsRegex("^time = +1[.]0"));
-  EXPECT_TRUE(std::filesystem::exists(folder.path() + "/x.ebrec"));
+  const std::string program = std::string(EYEBRIDGE_TEST_PROGRAMS) + "/starts_itself";
+  for (const bool by_flags : {false, true}) {
+    const ScratchFolder folder;
+    const std::string out = folder.path() + "/out";
+    const std::string record = folder.path() + "/x.ebrec";
+    const std::string report = folder.path() + "/report";
+    const ProgramRun r =
+        by_flags ? testing::run_program({{EYEBRIDGE_BIN "/eyebridge", "run", "--fast", "--out", out,
+                                          "--record", record, "--report", report, program},
+                                         {},
+                                         ""})
+                 : run_named("starts_itself", {{"EYEBRIDGE_OUT", out},
+                                               {"EYEBRIDGE_RECORD", record},
+                                               {"EYEBRIDGE_REPORT", report}});
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    EXPECT_EQ(r.err.find("error"), std::string::npos) << r.err;
+    // It runs for 1 s, the one that it starts for 0.5 s.
+    EXPECT_THAT(testing::file_text(report), ContainsRegex("^time = +1[.]0"));
+    EXPECT_THAT(testing::file_text(out + "/trace.csv"), HasSubstr("\n0.950,"));
+    EXPECT_TRUE(std::filesystem::exists(record));
+  }
 }
 
 TEST(ProgramLife, ThreadsOfTheRendererDoNotKeepAProgramAlive) {

@@ -233,7 +233,7 @@ TEST_F(CalibratedSource, AnAspectThatIsAskedForLaterIsUnsupported) {
 
 TEST_F(CalibratedSource, AFileThatIsMissingOrEmptyNamedOrNamedTwiceIsAnError) {
   EXPECT_THAT(error_of("pattern?calibration=no-such-file.toml"), HasSubstr("no-such-file.toml"));
-  EXPECT_THAT(error_of("pattern?calibration=."), HasSubstr("ordinary file"));
+  EXPECT_THAT(error_of("pattern?calibration=."), HasSubstr("is not a file"));
   EXPECT_THAT(error_of("pattern?calibration="), HasSubstr("calibration"));
   const std::string file = write(webcam());
   EXPECT_THAT(error_of("pattern?calibration=" + file + "&calibration=" + file),
