@@ -50,7 +50,7 @@ TEST(ProgramLife, AProgramThatItStartsDoesNotWriteItsResults) {
     EXPECT_EQ(r.err.find("error"), std::string::npos) << r.err;
     // It runs for 1 s, the one that it starts for 0.5 s.
     EXPECT_THAT(testing::file_text(report), ContainsRegex("^time = +1[.]0"));
-    EXPECT_THAT(testing::file_text(out + "/trace.csv"), HasSubstr("\n0.950,"));
+    EXPECT_THAT(testing::file_text(out + "/trace.csv"), HasSubstr("\n0.960,"));
     EXPECT_TRUE(std::filesystem::exists(record));
   }
 }
