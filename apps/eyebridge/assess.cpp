@@ -12,6 +12,7 @@
 #include "assess_plan.hpp"
 #include "command.hpp"
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/own_results.hpp"
 #include "eyebridge/base/text.hpp"
 #include "output_file.hpp"
 #include "sweep/assessment_output.hpp"
@@ -33,6 +34,7 @@ bool make_folder(const std::string& out) {
 }
 
 void write_text(const fs::path& file, const std::string& text) {
+  drop_link(file);
   const OutputFile output = open_output(file.string(), "--out");
   std::fputs(text.c_str(), output.get());
   if (std::fflush(output.get()) != 0 || std::ferror(output.get()) != 0) {

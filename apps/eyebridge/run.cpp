@@ -13,6 +13,8 @@
 #include "control_file.hpp"
 #include "eyebridge/base/own_place.hpp"
 #include "eyebridge/base/robot_program.hpp"
+#include "eyebridge/base/text.hpp"
+#include "eyebridge/base/trust.hpp"
 #include "program.hpp"
 
 namespace eyebridge::apps {
@@ -27,7 +29,16 @@ namespace {
 /// Becomes the programs that the robots of a .sim file name; returns when there is no such file.
 void run_scenario(const SettingFlags& flags) {
   hal::Config config = hal::Config::from_command_line({}, flags);
+  const hal::ConfigValue& world = config.value("world");
   if (config.path("world").extension() != ".sim") return;
+  // Its programs are to be started: a folder's file may name those of its own folder only.
+  if (world.where.line > 0 && !hal::is_users_own(world.where.file) &&
+      !is_within(world.text, std::filesystem::path(world.where.file).parent_path())) {
+    throw ConfigError(world.where, "found " + in_quotes(world.text) +
+                                       " outside of this file's folder, whose programs would be "
+                                       "started; expected --world " +
+                                       world.text);
+  }
   if (config.value("robots").is_default()) config = config.with("robots", {"all", {"--robots"}});
   check_settings(config);
   become_launcher({}, config);

@@ -268,6 +268,11 @@ RunSettings prepare(SweepPlan& plan) {
   RunSettings settings;
   settings.command = fs::read_symlink("/proc/self/exe");
   settings.folder = fs::absolute(plan.results + ".runs");
+  // What is in it is removed.
+  if (fs::is_symlink(settings.folder)) {
+    throw ConfigError({settings.folder.string()},
+                      "found a symbolic link, expected a folder or nothing: remove it");
+  }
   settings.base = settings_from_here();
   settings.wall_limit = plan.wall_limit;
   settings.jobs = plan.jobs > 0 ? plan.jobs : core_count();

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/own_results.hpp"
 #include "eyebridge/base/text.hpp"
 
 namespace eyebridge::apps {
@@ -92,6 +93,7 @@ class Chart {
   }
 
   void write(const std::filesystem::path& file) {
+    drop_link(file);
     const cairo_status_t status = cairo_surface_write_to_png(surface_.get(), file.c_str());
     if (status != CAIRO_STATUS_SUCCESS) {
       throw std::runtime_error(

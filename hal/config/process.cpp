@@ -72,6 +72,8 @@ Written as_written(const ConfigValue& world) {
 
 }  // namespace
 
+bool is_users_own(const std::string& file) { return file == user_file(process_environment()); }
+
 std::string world_file(const ConfigValue& world, const std::filesystem::path& program) {
   std::error_code error;
   if (std::filesystem::exists(world.text, error)) return world.text;

@@ -43,6 +43,7 @@ std::vector<camera::Trail> fading(const std::vector<Vec2>& points) {
 /// files that only have the same names.
 const std::filesystem::path& claimed(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
+  for (const char* const name : {"trace.csv", "collisions.csv", "frames"}) drop_link(folder / name);
   const std::filesystem::path trace = folder / "trace.csv";
   check_replaceable(trace, "trace", kTraceHeader);
   if (std::filesystem::exists(trace)) return folder;
@@ -100,6 +101,7 @@ void RunOutput::frame(const camera::Frame& frame) {
 void RunOutput::write(const camera::Frame& frame, const std::filesystem::path& path) {
   try {
     std::filesystem::create_directories(path.parent_path());
+    drop_link(path);
     camera::write_png(frame, path);
   } catch (const std::runtime_error& error) {
     note_failure(error.what());
@@ -132,6 +134,7 @@ void RunOutput::finish(const world::Scene* scene, const camera::Frame& lcd,
   }
   write(lcd, directory_ / "lcd.png");
   const std::filesystem::path text_path = directory_ / "lcd.txt";
+  drop_link(text_path);
   std::ofstream text(text_path, std::ios::binary);
   text << lcd_text;
   text.close();

@@ -143,6 +143,19 @@ TEST_F(TrustCommand, ScenariosStartOnlyProgramsOfTheirFolder) {
   EXPECT_TRUE(is_there("came/ran"));
 }
 
+TEST_F(TrustCommand, AFoldersFileNamesNoOtherFoldersPrograms) {
+  (void)folder_.write("mine/own.sim", "world ../came/room.wld\nS4 500 500 0 evil\n");
+  (void)folder_.write("came/eyebridge.toml", "world = '../mine/own.sim'\n");
+  expect_refused(eyebridge({"run"}), "eyebridge.toml:1:9: found", "expected --world");
+}
+
+TEST_F(TrustCommand, ASweepDoesNotRemoveWhatALinkLeadsTo) {
+  std::filesystem::create_directories(folder_.path() + "/mine/1");
+  std::filesystem::create_symlink("../mine", folder_.path() + "/came/sweep.db.runs");
+  EXPECT_EQ(eyebridge({"sweep", "./square"}).exit_code, 2);
+  EXPECT_TRUE(is_there("mine/1"));
+}
+
 TEST_F(TrustCommand, SweepFilesStartOnlyProgramsOfTheirFolder) {
   (void)folder_.write("came/sweep.toml", "program = '../mine/evil'\nseed = '1..2'\n");
   expect_refused(eyebridge({"sweep", "sweep.toml"}),

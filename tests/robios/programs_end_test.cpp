@@ -131,6 +131,18 @@ TEST(ProgramEnd, ResultsReplaceNothingButResults) {
   EXPECT_EQ(out.exit_code, 2);
   EXPECT_THAT(out.err, HasSubstr("found map.png and no trace.csv"));
   EXPECT_EQ(testing::file_text(folder.path() + "/map.png"), "drawn by hand");
+  // A folder of results that came from somewhere has links in it.
+  const std::string came = folder.path() + "/came";
+  std::filesystem::create_directory(came);
+  folder.write("came/trace.csv", "");
+  for (const char* const name : {"lcd.png", "lcd.txt", "map.png", "collisions.csv"}) {
+    std::filesystem::create_symlink(work, came + "/" + name);
+  }
+  std::filesystem::create_symlink(folder.path(), came + "/frames");
+  const ProgramRun linked = run_named("driving", {{"EYEBRIDGE_OUT", came}});
+  EXPECT_EQ(linked.exit_code, 0) << linked.err;
+  EXPECT_EQ(testing::file_text(work), "int main() {}\n");
+  EXPECT_FALSE(std::filesystem::is_symlink(came + "/lcd.txt"));
   // Twice into one place is what people do.
   for (int i = 0; i < 2; ++i) {
     const ProgramRun again = run_named("driving", {{"EYEBRIDGE_OUT", folder.path() + "/own"},

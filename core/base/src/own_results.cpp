@@ -30,4 +30,11 @@ void check_replaceable(const std::filesystem::path& path, std::string_view kind,
   if (!begin.empty() && begin != beginning) refuse("another kind of file");
 }
 
+void drop_link(const std::filesystem::path& path) {
+  std::error_code error;  // what cannot be removed cannot be written, and that is told
+  if (!std::filesystem::is_symlink(path, error)) return;
+  if (std::filesystem::is_character_file(path, error)) return;
+  std::filesystem::remove(path, error);
+}
+
 }  // namespace eyebridge

@@ -55,5 +55,24 @@ TEST_F(OwnResults, GoToRegularFilesAndToDevicesThatKeepNothing) {
   EXPECT_EQ(complaint(), "");
 }
 
+TEST_F(OwnResults, DoNotFollowLinksToOtherFolders) {
+  const fs::path other = path_.string() + "_other";
+  std::ofstream(other) << "work";
+  for (const fs::path& target : {other, fs::path("nowhere"), fs::path("/tmp")}) {
+    fs::create_symlink(target, path_);
+    drop_link(path_);
+    EXPECT_FALSE(fs::is_symlink(path_)) << target;
+  }
+  EXPECT_TRUE(fs::exists(other));
+  fs::create_symlink("/dev/full", path_);
+  drop_link(path_);
+  EXPECT_TRUE(fs::is_symlink(path_)) << "nothing is lost there";
+  fs::remove(path_);
+  std::ofstream(path_) << "work";
+  drop_link(path_);
+  EXPECT_TRUE(fs::exists(path_));
+  fs::remove(other);
+}
+
 }  // namespace
 }  // namespace eyebridge

@@ -145,6 +145,9 @@ class Config {
   std::filesystem::path program_;
 };
 
+/// Whether `file` is the eyebridge.toml of the user's own configuration.
+bool is_users_own(const std::string& file);
+
 /// Whether `text` for `setting` does what a folder's file may not do by itself.
 bool has_effect(const Setting& setting, std::string_view text);
 
