@@ -1,9 +1,11 @@
 #include "timers.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 #include <vector>
 
+#include <cxxabi.h>
 #include <pthread.h>
 
 #include "flow.hpp"
@@ -13,6 +15,18 @@ namespace {
 
 // How often the timer thread looks again: a timer attached meanwhile is late by this at most.
 constexpr Time kLookAgain = std::chrono::milliseconds(1);
+
+/// An exception has nobody who could catch it, also where the program called OSWait() meanwhile:
+/// on every clock it ends the program, as one that leaves a thread does.
+void call(const std::function<void()>& callback) {
+  try {
+    callback();
+  } catch (const abi::__forced_unwind&) {  // pthread_exit()
+    throw;
+  } catch (...) {
+    std::terminate();
+  }
+}
 
 }  // namespace
 
@@ -107,7 +121,7 @@ void Timers::call_due(Time now, std::unique_lock<std::mutex>& lock) {
   calling_ = true;
   lock.unlock();
   flow.in_timer = true;
-  for (const Callback& callback : due) callback();
+  for (const Callback& callback : due) call(callback);
   flow.in_timer = false;
   lock.lock();
   calling_ = false;

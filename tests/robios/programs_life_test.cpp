@@ -1,6 +1,7 @@
 // What programs may do to the library while they run.
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 
@@ -78,6 +79,16 @@ TEST(ProgramLife, SleepingInLibcFollowsTheRobotsClock) {
     }
     EXPECT_GT(drove, kSlept / 10 - 20) << "at 100 mm/s, with ramps";
     EXPECT_LE(drove, waited / 10);
+  }
+}
+
+TEST(ProgramLife, AnExceptionOfATimerEndsTheProgramOnEveryClock) {
+  for (std::map<std::string, std::string> settings : testing::kClocks) {
+    settings["ASAN_OPTIONS"] = testing::kCrashesAreTheKernels;
+    const ProgramRun r = run_named("throws_in_timer", settings);
+    EXPECT_EQ(r.exit_code, 128 + SIGABRT) << r.err;
+    EXPECT_THAT(r.err, HasSubstr("of a timer"));
+    EXPECT_EQ(r.out, "");
   }
 }
 
