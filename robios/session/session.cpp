@@ -82,9 +82,10 @@ void Session::wait_until(Time deadline) {
     impl_->clock.wait_until(until);
     if (impl_->timers.any()) impl_->timers.run_due();
     if (impl_->limit) check_limit();
-    if (until >= deadline || impl_->clock.now() >= deadline) return;
+    if (until >= deadline || impl_->clock.now() >= deadline) break;
     if (!impl_->is_running()) return;
   }
+  if (!impl_->is_virtual) impl_->lateness.add(impl_->clock.now() - deadline);
 }
 
 std::optional<Time> Session::next_event() const {
@@ -293,6 +294,25 @@ void Session::tell_of_overruns() {
       fmt::format("the computer was too slow {} times: time slipped", world->time().overruns()));
 }
 
+// On the robot's clock, so that what a person's pause takes does not count.
+void Session::tell_of_lateness() {
+  constexpr double kLate = 0.25;  // seconds: a robot at 400 mm/s has gone its own length
+  const Lateness& late = impl_->lateness;
+  if (late.count() == 0) return;
+  const double real = 1.0 / impl_->config.number("factor");
+  const double most = real * to_seconds(late.worst());
+  const double usual = real * to_seconds(late.percentile99());
+  if (const auto world = impl_->backend->shared_world()) {
+    world->note("wait_late_99", usual);
+    world->note("wait_late_most", most);
+  }
+  impl_->log.write(
+      most > kLate ? Severity::Warning : Severity::Info,
+      fmt::format("{} waits: 99 of 100 ended at most {:.1f} ms too late, one {:.1f} ms{}",
+                  late.count(), 1e3 * usual, 1e3 * most,
+                  most > kLate ? "; the computer is too busy" : ""));
+}
+
 // Nobody may take a robot that drives on for one whose program has ended.
 void Session::confirm(const Result<void>& stopped) {
   if (stopped) return;
@@ -324,6 +344,7 @@ void Session::end() noexcept {
       impl_->timers.let_go();  // the session stays, of many robots maybe
     }
     impl_->recorder.stop();
+    tell_of_lateness();  // in the report, which ends with stop()
     // Where others go on it keeps its last command, as one of several robots does.
     const bool stops = !impl_->joining || !impl_->joining->is_busy();
     if (stops) static_cast<void>(impl_->backend->stop());

@@ -168,6 +168,7 @@ class Session {
   OwnPart& own_part(std::size_t place, std::unique_ptr<OwnPart> (*make)(Session&));
   void look_around();
   void tell_of_overruns();
+  void tell_of_lateness();
   void confirm(const Result<void>& stopped);
   int await_joined();
   void end_stuck();

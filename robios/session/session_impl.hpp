@@ -18,6 +18,7 @@
 #include "failures.hpp"
 #include "joining.hpp"
 #include "keys.hpp"
+#include "lateness.hpp"
 #include "log/stderr_log.hpp"
 #include "program_threads.hpp"
 #include "radio_messages.hpp"
@@ -70,6 +71,7 @@ struct Session::Impl {
   std::optional<Time> limit;
   std::atomic<std::uint64_t> calls = 0;  ///< Of the program, but for its timers'.
   Failures failures;
+  Lateness lateness;
   Timers timers;
 
   std::unique_ptr<Screen> screen;

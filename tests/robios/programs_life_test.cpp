@@ -92,6 +92,21 @@ TEST(ProgramLife, AnExceptionOfATimerEndsTheProgramOnEveryClock) {
   }
 }
 
+TEST(ProgramLife, RealTimeTellsHowLateWaitsEnded) {
+  const ScratchFolder folder;
+  const std::string report = folder.path() + "/report";
+  std::map<std::string, std::string> settings = testing::kClocks[1];
+  settings["EYEBRIDGE_LOG"] = "info";
+  settings["EYEBRIDGE_REPORT"] = report;
+  const ProgramRun r = run_named("sleeps", settings);
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.err, ContainsRegex("[0-9]+ waits: 99 of 100 ended at most [0-9.]+ ms too late"));
+  EXPECT_THAT(testing::file_text(report),
+              ContainsRegex("wait_late_99 = +[0-9.]+\nwait_late_most = "));
+  const ProgramRun fast = run_named("sleeps", {{"EYEBRIDGE_LOG", "info"}});
+  EXPECT_EQ(fast.err.find("too late"), std::string::npos) << "virtual time is never late";
+}
+
 TEST(ProgramLife, NullPointersFailInsteadOfCrashing) {
   const ProgramRun r = run_named("nulls", {{"EYEBRIDGE_KEYS", "KEY1@1s"}});
   EXPECT_EQ(r.exit_code, 0) << r.err;
