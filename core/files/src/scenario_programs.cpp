@@ -23,7 +23,7 @@ std::string quoted(const std::string& word) {
 }  // namespace
 
 fs::path program_file(const std::string& name, const fs::path& scenario) {
-  const fs::path written(name);
+  fs::path written(name);
   for (const fs::path& path : {written, fs::path(written).replace_extension()}) {
     for (const fs::path& folder : {scenario.parent_path(), fs::path()}) {
       std::error_code ignored;  // a folder that may not be searched holds nothing for us
