@@ -62,11 +62,9 @@ int core_count() {
 void check_trust(const SweepPlan& plan) {
   for (const Asked& asked : asked_by(plan)) {
     if (Trust::of_user().covers(asked.where.file, asked.text)) continue;
-    throw ConfigError(asked.where,
-                      fmt::format("found {}, which starts a program outside of this file's folder; "
-                                  "a file may do that when you have said so: look at it, then "
-                                  "'eyebridge trust {}'",
-                                  printable(asked.text), asked.where.file));
+    throw ConfigError(
+        asked.where, fmt::format("found {}, which starts a program outside of this file's folder{}",
+                                 printable(asked.text), how_to_trust(asked.where.file)));
   }
 }
 

@@ -134,8 +134,7 @@ Rows::Rows(sqlite3* database, const char* sql) : statement_(prepare(database, sq
 bool Rows::next() {
   if (!step(statement_)) return false;
   const std::int64_t key = integer(statement_, 0);
-  if (begun_ && key <= last_) throw std::runtime_error("its rows are out of order");
-  begun_ = true;
+  if (last_ && key <= *last_) throw std::runtime_error("its rows are out of order");
   last_ = key;
   for (int i = 1; i < sqlite3_column_count(statement_.get()); ++i) {
     const int type = sqlite3_column_type(statement_.get(), i);

@@ -9,6 +9,7 @@
 #include "config/toml_text.hpp"
 #include "config/values.hpp"
 #include "eyebridge/base/text.hpp"
+#include "eyebridge/base/trust.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -61,11 +62,9 @@ void check_trust(const Values& values, const Config::Sources& sources) {
     if (sources.may_ask(value.where.file, asked_by(setting, value.text))) continue;
     throw ConfigError(
         value.where,
-        fmt::format("found {} = {}, which {}; files of folders may do that when you "
-                    "have said so: look at it, then 'eyebridge trust {}', or give {}",
-                    setting.key, in_quotes(value.text),
+        fmt::format("found {} = {}, which {}{}, or give {}", setting.key, in_quotes(value.text),
                     setting.effect == Setting::Effect::Starts ? "starts a program" : "writes files",
-                    value.where.file, Config::flag_name(setting.key)));
+                    how_to_trust(value.where.file), Config::flag_name(setting.key)));
   }
 }
 

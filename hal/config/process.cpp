@@ -47,10 +47,11 @@ Config::Sources sources_of_process(const std::filesystem::path& program) {
   if (program.has_parent_path()) {
     sources.toml_files.push_back(program.parent_path() / kFileName);
   }
-  const auto user = user_file(sources.environment);
-  if (!user.empty()) sources.toml_files.push_back(user);
-  sources.may_ask = [user = user.string()](const std::string& file, const std::string& asked) {
-    return file == user || Trust::of_user().covers(file, asked);
+  if (const auto user = user_file(sources.environment); !user.empty()) {
+    sources.toml_files.push_back(user);
+  }
+  sources.may_ask = [](const std::string& file, const std::string& asked) {
+    return is_users_own(file) || Trust::of_user().covers(file, asked);
   };
   return sources;
 }

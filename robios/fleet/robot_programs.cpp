@@ -41,12 +41,9 @@ void check_trust(const std::vector<hal::SharedRobot>& robots, const fs::path& sc
     if (robot.program.empty()) continue;
     const auto asked = files::asked_for(robot.program, robot.arguments, scenario);
     if (!asked || Trust::of_user().covers(scenario, *asked)) continue;
-    throw ConfigError(
-        {scenario.string()},
-        "found the program " + in_quotes(robot.program) +
-            ", which lies outside of this file's folder; a file may start those when you have said "
-            "so: look at it, then 'eyebridge trust " +
-            scenario.string() + "'");
+    throw ConfigError({scenario.string()}, "found the program " + in_quotes(robot.program) +
+                                               ", which lies outside of this file's folder" +
+                                               how_to_trust(scenario));
   }
 }
 

@@ -3,7 +3,7 @@
 
 usage: run.py [ROOM] [--count N] [--seed N]
 ROOM is a folder: core/world, core, bridges, hal, camera (all four). In a clone of the last commit, in build/mutants.
-Ends with 1 where fewer than 97 of 100 mutants are killed, of those that equal.txt does not call equal.
+The exit code is 1 if the tests kill less than 97 % of the mutants. Those in equal.txt do not count.
 """
 
 import argparse

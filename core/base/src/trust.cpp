@@ -10,31 +10,12 @@
 #include <system_error>
 
 #include "eyebridge/base/hash.hpp"
+#include "eyebridge/base/one_line.hpp"
 
 namespace eyebridge {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A text on one line.
-std::string on_one_line(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '\\' || c == '\n') out += '\\';
-    out += c == '\n' ? 'n' : c;
-  }
-  return out;
-}
-
-std::string from_one_line(std::string_view line) {
-  std::string out;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const bool begins = line[i] == '\\' && i + 1 < line.size();
-    const char c = line[begins ? ++i : i];
-    out += begins && c == 'n' ? '\n' : c;
-  }
-  return out;
-}
 
 /// Where symbolic links lead; the rest as it is.
 fs::path resolved(const fs::path& file) {
@@ -49,8 +30,8 @@ std::optional<Trust::Entry> read_entry(const fs::path& place) {
   std::ifstream in(place, std::ios::binary);
   std::string line;
   if (!std::getline(in, line)) return std::nullopt;
-  Trust::Entry entry{from_one_line(line), {}};
-  while (std::getline(in, line)) entry.asked.push_back(from_one_line(line));
+  Trust::Entry entry{unescaped(line), {}};
+  while (std::getline(in, line)) entry.asked.push_back(unescaped(line));
   return entry;
 }
 
@@ -94,8 +75,8 @@ void Trust::give(const fs::path& file, const std::vector<std::string>& asked) co
   const fs::path beside = place.string() + ".new";
   {
     std::ofstream out(beside, std::ios::binary | std::ios::trunc);
-    out << on_one_line(resolved(file).string()) << '\n';
-    for (const std::string& text : asked) out << on_one_line(text) << '\n';
+    out << escaped(resolved(file).string()) << '\n';
+    for (const std::string& text : asked) out << escaped(text) << '\n';
     if (!out.flush()) {
       throw fs::filesystem_error("it cannot be written", beside,
                                  std::error_code(errno, std::generic_category()));
@@ -119,6 +100,12 @@ std::vector<Trust::Entry> Trust::entries() const {
   }
   std::ranges::sort(out, {}, &Entry::file);
   return out;
+}
+
+std::string how_to_trust(const fs::path& file) {
+  return "; a file of a folder may do that when you have said so: look at it, then 'eyebridge "
+         "trust " +
+         file.string() + "'";
 }
 
 bool is_within(const fs::path& file, const fs::path& folder) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -40,8 +41,7 @@ class Rows {
 
  private:
   Statement statement_;
-  std::int64_t last_ = 0;
-  bool begun_ = false;
+  std::optional<std::int64_t> last_;  ///< Key of the row before.
   std::uint64_t bytes_ = 0;
   std::uint64_t size_ = 0;
 };

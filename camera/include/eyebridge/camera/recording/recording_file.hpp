@@ -65,8 +65,8 @@ class RecordingFile {
   std::thread committer_;
 };
 
-/// Opens a recording for reading, whoever made it (checked_file.hpp). Throws std::runtime_error: it
-/// is missing, none, damaged, or of another version.
+/// Opens a recording for reading; it may come from a stranger (checked_file.hpp). Throws
+/// std::runtime_error: it is missing, none, damaged, or of another version.
 sqlite::Database open_recording(const std::filesystem::path& path);
 
 /// A year: no run is longer, and a clock that follows a recording gets to its end.

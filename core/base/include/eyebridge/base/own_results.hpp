@@ -11,7 +11,7 @@ namespace eyebridge {
 void check_replaceable(const std::filesystem::path& path, std::string_view kind,
                        std::string_view beginning);
 
-/// Removes `path` where it is a symbolic link, but for one to a device: what is written there next
+/// Removes `path` if it is a symbolic link to anything except a device: what is written there next
 /// must not replace a file in another folder.
 void drop_link(const std::filesystem::path& path);
 

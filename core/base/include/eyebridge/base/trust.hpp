@@ -44,6 +44,9 @@ class Trust {
   std::filesystem::path folder_;
 };
 
+/// The end of a message about something that Trust does not cover: what to do.
+std::string how_to_trust(const std::filesystem::path& file);
+
 /// Whether `file` lies in `folder` or below it, where their symbolic links lead.
 bool is_within(const std::filesystem::path& file, const std::filesystem::path& folder);
 
