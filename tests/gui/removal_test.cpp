@@ -131,8 +131,10 @@ TEST(RemovedRobot, IsShownNoMoreAndCannotBeChosen) {
 TEST(RemovalSession, APersonRemovesARobotAndItsPanelGoes) {
   const eyebridge::testing::ScratchFolder folder;
   folder.write("drives.c",
-               "#include <eyebot.h>\nint main(void) {\n  LCDPrintf(\"going\");\n"
-               "  VWSetSpeed(0, 20);\n  while (KEYRead() != KEY1) OSWait(20);\n  return 7;\n}\n");
+               "#include <eyebot.h>\n#include <stdio.h>\nint main(void) {\n"
+               "  LCDPrintf(\"going\");\n  VWSetSpeed(0, 20);\n"
+               "  printf(\"robot %d is going\\n\", OSMachineID());\n  fflush(stdout);\n"
+               "  while (KEYRead() != KEY1) OSWait(20);\n  return 7;\n}\n");
   const auto built = eyebridge::testing::run_program(
       {{EYEBRIDGE_BIN "/eyebridge-cc", "drives.c", "-o", "drives"}, {}, folder.path()});
   ASSERT_EQ(built.exit_code, 0) << built.err;
@@ -144,6 +146,7 @@ TEST(RemovalSession, APersonRemovesARobotAndItsPanelGoes) {
   const xcb_window_t environment = person.window("– environment");
   const xcb_window_t first = person.window("robot 1");
   person.window("robot 2");
+  ASSERT_THAT(run.wait_for("robot 2 is going\n"), HasSubstr("robot 2 is going\n"));
   person.type(environment, 'n');  // robot 2
   constexpr std::uint32_t kDelete = 0xffff;
   constexpr std::uint32_t kReturn = 0xff0d;

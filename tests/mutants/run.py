@@ -7,6 +7,7 @@ The exit code is 1 if the tests kill less than 97 % of the mutants. Those in equ
 """
 
 import argparse
+import os
 import pathlib
 import random
 import re
@@ -18,6 +19,8 @@ TREE = ROOT / "build/mutants/tree"
 BUILD = TREE / "build/release"
 EQUAL = pathlib.Path(__file__).with_name("equal.txt")
 WANTED = 97.0  # per cent
+# Compiled in a third of the time; and a read past an array's end is the end of the test.
+QUICK = ["-DCMAKE_CXX_FLAGS_RELEASE=-O0 -D_GLIBCXX_ASSERTIONS", "-DEYEBRIDGE_WERROR=OFF", "-DEYEBRIDGE_WITH_BENCH=OFF"]
 
 # What is written, and what it becomes. Each matches within one line of code.
 OPERATORS = [
@@ -102,7 +105,7 @@ def prepare(rooms):
     else:
         must("git", "clone", "-q", str(ROOT), str(TREE))
     if not (BUILD / "build.ninja").exists():
-        must("cmake", "-S", str(TREE), "--preset", "release")
+        must("cmake", "-S", str(TREE), "--preset", "release", *QUICK)
     for pattern in sorted({tests_of(TREE / room / "x" / "x") for room in rooms}):
         targets = targets_of(pattern)
         if targets:
@@ -110,6 +113,7 @@ def prepare(rooms):
 
 
 def main():
+    os.environ["GTEST_FAIL_FAST"] = "1"
     options = argparse.ArgumentParser(description="See the top of this file.")
     options.add_argument("room", nargs="?", default="")
     options.add_argument("--count", type=int, default=200)
