@@ -4,11 +4,11 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/read_file.hpp"
 #include "eyebridge/base/text.hpp"
+#include "eyebridge/base/toml_library.hpp"
 #include "eyebridge/base/toml_names.hpp"
 #include "eyebridge/camera/calibration.hpp"
 

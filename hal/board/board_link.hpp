@@ -38,6 +38,8 @@ class BoardLink {
 
   // What there is; settled when the link is opened.
   [[nodiscard]] virtual bool has_motor(int id) const = 0;
+  /// Of its motors: it holds a speed itself.
+  [[nodiscard]] virtual bool has_speed_control() const { return true; }
   [[nodiscard]] virtual bool has_encoder(int id) const = 0;
   [[nodiscard]] virtual bool has_servo(int id) const = 0;
   [[nodiscard]] virtual bool has_psd(int id) const = 0;

@@ -21,6 +21,7 @@ class Io7Link final : public BoardLink {
   Io7Link(std::unique_ptr<bridges::Io7Client> client, Clock& clock, const BoardTables& tables);
 
   [[nodiscard]] bool has_motor(int id) const override;
+  [[nodiscard]] bool has_speed_control() const override { return letters_.has(IO7_MOTOR_SPEED); }
   [[nodiscard]] bool has_encoder(int id) const override;
   [[nodiscard]] bool has_servo(int id) const override;
   [[nodiscard]] bool has_psd(int id) const override;

@@ -3,8 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include <toml++/toml.h>
-
+#include "eyebridge/base/toml_library.hpp"
 #include "eyebridge/hal/config.hpp"
 
 namespace eyebridge::hal {

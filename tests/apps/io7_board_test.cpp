@@ -105,7 +105,7 @@ TEST_F(Io7BoardTest, LostVersionsAreCountedAndDoNotHoldItUp) {
   const auto answer = line->on_write;
   int asked = 0;
   line->on_write = [&](ScriptedLine& to, const std::string& sent) {
-    if (sent == "v\r" && ++asked > 12) return;  // two of them are the probe's
+    if (sent == "v\r" && ++asked > 13) return;  // three of them are the probe's
     answer(to, sent);
   };
   const auto found = look();

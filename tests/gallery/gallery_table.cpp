@@ -6,7 +6,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include <toml++/toml.h>
+#include "eyebridge/base/toml_library.hpp"
 
 namespace eyebridge::gallery {
 namespace {

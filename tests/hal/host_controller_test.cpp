@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "../bridges/transport/fake_clock.hpp"
+#include "board/make_controller.hpp"
 #include "eyebridge/base/random.hpp"
 #include "eyebridge/base/units.hpp"
 
@@ -49,6 +50,7 @@ class SlowBoard final : public BoardLink {
   }
 
   [[nodiscard]] bool has_motor(int id) const override { return id == 1 || id == 2; }
+  [[nodiscard]] bool has_speed_control() const override { return holds_speeds; }
   [[nodiscard]] bool has_encoder(int id) const override { return has_motor(id); }
   [[nodiscard]] bool has_servo(int) const override { return false; }
   [[nodiscard]] bool has_psd(int) const override { return false; }
@@ -72,6 +74,8 @@ class SlowBoard final : public BoardLink {
   Result<void> stop() override { return lacks(); }
   void look_after() override {}
   [[nodiscard]] std::uint32_t generation() const override { return 1; }
+
+  bool holds_speeds = true;
 
  private:
   static std::size_t index(int id) { return static_cast<std::size_t>(id) - 1; }
@@ -97,6 +101,15 @@ BoardDriveShape shape() {
   shape.wheel_base = kWheelBase;
   shape.left_ticks_per_metre = shape.right_ticks_per_metre = kTicksPerMetre;
   return shape;
+}
+
+// Its commands were taken, and nothing moved.
+TEST(HostController, ABoardWhoseMotorsHoldNoSpeedHasNoDrive) {
+  bridges::testing::FakeClock clock;
+  SlowBoard board(clock, 2ms, 0);
+  EXPECT_NE(make_controller(board, clock, shape()), nullptr);
+  board.holds_speeds = false;
+  EXPECT_EQ(make_controller(board, clock, shape()), nullptr);
 }
 
 // One curve in some thirty was driven to and fro at its end, until that looked like a wheel that

@@ -23,6 +23,7 @@ PATIENCE_S = 20.0
 # The boards write down each command that they hear; where the disk is busy they would be deaf meanwhile (2.6 s once).
 IN_MEMORY = pathlib.Path("/dev/shm")
 DEAD_AT_S, DEAD_FOR_S = 0.1, 1.5  # from the first command that drives
+MOTORS = range(1, 5)
 GONE = "the program is gone"
 UNSURE = "may still be moving"
 
@@ -55,8 +56,9 @@ class Log:
                 self.changes.append((float(words[0]), words[1] == "ROLLS"))
             elif len(words) == 4 and words[1] == "CMD" and words[2] in "mM":
                 motor, value = eval(words[3])  # noqa: S307: a list that our own process wrote
-                told[motor] = value
-                self.changes.append((float(words[0]) + start, any(told.values())))
+                if motor in MOTORS:  # others, of a line that flips bits, the board refuses
+                    told[motor] = value
+                    self.changes.append((float(words[0]) + start, any(told.values())))
 
     def driven_at(self):
         """When the first command came that drives; None: never."""

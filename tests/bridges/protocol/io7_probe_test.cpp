@@ -39,7 +39,7 @@ TEST(Io7Probe, AVerboseBoardWithPromptIsMadeQuiet) {
   EXPECT_TRUE(report->profile.letters.has('p'));
   EXPECT_FALSE(report->profile.letters.has('d'));
   EXPECT_FALSE(board.verbose);
-  EXPECT_EQ(board.asked, "hvOvVa");
+  EXPECT_EQ(board.asked, "hhvvOvVa");
   EXPECT_TRUE(report->was_verbose);
   EXPECT_EQ(report->byte_order_witness, 'V');
   EXPECT_EQ(report->witness_bytes, (std::array<std::uint8_t, 2>{0x02, 0xE4}));
@@ -180,7 +180,7 @@ TEST(Io7Probe, OnlyListedLettersAreSent) {
   board.verbose = false;
   const auto report = probe(board);
   ASSERT_TRUE(report) << report.error().what;
-  EXPECT_EQ(board.asked, "hvp");
+  EXPECT_EQ(board.asked, "hhvvp");
   EXPECT_FALSE(report->battery_cv.has_value());
   EXPECT_TRUE(report->request_form_proven);
 }
@@ -191,7 +191,7 @@ TEST(Io7Probe, ABoardThatListsNoVersionIsRefusedAndSentNothingElse) {
   const auto report = probe(board);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error().code, Errc::Unsupported);
-  EXPECT_EQ(board.asked, "h");
+  EXPECT_EQ(board.asked, "hh");
 }
 
 TEST(Io7Probe, SilenceIsATimeout) {
@@ -223,6 +223,61 @@ TEST(Io7Probe, OneLostAnswerIsAskedForAgain) {
     }
     EXPECT_TRUE(probe.report()) << lost << probe.report().error().what;
   }
+}
+
+// No drive for the whole session, because one letter of the list was lost on the way.
+TEST(Io7Probe, AListAndAVersionThatWereSpoiltOnTheWayAreNotBelieved) {
+  for (int spoilt = 0; spoilt < 6; ++spoilt) {
+    FakeBoard board;
+    board.verbose = false;
+    Probe probe;
+    int listed = 0;
+    int told = 0;
+    while (!probe.done()) {
+      const char asked = static_cast<char>(probe.step().send[0]);
+      auto answer = board.answer(probe.step().send);
+      if (asked == 'h' && listed++ == spoilt) answer.at(board.list.find("m motor")) = 'y';
+      if (asked == 'v' && told++ == spoilt) answer.at(2) = 'p';
+      probe.answer(answer);
+    }
+    const auto report = probe.report();
+    ASSERT_TRUE(report) << spoilt << report.error().what;
+    EXPECT_EQ(report->version, "1.04") << spoilt;
+    EXPECT_TRUE(report->profile.letters.has('m')) << spoilt;
+    EXPECT_FALSE(report->profile.letters.has('y')) << spoilt;
+  }
+}
+
+TEST(Io7Probe, ALineThatAlwaysSpoilsSomethingOfTheListStillTellsWhatTheBoardHas) {
+  FakeBoard board;
+  board.verbose = false;
+  Probe probe;
+  const std::string letters = "OEmpV";
+  std::size_t listed = 0;
+  while (!probe.done()) {
+    auto answer = board.answer(probe.step().send);
+    if (static_cast<char>(probe.step().send[0]) == 'h') {
+      const char letter = letters.at(listed++ % letters.size());
+      answer.at(board.list.find(std::string(1, letter) + ' ')) = letter ^ 1;
+    }
+    probe.answer(answer);
+  }
+  const auto report = probe.report();
+  ASSERT_TRUE(report) << report.error().what;
+  EXPECT_EQ(report->profile.letters, LetterSet("hOEmpvVa"));
+}
+
+TEST(Io7Probe, AVersionThatIsAnotherEachTimeIsRefused) {
+  FakeBoard board;
+  board.verbose = false;
+  Probe probe;
+  char other = 'a';
+  while (!probe.done()) {
+    auto answer = board.answer(probe.step().send);
+    if (static_cast<char>(probe.step().send[0]) == 'v') answer.at(2) = other++;
+    probe.answer(answer);
+  }
+  EXPECT_EQ(probe.report().error().code, Errc::Corrupt);
 }
 
 TEST(Io7Probe, AnyAnswersEndItAndNeverMakeItSendWhatMoves) {

@@ -11,7 +11,9 @@ namespace eyebridge::bridges::io7 {
 namespace {
 
 constexpr int kEnters = 3;
-constexpr int kLowestBattery = 50;  // 0.5 V, in 10 mV; the highest is IO7_VOLTAGE_LAST.
+constexpr std::size_t kHearings = 9;  ///< Of what a line spoils each time.
+constexpr int kSpoiltLists = 9;       ///< In a row, which are no lists at all.
+constexpr int kLowestBattery = 50;    // 0.5 V, in 10 mV; the highest is IO7_VOLTAGE_LAST.
 constexpr std::array kTerminators = {Terminator::Cr, Terminator::Lf, Terminator::CrLf};
 
 std::string_view after_last_line_end(std::string_view text) {
@@ -168,23 +170,45 @@ void Probe::ask_list() {
 }
 
 void Probe::answer_list(std::string_view body) {
-  const auto letters = parse_help(without_frame(body));
+  const std::string_view text = without_frame(body);
+  const auto letters = parse_help(text);
+  if (!letters && !lists_.empty() && ++attempts_ < kSpoiltLists) {
+    ++report_.repeats;
+    return;  // The same bytes once more.
+  }
   if (!letters) {
-    if (static_cast<std::size_t>(++attempts_) < 2 * kTerminators.size()) {
+    if (lists_.empty() && static_cast<std::size_t>(++attempts_) < 2 * kTerminators.size()) {
       ++report_.repeats;
       return ask_list();
     }
     if (!heard_) return give_up(Errc::Timeout, "the board is silent");
     return give_up(Errc::Corrupt, letters.error().what);
   }
-  report_.list = std::string(without_frame(body));
-  report_.profile.letters = *letters;
+  const bool is_heard_before = report_.list == text;
+  report_.list = std::string(text);
+  lists_.push_back(*letters);
+  if (!is_heard_before && lists_.size() < kHearings) {
+    attempts_ = 0;
+    report_.repeats += lists_.size() > 1;
+    return;
+  }
+  report_.profile.letters = is_heard_before ? *letters : mostly_heard();
   attempts_ = 0;
   if (!send(request(IO7_VERSION))) {
     return give_up(Errc::Unsupported, "the board lists no 'v', expected it to tell the reply form");
   }
   state_ = State::Version;
   expect_ = "the version, as text or as 4 bytes";
+}
+
+LetterSet Probe::mostly_heard() const {
+  LetterSet letters;
+  for (char letter = 'A'; letter <= 'z'; ++letter) {
+    const auto heard =
+        std::ranges::count_if(lists_, [&](const LetterSet& list) { return list.has(letter); });
+    if (2 * static_cast<std::size_t>(heard) > lists_.size()) letters.insert(letter);
+  }
+  return letters;
 }
 
 void Probe::answer_version(std::string_view body) {
@@ -197,6 +221,13 @@ void Probe::answer_version(std::string_view body) {
     return retry_or_fail(body, "the version");
   }
   report_.version = std::string(raw ? bare : text);
+  versions_.push_back(report_.version);
+  if (std::ranges::count(versions_, report_.version) == 1) {
+    if (versions_.size() == kHearings)
+      return retry_or_fail(body, "the version that it told before");
+    report_.repeats += versions_.size() > 1;
+    return;  // The same bytes once more.
+  }
   attempts_ = 0;
   profile.reply_form = raw ? ReplyForm::Raw : ReplyForm::Text;
   profile.prompt_after_raw =

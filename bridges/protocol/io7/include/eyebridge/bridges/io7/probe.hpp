@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "eyebridge/base/clock.hpp"
 #include "eyebridge/base/result.hpp"
@@ -39,7 +40,8 @@ struct ProbeReport {
 /// The order is: Enter until the prompt repeats; `h`; `v`; `O 0` and `v` again; `V`; one reading
 /// with an argument as text, first without its line end: only a board that takes bytes answers
 /// that, and only one that takes lines answers the line end; to the former the reading in bytes,
-/// twice: the first answer may be a late one to the line.
+/// twice: the first answer may be a late one to the line. List and version decide what the board
+/// can do, and nothing protects them: each is asked until it was heard twice in the same words.
 /// `h` goes first, so that no letter is sent that the board does not list; letters that move
 /// anything are never sent, `E` least of all. Allocates; not a hot path.
 ///
@@ -88,6 +90,8 @@ class Probe {
   void answer_enter(std::string_view body);
   void answer_list(std::string_view body);
   void answer_version(std::string_view body);
+  /// The letters of most lists that were heard.
+  [[nodiscard]] LetterSet mostly_heard() const;
   void answer_voltage(std::string_view body);
   void answer_open_line(std::string_view body);
   void answer_form(std::string_view body);
@@ -108,6 +112,8 @@ class Probe {
   ProbeReport report_{};
   Error error_{};
   std::string enter_;  ///< What Enter alone gave.
+  std::vector<LetterSet> lists_;
+  std::vector<std::string> versions_;
   RequestBytes send_{};
   Request form_request_{};
   std::string_view expect_;
