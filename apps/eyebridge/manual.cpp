@@ -1,7 +1,6 @@
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -13,6 +12,7 @@
 #include "command.hpp"
 #include "command_tree.hpp"
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/write_file.hpp"
 
 namespace eyebridge::apps {
 namespace {
@@ -139,10 +139,9 @@ std::string page_of(const CLI::App& command) {
 
 void write_pages(const CLI::App& command, const fs::path& folder) {
   const fs::path file = folder / (path_of(command, '-') + ".1");
-  std::ofstream out(file, std::ios::binary);
-  out << page_of(command);
-  out.close();
-  if (!out) throw ConfigError({file.string()}, "cannot be written; expected a folder to write to");
+  if (const auto done = write_file(file, page_of(command)); !done) {
+    throw ConfigError({file.string()}, done.error().what + "; expected a folder to write to");
+  }
   std::printf("%s\n", file.c_str());
   for (const CLI::App* one : subcommands_of(command)) write_pages(*one, folder);
 }

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <string>
 
@@ -10,6 +9,7 @@
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/base/toml_library.hpp"
 #include "eyebridge/base/toml_names.hpp"
+#include "eyebridge/base/write_file.hpp"
 #include "eyebridge/camera/calibration.hpp"
 
 namespace eyebridge::camera {
@@ -150,12 +150,8 @@ std::string to_toml(const Calibration& lens) {
 }
 
 void write_calibration(const Calibration& calibration, const fs::path& path) {
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
-  out << to_toml(calibration);
-  out.close();
-  if (!out) {
-    throw std::runtime_error(path.string() +
-                             ": cannot be written: " + std::generic_category().message(errno));
+  if (const auto done = write_file(path, to_toml(calibration)); !done) {
+    throw std::runtime_error(path.string() + ": " + done.error().what);
   }
 }
 

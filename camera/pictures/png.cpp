@@ -5,6 +5,7 @@
 
 #include <png.h>
 
+#include "eyebridge/base/write_file.hpp"
 #include "eyebridge/camera/picture.hpp"
 #include "pictures/decoders.hpp"
 
@@ -57,10 +58,14 @@ void write_png(const Frame& frame, const std::filesystem::path& path) {
   image.width = static_cast<png_uint_32>(frame.width);
   image.height = static_cast<png_uint_32>(frame.height);
   image.format = png_format(frame.format);
-  if (png_image_write_to_file(&image, path.c_str(), /*convert_to_8bit=*/0, frame.bytes.data(),
-                              frame.stride, /*colormap=*/nullptr) == 0) {
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&image, bytes.data(), &size, /*convert_to_8bit=*/0,
+                                frame.bytes.data(), frame.stride, /*colormap=*/nullptr) == 0) {
     fail_with(path, std::string("cannot write PNG: ") + image.message);
   }
+  bytes.resize(size);
+  if (const auto done = write_file(path, bytes); !done) fail_with(path, done.error().what);
 }
 
 Frame read_png(const std::filesystem::path& path) {

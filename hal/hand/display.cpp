@@ -74,11 +74,9 @@ void HandDisplay::write_line(const Instruction& instruction) {
 void HandDisplay::write_picture(const camera::Sign& sign) {
   if (cannot_write_) return;
   const fs::path file = folder_ / "hand.png";
-  const fs::path part = folder_ / "hand.png.part";
   try {
     fs::create_directories(folder_);
-    camera::write_png(camera::draw_sign(sign), part);
-    fs::rename(part, file);                    // so that viewers never see half a picture
+    camera::write_png(camera::draw_sign(sign), file);
   } catch (const std::runtime_error& error) {  // of the file system, too
     cannot_write_ = true;
     log_.write(Severity::Warning, error.what());

@@ -1,27 +1,26 @@
 #include "pnm.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/read_file.hpp"
+#include "eyebridge/base/write_file.hpp"
 
 namespace eyebridge::robios {
 namespace {
 
 constexpr std::uintmax_t kLargestFile = 256u << 20;
 
-Result<void> io_failure(const std::filesystem::path& path, const std::string& doing) {
-  return fail(Errc::Unsupported, path.string() + ": " + doing + ": " + std::strerror(errno));
+/// As a caller is told it, who does not say the name himself.
+Error in_file(const Error& error, const std::filesystem::path& path) {
+  return {error.code, path.string() + ": " + error.what};
 }
 
 }  // namespace
 
 Result<PnmPicture> read_pnm_file(const std::filesystem::path& path) {
   const auto bytes = read_file(path, kLargestFile);
-  if (!bytes) return fail(bytes.error().code, path.string() + ": " + bytes.error().what);
+  if (!bytes) return tl::unexpected(in_file(bytes.error(), path));
   try {
     return read_pnm(*bytes, path.string());
   } catch (const ConfigError& error) {
@@ -56,16 +55,9 @@ std::vector<std::uint8_t> write_pnm(const PnmPicture& image) {
 
 Result<void> write_pnm_file(const PnmPicture& image, const std::filesystem::path& path) {
   const std::vector<std::uint8_t> bytes = write_pnm(image);
-  errno = 0;
-  std::ofstream out(path, std::ios::binary);
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): iostreams speak char
-  out.write(reinterpret_cast<const char*>(bytes.data()),
-            static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  if (!out) {
-    return io_failure(path, "cannot be written");
-  }
-  return {};
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes are char to files
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  return write_file(path, text).map_error([&](const Error& error) { return in_file(error, path); });
 }
 
 void fit(const PnmPicture& image, ImageSize size, Bytes out) {

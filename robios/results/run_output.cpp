@@ -1,13 +1,13 @@
 #include "run_output.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/own_results.hpp"
+#include "eyebridge/base/write_file.hpp"
 #include "eyebridge/camera/birdseye.hpp"
 #include "eyebridge/camera/png.hpp"
 
@@ -135,10 +135,9 @@ void RunOutput::finish(const world::Scene* scene, const camera::Frame& lcd,
   write(lcd, directory_ / "lcd.png");
   const std::filesystem::path text_path = directory_ / "lcd.txt";
   drop_link(text_path);
-  std::ofstream text(text_path, std::ios::binary);
-  text << lcd_text;
-  text.close();
-  if (!text) note_failure(text_path.string() + ": cannot be written");
+  if (const auto done = write_file(text_path, lcd_text); !done) {
+    note_failure(text_path.string() + ": " + done.error().what);
+  }
   if (scene != nullptr) write(camera::draw_birdseye(*scene, trail), directory_ / "map.png");
   const std::lock_guard lock(mutex_);
   if (!failure_.empty()) throw std::runtime_error(failure_);

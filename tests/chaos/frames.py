@@ -18,6 +18,6 @@ def png(shade):
 
 def write_folder(folder, count):
     """`count` pictures, each a little brighter than the one before."""
-    folder.mkdir()
+    folder.mkdir(exist_ok=True)
     for i in range(count):
         (folder / f"frame{i:03}.png").write_bytes(png(20 * i % 256))

@@ -106,6 +106,7 @@ def run_program(programs, what, folder, deaf, hal):
         guard = None
         try:
             program.stdout.readline()
+            await_that(lambda: guard_of(folder / "err"))  # it has its name a moment after it was started
             guard = guard_of(folder / "err")
             if deaf:
                 await_that(lambda: " DEAD " in (folder / "log").read_text())

@@ -24,11 +24,14 @@ struct Opened {
 };
 
 /// What a name leads to is looked at after it is open: it cannot be exchanged in between.
-Result<Opened> open_regular(const std::filesystem::path& path) {
+Result<Opened> open_regular(const std::filesystem::path& path, const std::string& expected) {
   Opened opened{UniqueFd(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC))};
   struct stat status {};
   if (!opened.file.valid() || ::fstat(opened.file.get(), &status) != 0) return refused(errno);
-  if (!S_ISREG(status.st_mode)) return fail(Errc::Unsupported, "is not a file");
+  if (!S_ISREG(status.st_mode)) {
+    return fail(Errc::Unsupported,
+                expected.empty() ? "is not a file" : "is not a file: expected " + expected);
+  }
   opened.size = static_cast<std::uintmax_t>(status.st_size);
   return opened;
 }
@@ -49,8 +52,9 @@ Result<std::string> read_up_to(const UniqueFd& file, std::uintmax_t count) {
 
 }  // namespace
 
-Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t most) {
-  return open_regular(path).and_then([&](const Opened& opened) -> Result<std::string> {
+Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t most,
+                              const std::string& expected) {
+  return open_regular(path, expected).and_then([&](const Opened& opened) -> Result<std::string> {
     if (opened.size <= most) return read_up_to(opened.file, opened.size);
     return fail(Errc::Unsupported, "has " + std::to_string(opened.size) +
                                        " bytes, expected at most " + std::to_string(most));
@@ -58,7 +62,7 @@ Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t 
 }
 
 std::string first_bytes(const std::filesystem::path& path, std::size_t count) {
-  return open_regular(path)
+  return open_regular(path, "")
       .and_then([&](const Opened& opened) {
         return read_up_to(opened.file, std::min<std::uintmax_t>(opened.size, count));
       })

@@ -11,6 +11,7 @@
 
 #include "eyebridge/base/hash.hpp"
 #include "eyebridge/base/one_line.hpp"
+#include "eyebridge/base/write_file.hpp"
 
 namespace eyebridge {
 namespace {
@@ -71,18 +72,12 @@ void Trust::give(const fs::path& file, const std::vector<std::string>& asked) co
                                std::make_error_code(std::errc::no_such_file_or_directory));
   }
   fs::create_directories(folder_);
+  std::string text = escaped(resolved(file).string()) + '\n';
+  for (const std::string& one : asked) text += escaped(one) + '\n';
   const fs::path place = place_of(file);
-  const fs::path beside = place.string() + ".new";
-  {
-    std::ofstream out(beside, std::ios::binary | std::ios::trunc);
-    out << escaped(resolved(file).string()) << '\n';
-    for (const std::string& text : asked) out << escaped(text) << '\n';
-    if (!out.flush()) {
-      throw fs::filesystem_error("it cannot be written", beside,
-                                 std::error_code(errno, std::generic_category()));
-    }
+  if (const auto done = write_file(place, text); !done) {
+    throw std::runtime_error(place.string() + ": " + done.error().what);
   }
-  fs::rename(beside, place);
 }
 
 bool Trust::take_back(const fs::path& file) const {
