@@ -91,7 +91,8 @@ ProgramProcess::ProgramProcess(RobotProgram program, const hal::Config& config,
 ProgramProcess::~ProgramProcess() = default;
 
 void ProgramProcess::start() {
-  if (is_started_) return;
+  const std::lock_guard lock(starting_);
+  if (is_started_ || is_ending_) return;
   std::array<int, 2> ends{};
   try {
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
@@ -113,6 +114,7 @@ void ProgramProcess::start() {
 
 ProgramProcess::End ProgramProcess::run(const std::function<void()>& arrive, const Time* limit,
                                         AwaitedProcess* awaited) {
+  if (!is_started_) return {128 + SIGTERM, ""};  // it was removed as soon as it came
   std::string why = serve(arrive, limit, awaited);
   // It has ended, or closed its line.
   if (!why.empty() || !process_->ends_within(kEndPatience_s)) process_->signal(SIGKILL);
@@ -152,14 +154,18 @@ std::string ProgramProcess::serve(const std::function<void()>& arrive, const Tim
   }
 }
 
-void ProgramProcess::ask_to_end() noexcept {
+bool ProgramProcess::begin_to_end() noexcept {
+  const std::lock_guard lock(starting_);
   is_ending_ = true;
-  if (is_started_) process_->signal(SIGTERM);
+  return is_started_;
+}
+
+void ProgramProcess::ask_to_end() noexcept {
+  if (begin_to_end()) process_->signal(SIGTERM);
 }
 
 void ProgramProcess::make_end() noexcept {
-  is_ending_ = true;
-  if (!is_started_) return;
+  if (!begin_to_end()) return;
   const bool has_ended = process_->ends_within(kEndPatience_s / 4);
   // It may be waiting for a turn that never comes; or it is gone, and its children have the line.
   shutdown(line_.get(), SHUT_RDWR);

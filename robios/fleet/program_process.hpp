@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include "child_process.hpp"
@@ -37,8 +38,8 @@ class ProgramProcess {
                  std::filesystem::path out);
   ~ProgramProcess();
 
-  /// Starts the process; its interpreter starts while others do. Twice does nothing. Throws
-  /// ConfigError when the system refuses.
+  /// Starts the process; its interpreter starts while others do. Twice does nothing, nor once it
+  /// has been asked to end. Throws ConfigError when the system refuses.
   void start();
   /// Lets it drive its robot until its end; `arrive` is called when it makes its first call.
   /// `limit` as RobotServer takes it. `awaited`, when not null, is this while the process is waited
@@ -60,6 +61,8 @@ class ProgramProcess {
   [[nodiscard]] LogSink& log() { return log_; }
 
  private:
+  /// From now on it is not started any more. False when it had not been.
+  bool begin_to_end() noexcept;
   /// Returns why it had to be killed; "" when it has ended by itself.
   std::string serve(const std::function<void()>& arrive, const Time* limit,
                     AwaitedProcess* awaited);
@@ -72,6 +75,7 @@ class ProgramProcess {
   std::unique_ptr<hal::Backend> robot_;
   UniqueFd line_;
   std::unique_ptr<ChildProcess> process_;
+  std::mutex starting_;  ///< Whoever ends it finds it started, or keeps it from that.
   std::atomic<bool> is_started_ = false;  ///< For other threads: process_ is there.
   std::atomic<bool> is_ending_ = false;
   std::atomic<bool> hangs_ = false;

@@ -81,6 +81,8 @@ class Robot : public Runner {
   static Robot* current();
 
  protected:
+  /// Its program is in a process of its own.
+  [[nodiscard]] bool has_process() const { return process_ != nullptr; }
   [[nodiscard]] Clock& clock() const;
   /// In virtual time: up to where its clock may go by itself, lent; and who is told that all wait
   /// for its process. Null in real time.

@@ -61,6 +61,9 @@ void ThreadRobot::arrive() {
 
 void ThreadRobot::drop(int code) {
   if (end(code)) forget();
+  // Where the program is another process nothing of it is on this stack. Robots may come and go all
+  // day long.
+  if (has_process()) pthread_exit(nullptr);
   hold_thread();
 }
 

@@ -2,6 +2,8 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -124,6 +126,42 @@ TEST_P(Remove, EndsAProgramInAProcessOfItsOwn) {
   EXPECT_THAT(run.said(), Not(HasSubstr("Traceback")));
 }
 #endif
+
+/// The processes that it has started and not yet waited for.
+std::ptrdiff_t children_of(pid_t process) {
+  std::ptrdiff_t count = 0;
+  for (const auto& task :
+       std::filesystem::directory_iterator("/proc/" + std::to_string(process) + "/task")) {
+    std::ifstream children(task.path() / "children");
+    count += std::distance(std::istream_iterator<pid_t>(children), {});
+  }
+  return count;
+}
+
+// Some were started after they had been removed, and ran on as robots that were not there.
+TEST_P(Remove, AsSoonAsItCameLeavesNoProcess) {
+  auto words = start();
+  words.command.insert(words.command.begin() + 2, "--isolate");
+  RunningProgram run(words);
+  run.wait_for("hears 2\n");
+  // In virtual time it is given half a second to write its results.
+  const int robots = GetParam() == std::string("--fast") ? 3 : 30;
+  for (int number = 4; number < 4 + robots; ++number) {
+    // Four at once, so that one of them comes in the moment in which it is started.
+    const std::string remove = "until " EYEBRIDGE_BIN "/eyebridge remove " +
+                               std::to_string(number) +
+                               " 2>&1 | grep -q -e '^[0-9]' -e 'has been removed'; do :; done";
+    std::vector<std::unique_ptr<RunningProgram>> removing;
+    for (int i = 0; i < 4; ++i) {
+      removing.push_back(std::make_unique<RunningProgram>(
+          testing::ProgramStart{{"sh", "-c", remove}, own_place(), folder_.path()}));
+    }
+    ASSERT_EQ(ask({"add", "S4", "1000", "1500", "0", "turns"}).exit_code, 0);
+    for (auto& each : removing) ASSERT_EQ(each->wait(), 0) << each->said();
+  }
+  EXPECT_EQ(children_of(run.pid()), 2) << "of the two programs of the world";
+  EXPECT_EQ(run.finish(SIGTERM), 128 + SIGTERM) << run.said();
+}
 
 INSTANTIATE_TEST_SUITE_P(Clocks, Remove, ::testing::Values("--fast", "--factor=5"),
                          [](const auto& clock) {
