@@ -133,7 +133,7 @@ def wrong_end(folder, what, code, count):
                 "run killed": (-9,), "disk full": (1, 2)}.get(what, (0,))  # fmt: skip
     if code not in expected:
         return f"found exit code {code}, expected {expected}"
-    if what == "disk full" and ("too large" if code == 1 else "cannot write") not in text:
+    if what == "disk full" and not any(words in text for words in ("too large", "cannot write", "is not whole")):
         return "it does not say why"
     if what in ("run killed", "disk full"):
         return None
@@ -160,7 +160,8 @@ class Long:
 
     def add(self):
         """The number of the robot that came, or what was wrong."""
-        for _ in range(200):
+        end = time.monotonic() + PATIENCE_S
+        while time.monotonic() < end:
             at = [self.place.dice.randrange(300, 1700) for _ in range(2)]
             code, text = self.command("add", "S4", *at, self.place.dice.randrange(360), self.place.programs / "chaos_roamer")
             if code == 0 and re.fullmatch(r"\d+\n", text):
