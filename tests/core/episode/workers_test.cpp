@@ -2,8 +2,13 @@
 
 #include "workers.hpp"
 
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 #include <gtest/gtest.h>
 
@@ -19,6 +24,25 @@ TEST(Workers, DoEveryIndexOnce) {
     std::vector<int> done(count);
     workers.for_each(count, [&](std::size_t i) { ++done[i]; });
     EXPECT_EQ(done, std::vector<int>(count, 1)) << count;
+  }
+}
+
+TEST(Workers, ShareTheIndicesAmongAllThreads) {
+  Workers workers(3);
+  for (const std::size_t count : {3U, 100U}) {
+    std::mutex mutex;
+    std::condition_variable come;
+    std::set<std::thread::id> seen;
+    bool given_up = false;
+    workers.for_each(count, [&](std::size_t) {
+      std::unique_lock lock(mutex);
+      seen.insert(std::this_thread::get_id());
+      come.notify_all();
+      // None goes on before all have come; the minute is for a failure to end.
+      const auto go_on = [&] { return given_up || seen.size() == 3; };
+      given_up = !come.wait_for(lock, std::chrono::minutes(1), go_on) || given_up;
+    });
+    ASSERT_EQ(seen.size(), 3U) << count;
   }
 }
 

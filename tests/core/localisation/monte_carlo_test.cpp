@@ -104,6 +104,33 @@ TEST(MonteCarlo, TakesTheHeaviestClusterAndItsMean) {
   EXPECT_NEAR(cluster.estimate.covariance(0, 1), 0.0, 0.0004);
 }
 
+TEST(MonteCarlo, GoesByTheLastScanAloneWhereNobodyFitsAll) {
+  // One post, and two particles, each of which one of two scans says the post is before.
+  mapping::Raster<std::uint8_t> post({{0, 0}, kCell, 80, 80});
+  const Vec2 place{2.025, 2.025};
+  post[post.geometry.cell_at(place)] = 1;
+  MonteCarloSettings settings;
+  settings.least_particles = 2;
+  settings.beam_exponent = 1.0;
+  settings.resample_below = 0.0;
+  settings.slow_rate = 0.0;
+  MonteCarlo filter(std::make_shared<const LikelihoodField>(post, BeamSettings{}),
+                    mapping::Raster<std::uint8_t>(post.geometry, 1), settings, 1);
+  filter.start_at({1.0, 1.0, 0.0}, 0.3, 0.0);
+  const Particles& both = filter.particles();
+  ASSERT_EQ(both.size(), 2U);
+  ASSERT_GT(distance(both.pose(0), both.pose(1)), 0.3);
+  const auto seen_from = [&](std::size_t i) {
+    Scan scan;
+    scan.hits.assign(1000, place - both.pose(i).position());
+    return scan;
+  };
+  filter.correct(seen_from(0));
+  EXPECT_EQ(both.weight, (std::vector<double>{1.0, 0.0})) << "so unlikely that nothing is left";
+  filter.correct(seen_from(1));
+  EXPECT_EQ(both.weight, (std::vector<double>{0.0, 1.0}));
+}
+
 TEST(MonteCarlo, LearnsNothingFromAScanThatMetNothing) {
   MonteCarlo filter = lost_in_the_flat(scanner("perfect"), 1);
   const std::vector<double> before = filter.particles().weight;

@@ -146,6 +146,25 @@ TEST(ScanMatcher, MatchesNothingWhereNothingFits) {
   EXPECT_TRUE(matcher.match(stops[0].truth, stops[0].scan));
 }
 
+TEST(ScanMatcher, KnowsDistancesFromTheMiddleOfTheOutermostCellsOn) {
+  const mapping::Raster<std::uint8_t> walls({{0, 0}, 0.5, 4, 4}, 1);
+  MatchSettings still;
+  still.rounds = 0;
+  const ScanMatcher matcher(walls, still);
+  const auto score_of = [&](Vec2 hit) {
+    Scan scan;
+    scan.hits = {hit};
+    return matcher.refined({}, scan).score;
+  };
+  EXPECT_EQ(score_of({1, 1}), 1.0);
+  EXPECT_EQ(score_of({0.25, 1}), 1.0);
+  EXPECT_EQ(score_of({1, 0.25}), 1.0);
+  EXPECT_EQ(score_of({0.25, 0.25}), 1.0);
+  for (const Vec2 rim : {Vec2{0.24, 1}, Vec2{1, 0.24}, Vec2{1.75, 1}, Vec2{1, 1.75}}) {
+    EXPECT_EQ(score_of(rim), 0.0) << rim.x << ", " << rim.y;
+  }
+}
+
 TEST(ScanMatcher, RefusesSettingsThatCannotBe) {
   const auto walls = walls_in(flat(), 0.05);
   const auto with = [&](auto&& change) {

@@ -66,6 +66,15 @@ TEST(Scan, IsMadeOfDistanceSensorsToo) {
   EXPECT_THROW((void)scan_of(ranges, sensors), std::invalid_argument);
 }
 
+TEST(Scan, OfADistanceSensorMetNothingAtTheEndOfItsReach) {
+  std::vector<robot::RangeSensorModel> sensors(2);
+  sensors[0].max_range = sensors[1].max_range = 2.0;
+  const std::vector<double> ranges = {2.0, 1.999};
+  const Scan scan = scan_of(ranges, sensors);
+  EXPECT_EQ(scan.misses, (std::vector<Vec2>{{2.0, 0}}));
+  EXPECT_EQ(scan.hits, (std::vector<Vec2>{{1.999, 0}}));
+}
+
 TEST(Scan, ThinsOutEvenly) {
   Scan scan;
   for (int i = 0; i < 10; ++i) scan.hits.push_back({static_cast<double>(i), 0});

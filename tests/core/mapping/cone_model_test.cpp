@@ -8,7 +8,6 @@
 #include <gtest/gtest.h>
 
 #include "bad_numbers.hpp"
-#include "eyebridge/mapping/robot_mapper.hpp"
 
 namespace eyebridge::mapping {
 namespace {
@@ -143,32 +142,6 @@ TEST(ConeModel, OfASensorCountsWhatItsSurfacesMirrorAwayAsDropout) {
   EXPECT_DOUBLE_EQ(cone_model_of(sensor).beam.dropout, 0.2) << "rough walls are always heard";
   sensor.ultrasound.critical_angle = kPi / 8;
   EXPECT_DOUBLE_EQ(cone_model_of(sensor).beam.dropout, 1 - 0.25 * 0.8);
-}
-
-TEST(RobotMapper, TakesAnEchoForAnArcAndARayForALine) {
-  robot::RobotModel robot;
-  robot.range_sensors.emplace_back().max_range = 3.0;
-  robot.range_sensors.emplace_back(robot.range_sensors[0]).kind = robot::RangeKind::Ultrasound;
-  RobotMapper mapper(robot);
-  OccupancyGrid by_ray({{-2.0, -2.0}, 0.1, 50, 40});
-  OccupancyGrid by_cone(by_ray.geometry());
-  for (int i = 0; i < 5; ++i) {
-    ASSERT_TRUE(mapper.insert_range(by_ray, {0.0, 0.05, 0.0}, 0, 1.5));
-    ASSERT_TRUE(mapper.insert_range(by_cone, {0.0, 0.05, 0.0}, 1, 1.5));
-  }
-  const Vec2 beside{0.95, 0.15};  // six degrees off the axis
-  EXPECT_EQ(by_ray.probability(beside), 0.5);
-  EXPECT_LT(by_cone.probability(beside), 0.4);
-  EXPECT_LT(by_cone.probability(Vec2{0.95, 0.05}), by_cone.probability(beside)) << "on the axis";
-}
-
-TEST(RobotMapper, LearnsNothingFromWhatLooksDown) {
-  robot::RobotModel robot;
-  robot.range_sensors.emplace_back().kind = robot::RangeKind::Down;
-  RobotMapper mapper(robot);
-  OccupancyGrid grid({{-2.0, -2.0}, 0.1, 50, 40});
-  ASSERT_TRUE(mapper.insert_range(grid, {0.0, 0.05, 0.0}, 0, 1.5));
-  EXPECT_EQ(grid.probability(Vec2{0.95, 0.05}), 0.5);
 }
 
 TEST(BeamModel, OfAnInfraredSensorKnowsThatNearThingsReadAsFarOnes) {

@@ -88,6 +88,18 @@ TEST(GroundTruth, KnowsThickAndSlantedWalls) {
   EXPECT_EQ(std::count(text.begin(), text.end(), '#'), 15) << "a staircase";
 }
 
+TEST(GroundTruth, KnowsWallsOfAnyLength) {
+  world::WorldModel model = floor_of(0.4, 0.3);
+  for (const double length : {5.0, 1e5, 1e11}) {
+    model.walls = {wall({-length, 0.15}, {length, 0.15})};
+    EXPECT_EQ(drawn(truth_of(model, coarse())),
+              "....\n"
+              "####\n"
+              "....\n")
+        << length;
+  }
+}
+
 TEST(GroundTruth, HasBoxesAndCansWhenAskedForAndNoBalls) {
   world::WorldModel model = floor_of(1.0, 0.4);
   world::ObjectSpec box;

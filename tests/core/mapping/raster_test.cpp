@@ -23,6 +23,14 @@ TEST(GridGeometry, FindsTheCellOfAPointAndItsCentre) {
   EXPECT_FALSE(grid.contains({3, 4}));
 }
 
+TEST(GridGeometry, HasNoCellsUntilItIsTold) {
+  const GridGeometry grid;
+  EXPECT_EQ(grid.columns, 0);
+  EXPECT_EQ(grid.rows, 0);
+  EXPECT_EQ(grid.size(), 0U);
+  EXPECT_FALSE(grid.contains({0, 0}));
+}
+
 TEST(Raster, KeepsRowsFromTheLowerLeft) {
   Raster<int> raster({{0, 0}, 1.0, 3, 2}, 7);
   raster[{2, 1}] = 9;

@@ -167,6 +167,24 @@ TEST(ScanMapper, KnowsNothingNearerThanTheLeastRangeOfABeamOutOfRange) {
   EXPECT_NEAR(grid.log_odds({15, 1}), evidence(model.probability(range, 0.725, 0.775)), 1e-6);
 }
 
+TEST(ScanMapper, HidesSurfacesNearerThanTheLeastRangeAlongSlantedBeams) {
+  BeamModel model = model_with(0.0);
+  model.min_range = 0.5;
+  model.fold = 0.3;
+  ScanMapper mapper(model);
+  OccupancyGrid grid = grid_of(60, 60);
+  const Vec2 slanted{std::sqrt(0.5), std::sqrt(0.5)};
+  const double range = 1.5;
+  ASSERT_TRUE(mapper.insert(grid, {0.025, 0.025}, {&slanted, 1}, {&range, 1}));
+  for (int i = 1; i < 19; ++i) {
+    const double away = i * kResolution / slanted.x;
+    const double near = away - 0.5 * kResolution;
+    EXPECT_NEAR(grid.log_odds({i, i}), evidence(model.probability(range, near, near + kResolution)),
+                1e-6)
+        << away << " m away";
+  }
+}
+
 TEST(ScanMapper, GivesTheSameWhereverTheGridEnds) {
   // Cells of a small grid, beams of which most lie outside, against the same cells of a large one.
   const std::vector<Vec2> directions = fan(181, 2 * kPi / 181);

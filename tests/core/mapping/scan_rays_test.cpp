@@ -73,6 +73,17 @@ OccupancyGrid grid_after(const BeamModel& model, const RayScan& scan, bool clipp
   return grid;
 }
 
+TEST(Box, HasOneIndexBehindItForAllCellsOutside) {
+  const Box box{3, 2, 8};
+  EXPECT_EQ(box.size(), 16U);
+  EXPECT_EQ(box.index_of(0, 0), 0U);
+  EXPECT_EQ(box.index_of(2, 0), 2U);
+  EXPECT_EQ(box.index_of(0, 1), 8U);
+  EXPECT_EQ(box.index_of(2, 1), 10U);
+  for (const int column : {-1, 3, 100}) EXPECT_EQ(box.index_of(column, 0), box.size()) << column;
+  for (const int row : {-1, 2, 100}) EXPECT_EQ(box.index_of(1, row), box.size()) << row;
+}
+
 TEST(ScanRays, DrawsWhatBeamsSayOneByOneInAllInstructions) {
   Random random(9);
   std::size_t changed = 0;

@@ -317,6 +317,33 @@ TEST(DriveController, RemainingOfATurnIsZero) {
   EXPECT_EQ(robot.controller().remaining(), 0.0);
 }
 
+TEST(DriveController, NothingRemainsOfAGoalThatIsGivenUp) {
+  DriveController controller(DriveLimits{});
+  const auto remaining_after = [&](auto give_up) {
+    controller.start({-0.5, 0.0, 0.3}, {});
+    EXPECT_EQ(controller.remaining(), 0.5);
+    give_up();
+    return controller.remaining();
+  };
+  EXPECT_EQ(remaining_after([&] { controller.stop(); }), 0.0);
+  EXPECT_EQ(remaining_after([&] { controller.fail(); }), 0.0);
+  EXPECT_EQ(remaining_after([&] { controller.set_speed({0.1, 0.0}, {}); }), 0.0);
+}
+
+TEST(DriveController, AStopIsAtOnceAndFinal) {
+  PerfectRobot robot;
+  robot.controller().start({1.0, 1.0, 0.3}, {});
+  robot.steps(50);
+  const double distance = robot.distance();
+  robot.controller().stop();
+  EXPECT_EQ(robot.controller().state(), DriveState::Idle);
+  EXPECT_TRUE(robot.controller().at_rest());
+  robot.steps(50);
+  EXPECT_EQ(robot.distance(), distance);
+  robot.controller().fail();
+  EXPECT_EQ(robot.controller().state(), DriveState::Failed);
+}
+
 TEST(DriveController, ObstacleRestartsTheRamp) {
   PerfectRobot robot;
   robot.controller().start({1.0, 0.0, 0.3}, {});

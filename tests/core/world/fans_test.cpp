@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include "fan.hpp"
 #include "geometry.hpp"
 #include "instruction_sets.hpp"
+#include "near_walls.hpp"
 #include "ray_scenes.hpp"
 #include "scenes.hpp"
 
@@ -180,6 +182,30 @@ TEST(Fans, TogetherGiveExactlyTheRangesOfALoopOverAllWallsAndBodies) {
     for (const double spread : {0.02, 0.1, 0.5, 3.0}) expect_ranges_of_a_loop(bodies, spread);
   }
   expect_ranges_of_a_loop(3000U, 0.1);
+}
+
+TEST(Fans, TakeRaysForOneLineOnlyWhereAllOfThemAre) {
+  // Four rays, of which the second half look the other way. All walls are beside the origin.
+  const std::vector<Segment> segments{{{-0.1, 1.0}, {1.0, 0.0}, 0.2},
+                                      {{0.2, -1.0}, {1.0, 0.0}, 0.2},
+                                      {{1.0, -0.1}, {0.0, 1.0}, 0.2},
+                                      {{-1.0, -0.1}, {0.0, 1.0}, 0.2}};
+  const NearWalls near(segments);
+  const std::vector<Vec2> directions{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  for (std::size_t off = 0; off < 4; ++off) {
+    std::vector<Vec2> origins(4);
+    origins[off] = 0.3 * Vec2{std::fabs(directions[off].y), std::fabs(directions[off].x)};
+    const RayFan rays{{}, directions, 5.0, kNoBody, {}, origins, 0.3};
+    const WallList all = *near.around({}, Fan::reach_of(rays));
+    in_every_instruction_set([&](const std::string& name) {
+      Fan fan(rays, BodyMap::kNowhere);
+      fan.meet_walls(segments.data(), all);
+      for (std::size_t k = 0; k < 4; ++k) {
+        EXPECT_EQ(fan.ranges()[k], range_to_walls(segments, origins[k], directions[k], 5.0))
+            << name << ", ray " << k << " where ray " << off << " is off";
+      }
+    });
+  }
 }
 
 TEST(Fans, OfManySpreadsAskForFewReaches) {

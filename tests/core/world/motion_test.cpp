@@ -89,6 +89,92 @@ TEST(Motion, TouchingRobotMayLeaveDriveAlongAndTurnButNotPush) {
   EXPECT_EQ(world.move(robot, forward(-0.05), kMotionStep).fraction, 1.0);
 }
 
+/// How far from a wall a body of radius 0.1 m slides along it.
+constexpr double kAlongWall = 0.1 + kContactGap;
+
+TEST(Slide, GoesOnAlongTheWallByWhatTheFrictionLeaves) {
+  for (const double degrees : {10.0, 45.0, 70.0}) {
+    for (const double friction : {0.0, 0.2}) {
+      World world(shared(room(4, 2)));
+      const double angle = deg_to_rad(degrees);
+      const BodyId robot = world.add_robot({1, 0.15, -angle}, 0.1, 0.1, {});
+      const ContactLaw law{.slides = true, .friction = friction};
+      const MoveResult result = world.move(robot, forward(0.8), kMotionStep, law);
+      const double before = (0.15 - kAlongWall) / std::sin(angle);
+      const double after = (0.8 - before) * (std::cos(angle) - friction * std::sin(angle));
+      EXPECT_TRUE(result.hit_wall);
+      EXPECT_TRUE(result.slid);
+      EXPECT_NEAR(result.fraction, before / 0.8, 1e-12);
+      EXPECT_NEAR(world.position(robot).x, 1 + before * std::cos(angle) + after, 1e-8) << degrees;
+      EXPECT_NEAR(world.position(robot).y, kAlongWall, 1e-8);
+      EXPECT_NEAR(result.progress, (before + after * std::cos(angle)) / 0.8, 1e-8) << degrees;
+    }
+  }
+}
+
+TEST(Slide, StandsWhereTheLawIsToStandOrFrictionHoldsIt) {
+  for (const ContactLaw law : {ContactLaw{}, ContactLaw{.slides = true, .friction = 1.0}}) {
+    World world(shared(room(4, 2)));
+    const BodyId robot = world.add_robot({1, 0.15, -deg_to_rad(46)}, 0.1, 0.1, {});
+    const MoveResult result = world.move(robot, forward(0.8), kMotionStep, law);
+    EXPECT_FALSE(result.slid);
+    EXPECT_EQ(result.progress, result.fraction);
+    EXPECT_NEAR(world.position(robot).y, kAlongWall, 1e-12);
+    EXPECT_NEAR(norm(world.position(robot) - Vec2{1, 0.15}), 0.8 * result.fraction, 1e-12);
+  }
+}
+
+TEST(Slide, TurnsByWhatItMadeOfTheWayUnlessTheLawTurns) {
+  for (const bool turns : {false, true}) {
+    World world(shared(room(4, 2)));
+    const BodyId robot = world.add_robot({1, 0.15, -deg_to_rad(30)}, 0.1, 0.1, {});
+    const ContactLaw law{.slides = true, .turns = turns, .friction = 0.1};
+    const MoveResult result =
+        world.move(robot, {{0.8, 0.0}, Heading::from_angle(0.4)}, kMotionStep, law);
+    ASSERT_LT(result.progress, 0.9);
+    EXPECT_NEAR(world.pose(robot).theta + deg_to_rad(30), turns ? 0.4 : 0.4 * result.progress,
+                1e-12);
+  }
+}
+
+TEST(Slide, DoesNotGoBackIntoWhatItSlidAlong) {
+  // Along a step's edge to a wall across the way, which would lead down beyond the step.
+  WorldModel model = room(4, 4);
+  Wall step;
+  step.a = {0, 2};
+  step.b = {2, 2};
+  model.walls.push_back(step);
+  World world(shared(model));
+  const BodyId robot = world.add_robot({1, 2.1 + 1e-6, -deg_to_rad(30)}, 0.1, 0.1, {});
+  const ContactLaw law{.slides = true};
+  const MoveResult result = world.move(robot, forward(5), kMotionStep, law);
+  EXPECT_TRUE(result.slid);
+  EXPECT_NEAR(world.position(robot).x, 3.9 - kContactGap, 1e-8);
+  EXPECT_NEAR(world.position(robot).y, 2.1, 1e-5) << "where it met the wall";
+  world.move(robot, forward(0.1), kMotionStep, law);
+  EXPECT_LT(world.position(robot).y, 2.06) << "the next step leads on";
+}
+
+TEST(Slide, HoldsInASharpCornerToTheBit) {
+  WorldModel model = room(4, 4);
+  Wall slope;
+  slope.a = {4, 0};
+  slope.b = {0, 1.5};
+  model.walls.push_back(slope);
+  World world(shared(model));
+  const BodyId robot = world.add_robot({2, 0.2, -deg_to_rad(30)}, 0.1, 0.1, {});
+  const ContactLaw law{.slides = true};
+  for (int i = 0; i < 300; ++i) world.move(robot, forward(0.01), kMotionStep, law);
+  const Vec2 held = world.position(robot);
+  EXPECT_GT(held.x, 2.5);
+  for (int i = 0; i < 100; ++i) {
+    const MoveResult result = world.move(robot, forward(0.01), kMotionStep, law);
+    EXPECT_EQ(result.fraction, 0.0);
+    EXPECT_FALSE(result.slid);
+    ASSERT_EQ(world.position(robot), held) << i;
+  }
+}
+
 TEST(Motion, DrivingAlongARowOfWallsMeetsNoJoint) {
   WorldModel model = random_maze(1, 12, 0.0);  // its boundary is a row of single walls
   World world(shared(model));

@@ -258,6 +258,26 @@ TEST(Sweep, RaysAlongWallsMeetTheirNearerEnds) {
   EXPECT_GT(along, 20);
 }
 
+TEST(Sweep, ItsFirstRayMeetsTheEndOfTheFirstWallThatItRunsAlong) {
+  // What a sweep lists first: one wall before it and one behind it, and nothing but those.
+  const std::vector<Segment> segments{{{1.0, 0.0}, {1.0, 0.0}, 0.5},
+                                      {{-2.5, 0.0}, {1.0, 0.0}, 0.5}};
+  const NearWalls near(segments, 1000);
+  const WallList both = *near.around({0.0, 0.0}, 8.0);
+  for (const double gap : {2 * kPi / 40, -2 * kPi / 40}) {
+    const Rays rays = fan({0.0, 0.0}, 0.0, gap, 40);
+    std::vector<double> expected(40, 8.0);
+    expected[0] = 1.0;
+    expected[20] = 2.0;
+    in_every_instruction_set([&](const std::string& name) {
+      Sweep sweep(rays.origin, rays.directions, gap, 8.0);
+      sweep.meet_walls(segments.data(), both);
+      const std::span<const double> ranges = sweep.ranges();
+      EXPECT_EQ(std::vector<double>(ranges.begin(), ranges.end()), expected) << name;
+    });
+  }
+}
+
 TEST(NearWalls, ListsEveryWallInReachOnceAndGivesUpWhereThereAreMany) {
   const std::vector<Segment> segments = outlines_of(random_walls(94, 150, 5.0, 0.08).walls);
   NearWalls near(segments);
