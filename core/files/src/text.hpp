@@ -113,16 +113,25 @@ class StatementReader {
   int line_ = 0;
 };
 
-/// Hands each statement to `read`. Where reading is Tolerant, what that throws is a warning.
+/// Lines that a file may have which cannot be used: with more it is of another kind, or too large.
+inline constexpr int kMostLeftOut = 10'000;
+
+/// Hands each statement to `read`. Where reading is Tolerant, what that throws is a warning, up to
+/// kMostLeftOut.
 template <class Read>
 void read_lines(StatementReader& statements, Warnings& warnings, Reading reading, Read read) {
   Statement s;
+  int left_out = 0;
   for (bool more = true; more;) {
     try {
       more = statements.next(s);
       if (more) read(s);
     } catch (const ConfigError& error) {
       if (reading == Reading::Strict) throw;
+      if (++left_out > kMostLeftOut) {
+        throw ConfigError(error.where(), error.text() + "; " + std::to_string(kMostLeftOut) +
+                                             " lines before it cannot be used either");
+      }
       warnings.add(error.where().line, error.where().column,
                    error.text() + "; the line is left out");
     }

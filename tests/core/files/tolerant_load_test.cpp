@@ -41,6 +41,18 @@ TEST(TolerantLoad, WhatALineOfAWorldBreaksIsAWarning) {
             HasSubstr("a.wld:4:5: "), HasSubstr("a.wld:5:1: ")));
 }
 
+// Two million walls took half a minute, and all beyond the first 500,000 were left out.
+TEST(TolerantLoad, AFileOfWhichNoLineCanBeUsedIsRefusedInTime) {
+  const Folder folder;
+  std::string text = kFourWalls;
+  for (int i = 0; i < 10'000; ++i) text += "wall\n";
+  EXPECT_EQ(load_tolerant(folder.write("most.wld", text)).world.walls.size(), 4u);
+  const auto path = folder.write("more.wld", text + "wall\n");
+  EXPECT_THAT(error_of([&] { load_tolerant(path); }),
+              AllOf(HasSubstr("more.wld:10006:1: unknown keyword 'wall'"),
+                    HasSubstr("; 10000 lines before it cannot be used either")));
+}
+
 TEST(TolerantLoad, WhatALineOfASimBreaksIsAWarning) {
   const Folder folder;
   folder.write("room.wld", kFourWalls);
