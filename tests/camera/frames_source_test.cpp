@@ -151,6 +151,20 @@ TEST_F(Frames, TheLastPictureIsHeldAsNewFrames) {
   EXPECT_EQ(last_->sequence, 103U);
 }
 
+TEST_F(Frames, TwoFramesOfOneMomentDoNotMakeTheHeldOnesComeAtOnce) {
+  {
+    RecordingFile file(files_.path("pair.ebrec"), {});
+    FrameWriter writer(file, FrameCodec::Lossless);
+    for (const int i : {0, 1, 2}) writer.add(numbered(i), numbered(std::min(i, 1)).time);
+    file.commit();
+  }
+  open(files_.path("pair.ebrec") + "?end=hold&pick=each");
+  EXPECT_THAT(next(3), ElementsAre(0, 1, 2));
+  EXPECT_EQ(clock_.now(), numbered(1).time);
+  EXPECT_EQ(next(), 2);
+  EXPECT_EQ(clock_.now(), 2 * numbered(1).time);
+}
+
 TEST_F(Frames, ALoopBeginsAgainWithTimesThatGoOn) {
   open(files_.folder(3) + "?end=loop&fps=10");
   EXPECT_THAT(next(7), ElementsAre(0, 1, 2, 0, 1, 2, 0));

@@ -241,6 +241,36 @@ TEST_P(Projection, APolygonShowsTheSidesThatLookThisWay) {
   EXPECT_NEAR(seen.bottom, row(-std::atan2(kEyeHeight, 0.6)), 1.0);
 }
 
+TEST_P(Projection, ATallBodyIsDrawnWhereOnlyItsFootIsInView) {
+  shot_.eye = {1.0, 1.0, 0.1, 0.0, 0.0, 1.0};
+  shot_.scene.bodies = {
+      {3, world::BodyShape::Polygon, {2.0, 1.0, 0.0}, 0.15, 2.0, kRed, rectangle(0.2, 0.2)}};
+  const Extent seen = extent(draw(), is_red);
+  EXPECT_EQ(seen.top, 0);
+  EXPECT_NEAR(seen.bottom, row(-std::atan2(0.1, 0.9)), 1.0);
+}
+
+TEST_P(Projection, SidesOfBodiesAreAsBrightAsTheWayThatTheyLook) {
+  const auto square = rectangle(0.2, 0.2);
+  for (const auto shape : {world::BodyShape::Robot, world::BodyShape::Ball, world::BodyShape::Can,
+                           world::BodyShape::Polygon}) {
+    for (int turn = 0; turn < 4; ++turn) {
+      const double heading = turn * kPi / 2;
+      // The body has its back to the eye, which sees no mark of a robot.
+      shot_.eye = {
+          2.0 - 0.8 * std::cos(heading), 2.0 - 0.8 * std::sin(heading), 0.1, heading, 0.0, 1.0};
+      const bool is_polygon = shape == world::BodyShape::Polygon;
+      shot_.scene.bodies = {
+          {3, shape, {2.0, 2.0, heading}, 0.1, 0.2, kRed, is_polygon ? square : nullptr}};
+      const Frame frame = draw();
+      const std::size_t middle = 3 * static_cast<std::size_t>(frame.width / 2);
+      const double towards_sun = -0.30 * std::cos(heading) - 0.52 * std::sin(heading);
+      EXPECT_NEAR(frame.row(frame.height / 2)[middle], 255 * (0.72 + 0.28 * towards_sun), 3.0)
+          << static_cast<int>(shape) << " seen along " << heading;
+    }
+  }
+}
+
 TEST_P(Projection, AnotherRobotIsDrawnAndTheCarrierIsNot) {
   shot_.eye = {1.0, 1.0, 0.12, 0.0, 0.0, 1.0};
   shot_.carrier = 4;

@@ -124,6 +124,30 @@ TEST(VisibleWalls, ALowWallHidesNoTallOne) {
   EXPECT_EQ(walls_in(indices), (std::set<std::size_t>{0, 1}));
 }
 
+/// Whether the top is drawn of a low wall `thickness` thick that lies along the eye's axis, behind
+/// a tall one which hides 0.4 m to either side there.
+bool top_shows_beside_a_tall_wall(double thickness) {
+  world::Wall tall;
+  tall.a = {1.0, -0.2};
+  tall.b = {1.0, 0.2};
+  tall.height = 0.3;
+  world::Wall low;
+  low.a = {2.0, 0.0};
+  low.b = {2.3, 0.0};
+  low.height = 0.2;
+  low.thickness = thickness;
+  VisibleWalls visible({tall, low});
+  std::vector<std::uint32_t> indices;
+  visible.select(Lens({0, 0, 0.25, 0, 0, 1.0}, 320, 240, 10.0), indices);
+  return walls_in(indices).contains(kQuadsOfLine + kQuadsOfBox - 1);
+}
+
+TEST(VisibleWalls, ATopIsDrawnWhereItsEdgesShow) {
+  EXPECT_TRUE(top_shows_beside_a_tall_wall(1.0));
+  EXPECT_TRUE(top_shows_beside_a_tall_wall(0.82));
+  EXPECT_FALSE(top_shows_beside_a_tall_wall(0.78));
+}
+
 TEST(VisibleWalls, AWallBehindTheEyeIsLeftOut) {
   world::Wall wall;
   wall.a = {-1.0, -1.0};

@@ -92,6 +92,43 @@ TEST(DbcMap, WrongNamesHaveTheNearestOnesBesideThem) {
   EXPECT_THAT(complaint("[stopped]", "[stoped]"), HasSubstr("found 'stoped' in the file"));
 }
 
+/// The same for a key that no table has, written behind `before`.
+std::string complaint_about_key(const std::string& before, const std::string& written) {
+  return complaint(before, before + written);
+}
+
+TEST(DbcMap, NoTableMayHaveAKeyThatIsNotItsOwn) {
+  EXPECT_THAT(complaint_about_key("see docs/boards.md.\n", "colour = 1\n"),
+              HasSubstr("found 'colour' in the file, expected another name"));
+  for (const char* table : {"[robot]", "[wheels]", "[[command]]", "[[encoder]]", "[[range]]",
+                            "[heartbeat]", "[stopped]"}) {
+    EXPECT_THAT(complaint_about_key(table + std::string("\n"), "colour = 1\n"),
+                HasSubstr(std::string("found 'colour' in ") + table + ", expected another name"));
+  }
+  EXPECT_THAT(
+      complaint_about_key("unit = \"rpm\"", ", colour = 1"),
+      HasSubstr("rover.toml:14:55: found 'colour' in [wheels] left, expected another name"));
+  EXPECT_THAT(complaint_about_key("sign = -1", ", colour = 1"),
+              HasSubstr("found 'colour' in [wheels] right"));
+  EXPECT_THAT(complaint_about_key("last = 14", ", colour = 1"),
+              HasSubstr("found 'colour' in 'counter'"));
+  EXPECT_THAT(complaint_about_key("mode = \"both\"", ", colour = 1"),
+              HasSubstr("found 'colour' in 'checksum'"));
+}
+
+TEST(DbcMap, NoQuantityOfAPoseMayHaveAKeyThatIsNotItsOwn) {
+  const auto with_pose = [](const std::string& x, const std::string& more) {
+    return complaint("[heartbeat]\n",
+                     "[pose]\nx = { signal = \"RV_Speed.Left\", unit = \"cm\"" + x +
+                         " }\ny = { signal = \"RV_Speed.Right\", unit = \"mm\" }\n"
+                         "theta = { signal = \"RV_State.State\", unit = \"deg\" }\n" +
+                         more + "[heartbeat]\n");
+  };
+  EXPECT_EQ(with_pose("", ""), "");
+  EXPECT_THAT(with_pose(", colour = 1", ""), HasSubstr("found 'colour' in [pose] x"));
+  EXPECT_THAT(with_pose("", "colour = 1\n"), HasSubstr("found 'colour' in [pose], expected"));
+}
+
 TEST(DbcMap, WrongUnitsAndNumbersAreRefused) {
   EXPECT_THAT(complaint("unit = \"rpm\"", "unit = \"rpn\""),
               HasSubstr("rover.toml:14:48: found the unit 'rpn', expected one of m/s, mm/s, km/h, "

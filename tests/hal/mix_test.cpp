@@ -10,6 +10,8 @@
 #include "eyebridge/hal/registry.hpp"
 #include "mix/mix_backend.hpp"
 #include "rigs.hpp"
+#include "shared/shared_sim.hpp"
+#include "sim/sim_backend.hpp"
 
 namespace eyebridge::hal {
 namespace {
@@ -96,6 +98,21 @@ TEST(Mix, AFirstRobotWhoseWheelsAreElsewhereFollowsThem) {
   wait(*mix, 5.0);
   EXPECT_NEAR(mix->range_sensor(1)->read().value(), 0.8, 0.01);
   EXPECT_NEAR(two.other_backend->drive()->odometry().value().x, 0.2, 0.01);
+}
+
+TEST(Mix, APartThatIsNotTheFirstRobotOfItsWorldBeginsWhereItStands) {
+  NullLog log;
+  const Config config = rig_config({{"fast", "true"}});
+  const files::Scenario scenario = rig_scenario(0.5);
+  const auto world = SharedSim::for_one(scenario, config, nullptr, log);
+  Two two;
+  two.other.backend = std::make_unique<SimBackend>(world->world(), world->clock_of(0),
+                                                   world->view(), 1, 12.0, AtEnd::Stop, world);
+  const auto mix = two.mix_with_board({"psd"});
+  // It looks at the other side of the wall that the first one faces.
+  const double wall = facing(0.0).x + kFrontOffset;
+  const double distance = scenario.robots[1].pose.x - kFrontOffset - wall;
+  EXPECT_NEAR(mix->range_sensor(1)->read().value(), distance, 1e-9);
 }
 
 TEST(Mix, NewOdometryDoesNotMoveTheFollower) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstring>
 #include <thread>
+#include <vector>
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
@@ -119,6 +120,33 @@ TEST(WorldSlot, ALongMessageGoesInParts) {
   EXPECT_TRUE(world.send(sent));
   EXPECT_EQ(must(world.receive()), sent);
   program.join();
+}
+
+TEST(WorldSlot, AnEndThatHasWaitedForRoomWantsNoMoreSigns) {
+  const auto [one, other] = socket_pair();
+  MessageStream stream = world_end(one.get());
+  const LineMemory memory = must(LineMemory::accept(other.get()));
+  SharedRing& ring = memory.line().to_program;
+  std::thread writer([&stream] { EXPECT_TRUE(stream.send(Message(SharedRing::kRoom))); });
+  while (ring.writer_sleeps == 0) std::this_thread::yield();
+  std::vector<std::uint8_t> room(SharedRing::kRoom);
+  EXPECT_EQ(must(RingReader(ring).read(room)), room.size());
+  EXPECT_EQ(::send(other.get(), "", 1, 0), 1);
+  writer.join();
+  EXPECT_EQ(ring.writer_sleeps, 0U);
+}
+
+TEST(WorldSlot, AnEndThatHasWaitedForAMessageWantsNoMoreSigns) {
+  const auto [one, other] = socket_pair();
+  MessageStream stream = world_end(one.get());
+  const LineMemory memory = must(LineMemory::accept(other.get()));
+  SharedRing& ring = memory.line().to_world;
+  std::thread reader([&stream] { EXPECT_EQ(must(stream.receive()), Message{7}); });
+  while (ring.reader_sleeps == 0) std::this_thread::yield();
+  EXPECT_TRUE(RingWriter(ring).write(std::array<std::uint8_t, 5>{1, 0, 0, 0, 7}));
+  EXPECT_EQ(::send(other.get(), "", 1, 0), 1);
+  reader.join();
+  EXPECT_EQ(ring.reader_sleeps, 0U);
 }
 
 TEST(WorldSlot, OtherMemoryIsRefused) {

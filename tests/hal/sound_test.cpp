@@ -20,18 +20,21 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using Bytes = std::vector<std::uint8_t>;
 
-/// `count` frames of MPEG 1, layer III, 128 kbit/s, 44100 Hz: 417 bytes, 1152 samples each.
-Bytes mp3(int count) {
+/// `count` frames of `size` bytes each, which `second` and `third` of a header's bytes describe.
+Bytes mp3(int count, std::size_t size, std::uint8_t second, std::uint8_t third) {
   Bytes bytes;
   for (int i = 0; i < count; ++i) {
     const std::size_t start = bytes.size();
-    bytes.resize(start + 417);
+    bytes.resize(start + size);
     bytes[start] = 0xFF;
-    bytes[start + 1] = 0xFB;
-    bytes[start + 2] = 0x90;
+    bytes[start + 1] = second;
+    bytes[start + 2] = third;
   }
   return bytes;
 }
+
+/// Of MPEG 1, layer III, 128 kbit/s, 44100 Hz: 417 bytes, 1152 samples each.
+Bytes mp3(int count) { return mp3(count, 417, 0xFB, 0x90); }
 
 std::string as_text(const Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
 
@@ -60,6 +63,19 @@ TEST(SoundLength, OfAnMp3IsTheSumOfItsFrames) {
   ASSERT_TRUE(facts);
   EXPECT_EQ(facts->format, SoundFormat::Mp3);
   EXPECT_NEAR(facts->length, 100 * 1152 / 44100.0, 1e-9);
+}
+
+TEST(SoundLength, OfAnMp3OfLowerRatesIsTheSumOfItsShorterFrames) {
+  // 64 kbit/s; MPEG 2 has half the sampling rates of MPEG 1, MPEG 2.5 a quarter; both have half its
+  // samples in a frame.
+  EXPECT_NEAR(read_sound(mp3(100, 208, 0xF3, 0x80)).value().length, 100 * 576 / 22050.0, 1e-9);
+  EXPECT_NEAR(read_sound(mp3(100, 417, 0xE3, 0x80)).value().length, 100 * 576 / 11025.0, 1e-9);
+  EXPECT_NEAR(read_sound(mp3(100, 192, 0xF3, 0x84)).value().length, 100 * 576 / 24000.0, 1e-9);
+  EXPECT_NEAR(read_sound(mp3(100, 576, 0xE3, 0x88)).value().length, 100 * 576 / 8000.0, 1e-9);
+}
+
+TEST(SoundLength, OfAnMp3CountsTheByteThatFillsAFrameUp) {
+  EXPECT_NEAR(read_sound(mp3(100, 418, 0xFB, 0x92)).value().length, 100 * 1152 / 44100.0, 1e-9);
 }
 
 TEST(SoundLength, OfAnMp3LeavesOutItsTagAndDamage) {

@@ -186,7 +186,9 @@ TEST(Pixels, NothingOfAnEarlierFrameIsLeftInItsMemory) {
 
 TEST(FramePool, UsesTheMemoryOfFramesThatNobodyHas) {
   FramePool pool;
-  FramePtr held = pool.share(pool.make(8, 4, PixelFormat::Rgb24));
+  Frame first = pool.make(8, 4, PixelFormat::Rgb24);
+  std::ranges::fill(first.bytes, std::uint8_t{7});
+  FramePtr held = pool.share(std::move(first));
   const std::uint8_t* const memory = held->bytes.data();
   EXPECT_NE(pool.make(8, 4, PixelFormat::Rgb24).bytes.data(), memory) << "somebody has it";
   held.reset();
@@ -195,6 +197,8 @@ TEST(FramePool, UsesTheMemoryOfFramesThatNobodyHas) {
   EXPECT_NE(smaller.bytes.data(), memory);
   const Frame again = pool.make(8, 4, PixelFormat::Rgb24);
   EXPECT_EQ(again.bytes.data(), memory);
+  // The heap may give out the same place again, but cleared.
+  EXPECT_THAT(again.bytes, ::testing::Each(7));
   EXPECT_EQ(again.stride, 24);
 }
 

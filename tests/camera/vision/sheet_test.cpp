@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -43,6 +44,24 @@ TEST(FiducialSheet, HasEveryFiducialTrueToSizeOnItsPages) {
       }
     }
     EXPECT_EQ(ids.size(), fiducials.size());
+  }
+}
+
+TEST(FiducialSheet, BeginsAPageWithEachFiducialThatNoLongerFits) {
+  const auto model = maze();
+  for (const double size : {0.08, 0.04}) {
+    const auto all = place_fiducials(model, {.size = size});
+    const Frame full = draw_page({model, all, ""}, 2, kPagePixelsPerMillimetre);
+    const std::size_t fit = vision().find_fiducials(full).size();
+    ASSERT_GT(fit, 1U);
+    ASSERT_GT(all.size(), 2 * fit);
+    int pages = 1;  // the map
+    for (std::size_t count = 0; count <= 2 * fit + 1; ++count) {
+      if (count % fit == 1) ++pages;
+      const std::vector<Fiducial> some(all.begin(),
+                                       all.begin() + static_cast<std::ptrdiff_t>(count));
+      EXPECT_EQ(pages_of({model, some, ""}), pages) << count << " of " << size << " m";
+    }
   }
 }
 
