@@ -103,6 +103,34 @@ TEST(Birdseye, APolygonLiesAsItIsTurned) {
   EXPECT_NE(at(frame, 2.8, 1.0), kGreen);
 }
 
+/// There is a dark pixel there, or beside it.
+bool is_on_a_line(const Frame& frame, double x, double y) {
+  for (const double dx : {-0.01, 0.0, 0.01}) {
+    for (const double dy : {-0.01, 0.0, 0.01}) {
+      const Rgb seen = at(frame, x + dx, y + dy);
+      if (seen.r + seen.g + seen.b < 250) return true;
+    }
+  }
+  return false;
+}
+
+TEST(Birdseye, APolygonHasALineAllRoundIt) {
+  world::Scene scene = scene_of(empty_room());
+  scene.bodies = {{0,
+                   world::BodyShape::Polygon,
+                   {3.0, 1.0, 0.0},
+                   0.5,
+                   0.1,
+                   kGreen,
+                   std::make_shared<const std::vector<Vec2>>(
+                       std::vector<Vec2>{{0.4, -0.4}, {0.4, 0.4}, {-0.4, -0.4}})}};
+  const Frame frame = draw_birdseye(scene, {}, kOptions);
+  EXPECT_TRUE(is_on_a_line(frame, 3.4, 1.0));
+  EXPECT_TRUE(is_on_a_line(frame, 3.0, 1.0));
+  EXPECT_TRUE(is_on_a_line(frame, 3.0, 0.6)) << "from the last corner to the first";
+  EXPECT_FALSE(is_on_a_line(frame, 3.2, 0.8));
+}
+
 TEST(Birdseye, StartsAreLettered) {
   world::WorldModel model = empty_room();
   const Frame without = draw_birdseye(scene_of(model), {}, kOptions);

@@ -84,7 +84,10 @@ def one_run(programs, way, board_of):
             options += ["--dead", f"{DEAD_AT_S},{DEAD_FOR_S}"]
         with board_of(folder, options) as board:
             start = time.monotonic()
-            ended, returned, said = run_program(programs, what, folder, deaf, board.hal)
+            try:
+                ended, returned, said = run_program(programs, what, folder, deaf, board.hal)
+            except TimeoutError:
+                return None, f"{way}: waited in vain; it said: {(folder / 'err').read_text()}\n{(folder / 'log').read_text()[-2000:]}"
         log = Log(folder / "log", start)
         if log.driven_at() is None:
             return None, f"{way}: the board was never told to drive: {said}"

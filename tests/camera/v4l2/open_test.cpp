@@ -212,6 +212,17 @@ TEST(LiveCameraOpen, AControlOutOfRangeIsAnErrorWithTheRange) {
   EXPECT_THAT(rig.error_of("video0?privacy=1"), HasSubstr("can only be read"));
 }
 
+TEST(LiveCameraOpen, AControlThatTheCameraKeepsToItselfIsCalledSo) {
+  Rig rig;
+  FakeCamera& camera = rig.video.add("video0");
+  camera.controls = {{"Brightness"},
+                     {"Gain", V4L2_CTRL_TYPE_INTEGER, 0, 255, V4L2_CTRL_FLAG_INACTIVE}};
+  camera.fails[VIDIOC_S_EXT_CTRLS] = EACCES;
+  EXPECT_THAT(rig.error_of("video0?gain=3"),
+              HasSubstr("setting gain=3 (the camera controls it by itself now: switch that off)"));
+  EXPECT_THAT(rig.error_of("video0?brightness=3"), HasSubstr("setting brightness=3: "));
+}
+
 TEST(LiveCameraUrl, BadOptionsAreRefusedWithoutOpeningAnything) {
   const auto error_of = [](const std::string& url) -> std::string {
     try {
