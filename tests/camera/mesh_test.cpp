@@ -55,6 +55,22 @@ TEST(BodyMeshes, ARobotAndACanAreFlatSidedCylinders) {
   }
 }
 
+TEST(BodyMeshes, OfARobotFiveSidesOf32LookForward) {
+  const BodyMesh mesh = robot_mesh();
+  const auto is_front = [&](std::size_t i) {
+    const BodyVertex& vertex = mesh.vertices.at(mesh.indices[i]);
+    return vertex.mark == 1.0F && std::abs(vertex.nz) < 0.5F;
+  };
+  double area = 0.0;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    if (!is_front(i) || !is_front(i + 1) || !is_front(i + 2)) continue;
+    const auto corner = [&](std::size_t k) { return place(mesh.vertices.at(mesh.indices[i + k])); };
+    const Vec3 across = cross(minus(corner(1), corner(0)), minus(corner(2), corner(0)));
+    area += 0.5 * std::sqrt(dot(across, across));
+  }
+  EXPECT_NEAR(area, 5 * 2.0 * std::sin(kPi / 32), 1e-5) << "and they are 1 high";
+}
+
 TEST(BodyMeshes, ABallIsRound) {
   const BodyMesh mesh = ball_mesh();
   // Layers between parallels, each a frustum of a pyramid with 24 sides.

@@ -168,6 +168,30 @@ TEST(Mix, StopsAllMotorsOfAll) {
   EXPECT_NEAR(mix->drive()->odometry().value().x, stopped, 1e-3);
 }
 
+/// A robot that cannot be told to stop.
+class Unstoppable final : public PassingBackend {
+ public:
+  using PassingBackend::PassingBackend;
+  Result<void> stop() noexcept override { return fail(Errc::Disconnected, "it is gone"); }
+};
+
+TEST(Mix, TellsThatAPartCouldNotBeStoppedAndStopsTheOthers) {
+  Two two;
+  ASSERT_TRUE(two.mix({"drive"})->stop());
+  Two again;
+  again.main.backend = std::make_unique<Unstoppable>(std::move(again.main.backend));
+  const auto mix = again.mix({"drive"});
+  ASSERT_TRUE(mix->drive()->set_speed({0.2, 0.0}));
+  wait(*mix, 1.0);
+  const auto done = mix->stop();
+  ASSERT_FALSE(done);
+  EXPECT_EQ(done.error().what, "it is gone");
+  wait(*mix, 1.0);
+  const double stopped = mix->drive()->odometry().value().x;
+  wait(*mix, 1.0);
+  EXPECT_NEAR(mix->drive()->odometry().value().x, stopped, 1e-3);
+}
+
 /// What make_mix() says.
 std::string complaint(std::unique_ptr<Backend> part, const std::string& device) {
   std::vector<MixPart> parts;

@@ -184,5 +184,15 @@ TEST_F(PlayedSoundTest, SaysWhatToDoWithoutAPlayer) {
   EXPECT_THAT(bad.error().what, HasSubstr("'nothing-like-that'"));
 }
 
+TEST_F(PlayedSoundTest, APlayerThatTheSystemCannotStartIsNone) {
+  const std::string path = folder_.write("my", "#!/no/such/interpreter\n");
+  ASSERT_EQ(::chmod(path.c_str(), 0755), 0);
+  const auto sound = make_played_sound("my", path_);
+  const auto played = sound->tone(1000, 0.1);
+  ASSERT_FALSE(played);
+  EXPECT_EQ(played.error().code, Errc::Unsupported);
+  EXPECT_FALSE(sound->is_playing().value());
+}
+
 }  // namespace
 }  // namespace eyebridge::hal
