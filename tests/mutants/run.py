@@ -91,7 +91,8 @@ def outcome(path, number, mutated):
         code, _ = shell("cmake", "--build", str(BUILD), "--target", *targets)
         if code != 0:
             return "no program"
-        code, _ = shell("ctest", "--test-dir", str(BUILD), "-j2", "-R", pattern, "-LE", "lab|slow", "--timeout", "120",
+        # A test has ten minutes, but the endless loop of a mutant is one that it killed.
+        code, _ = shell("timeout", "-k", "5", "200", "ctest", "--test-dir", str(BUILD), "-j2", "-R", pattern, "-LE", "lab|slow",
                         "--stop-on-failure")  # fmt: skip
         return "survived" if code == 0 else "killed"
     finally:
