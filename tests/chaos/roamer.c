@@ -1,5 +1,6 @@
-/* Drives by its ranges for ever and looks around: a robot of the chaos test. Says on standard output
- * when a frame fails ("blind"), when one comes again ("sees"), when its robot is "lost" and "back". */
+/* Drives by its ranges for ever and looks around: a robot of the chaos test. Says on standard
+ * output when a frame fails ("blind"), when one comes again ("sees"), when its robot is "lost" and
+ * "back". */
 #include <stdio.h>
 
 #include "eyebot.h"

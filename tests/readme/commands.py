@@ -133,6 +133,7 @@ ROWS = (
     Row("docs/install.md", "~/eyebridge/bin/eyebridge doctor", prints="worlds +ok +/root/eyebridge/"),
 
     Row("docs/parity.md", "./test parity", elsewhere="a measurement of half an hour, by hand"),
+    Row("docs/robustness.md", "./test robust", elsewhere="three hours, by hand"),
     Row("docs/parity.md", "./test hal", elsewhere="./test all has these tests"),
     Row("docs/parity.md", "./test lab", elsewhere="./test all has these tests"),
     Row("docs/parity.md", "./test cortex", elsewhere="./test all has these tests"),
