@@ -213,7 +213,8 @@ def lives(place, tally):
                 send(left_alive[-1], signal.SIGKILL)
                 if not await_that(lambda: left_alive[-1] not in robots_of(run.process.pid)):
                     wrong = "it is still there"
-                extra.pop()
+                code, text = run.command("remove", extra.pop())  # it would stand there for ever
+                wrong = wrong or (None if code == 0 else f"remove: {code}, {text}")
             elif what == "all stopped for a while":
                 everyone = [run.process.pid, *oracle.children_of(run.process.pid)]
                 for number in (signal.SIGSTOP, signal.SIGCONT):

@@ -110,6 +110,16 @@ TEST(RangeLikelihood, ReadingsOfAnyResolutionSumUpToOne) {
   }
 }
 
+// An echo that comes at once is one: a sensor that reads too little often says 0.
+TEST(RangeLikelihood, AReadingOfNothingIsAnEchoToo) {
+  RangeSensorModel model;
+  model.max_range = 4.0;
+  model.error.bias = -0.01;
+  model.error.sigma = 0.02;
+  const RangeReadings readings(model, 0.01);
+  EXPECT_NEAR(readings.at_most(0.0), 0.5, 1e-9);
+}
+
 TEST(RangeLikelihood, DensityIsTheSlopeOfTheDistribution) {
   for (const RangeCase& c : range_cases()) {
     if (!c.model.table.empty() || c.model.error.sigma == 0) continue;
