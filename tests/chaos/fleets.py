@@ -235,6 +235,8 @@ def watched(place, tally):
     """Runs with windows, on a display of their own, which dies at the end."""
     once = True
     while place.has_time(10.0) or once:
+        if not once:
+            time.sleep(2.0)  # windows are much work, and boards have to be punctual meanwhile
         once = False
         with display(place.fresh_folder()) as (name, server):
             run = Long(place, ["--robots", "2", "--gui", "--world", str(ROOM), *RESULTS], DISPLAY=name)
