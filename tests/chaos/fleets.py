@@ -209,6 +209,9 @@ def lives(place, tally):
                 code, text = run.command("remove", extra.pop(0))
                 wrong = None if code == 0 else f"remove: {code}, {text}"
             elif what == "robot of a long run killed":
+                # The one that came last, once it is its program: the first two are what the run lives for.
+                if not await_that(lambda: len(robots_of(run.process.pid)) == 2 + len(extra)):
+                    raise RuntimeError(f"{2 + len(extra)} robots expected, found {robots_of(run.process.pid)}")
                 left_alive = robots_of(run.process.pid)
                 send(left_alive[-1], signal.SIGKILL)
                 if not await_that(lambda: left_alive[-1] not in robots_of(run.process.pid)):
