@@ -64,12 +64,17 @@ fs::path control_socket_of(pid_t pid) {
 
 UniqueFd open_control_socket() {
   const fs::path path = control_socket_of(getpid());
-  const auto address = address_of(path);
-  if (!address) return {};
-  unlink(path.c_str());  // of a process with this number that was killed
+  // Under its name only once it listens: who is refused takes the name away.
+  const fs::path beside = path.native() + ".new";
+  const auto address = address_of(beside);
+  if (path.empty() || !address) return {};
+  unlink(beside.c_str());  // of a process with this number that was killed
   UniqueFd listener = new_socket();
   const auto* const name = reinterpret_cast<const sockaddr*>(&*address);
-  if (bind(listener.get(), name, sizeof *address) != 0 || listen(listener.get(), 8) != 0) return {};
+  if (bind(listener.get(), name, sizeof *address) != 0 || listen(listener.get(), 8) != 0 ||
+      rename(beside.c_str(), path.c_str()) != 0) {
+    return {};
+  }
   return listener;
 }
 
