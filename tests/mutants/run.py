@@ -129,16 +129,19 @@ def main():
     all_sites = list(sites(rooms))
     random.Random(options.seed).shuffle(all_sites)
     counts = {"killed": 0, "survived": 0, "equal": 0}
-    for path, number, line, mutated in all_sites:
-        if sum(counts.values()) >= options.count:
-            break
-        name = f"{path.relative_to(TREE)}: {line.strip()} -> {mutated.strip()}"
-        found = "equal" if name in equal else outcome(path, number, mutated)
-        if found not in counts:
-            continue
-        counts[found] += 1
-        if found == "survived":
-            print(f"{path.relative_to(TREE)}:{number + 1}\n  - {line.strip()}\n  + {mutated.strip()}", flush=True)
+    try:
+        for path, number, line, mutated in all_sites:
+            if sum(counts.values()) >= options.count:
+                break
+            name = f"{path.relative_to(TREE)}: {line.strip()} -> {mutated.strip()}"
+            found = "equal" if name in equal else outcome(path, number, mutated)
+            if found not in counts:
+                continue
+            counts[found] += 1
+            if found == "survived":
+                print(f"{path.relative_to(TREE)}:{number + 1}\n  - {line.strip()}\n  + {mutated.strip()}", flush=True)
+    except KeyboardInterrupt:
+        print("ended before its time", flush=True)  # and so far:
     judged = counts["killed"] + counts["survived"]
     share = 100.0 * counts["killed"] / judged if judged else 0.0
     print(f"{counts['killed']} of {judged} mutants killed ({share:.1f} %), {counts['equal']} called equal; wanted {WANTED:.0f} %")
