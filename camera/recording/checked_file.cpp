@@ -92,6 +92,12 @@ Database open_checked(const fs::path& path, bool writable) {
   const fs::file_status status = fs::status(path, error);
   if (!fs::exists(status)) throw std::runtime_error("no such file");
   if (!fs::is_regular_file(status)) throw std::runtime_error("it is no regular file");
+  // Played back it changes the file, and removes another one whose name it has.
+  const fs::path journal = path.string() + "-journal";
+  if (writable && fs::exists(fs::symlink_status(journal, error))) {
+    throw std::runtime_error("there is a " + journal.filename().string() +
+                             " beside it; expected none: remove it if it is yours");
+  }
   sqlite3* opened = nullptr;
   const int flags = (writable ? SQLITE_OPEN_READWRITE : SQLITE_OPEN_READONLY) | SQLITE_OPEN_URI;
   const int code = sqlite3_open_v2(uri_of(path, writable).c_str(), &opened, flags, nullptr);

@@ -1,11 +1,16 @@
 #include "eyebridge/base/toml_names.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <string>
 
 #include "eyebridge/base/config_error.hpp"
 
 namespace eyebridge {
 namespace {
+
+/// toml++ goes one call deeper with each part of a name, until its stack is full.
+constexpr std::ptrdiff_t kMostDots = 1000;
 
 /// Letters, digits, '-', '_', a quote; and ']', which toml++ refuses itself.
 bool begins_name(char c) {
@@ -33,7 +38,13 @@ void check_table_names(std::string_view toml, const std::string& file) {
             "found a table without a name, expected a letter, digit, '-', '_' or quote");
       }
     }
-    begin = std::min(toml.find('\n', begin), toml.size() - 1) + 1;
+    const std::size_t end = std::min(toml.find('\n', begin), toml.size() - 1) + 1;
+    const std::string_view whole = toml.substr(begin, end - begin);
+    if (std::ranges::count(whole, '.') > kMostDots) {
+      throw ConfigError({file, line, 1}, "found more than " + std::to_string(kMostDots) +
+                                             " dots in a line, expected a name of fewer parts");
+    }
+    begin = end;
   }
 }
 

@@ -1,8 +1,10 @@
 #include "eyebridge/base/write_file.hpp"
 
 #include <cerrno>
+#include <random>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -15,12 +17,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr mode_t kUsualRights = 0666;  // less the user's mask
+constexpr int kAttempts = 16;
 
 /// 0, or what errno says is wrong.
-int write_there(const fs::path& path, std::string_view bytes) {
-  UniqueFd file(
-      ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOCTTY | O_CLOEXEC, kUsualRights));
-  if (!file.valid()) return errno;
+int write_to(UniqueFd file, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t count = ::write(file.get(), bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;
@@ -31,6 +31,29 @@ int write_there(const fs::path& path, std::string_view bytes) {
   return ::close(file.release()) == 0 ? 0 : errno;
 }
 
+/// A new file beside `target`, by a name that nobody knows before: what lies there, a link above
+/// all, is not written to.
+UniqueFd open_beside(const fs::path& target, fs::path& beside) {
+  std::random_device dice;
+  for (int i = 0; i < kAttempts; ++i) {
+    beside = target;
+    beside += '.' + std::to_string(dice()) + ".part";
+    UniqueFd file(
+        ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kUsualRights));
+    if (file.valid() || errno != EEXIST) return file;
+  }
+  return {};
+}
+
+/// What is no file: nobody is waited for who would read a pipe.
+Result<void> write_in_place(const fs::path& path, std::string_view bytes) {
+  UniqueFd file(::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  if (file.valid()) ::fcntl(file.get(), F_SETFL, 0);
+  const int wrong = file.valid() ? write_to(std::move(file), bytes) : errno;
+  if (wrong == 0) return {};
+  return fail(Errc::Unsupported, "cannot be written: " + std::generic_category().message(wrong));
+}
+
 }  // namespace
 
 Result<void> write_file(const fs::path& path, std::string_view bytes) {
@@ -38,17 +61,18 @@ Result<void> write_file(const fs::path& path, std::string_view bytes) {
   fs::path target = fs::weakly_canonical(path, error);
   if (error) target = path;
   const fs::file_status there = fs::status(target, error);
-  const bool in_place = fs::exists(there) && !fs::is_regular_file(there);
-  fs::path beside = target;
-  if (!in_place) beside += '.' + std::to_string(getpid()) + ".part";
-  error = {write_there(beside, bytes), std::generic_category()};
+  if (fs::exists(there) && !fs::is_regular_file(there)) return write_in_place(target, bytes);
+  fs::path beside;
+  UniqueFd file = open_beside(target, beside);
+  const bool is_made = file.valid();
+  error = {is_made ? write_to(std::move(file), bytes) : errno, std::generic_category()};
   std::error_code ignored;
-  if (!in_place && !error) {
+  if (!error) {
     if (fs::exists(there)) fs::permissions(beside, there.permissions(), ignored);
     fs::rename(beside, target, error);
   }
   if (!error) return {};
-  if (!in_place) fs::remove(beside, ignored);
+  if (is_made) fs::remove(beside, ignored);
   return fail(Errc::Unsupported, "cannot be written: " + error.message());
 }
 

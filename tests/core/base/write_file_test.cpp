@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "eyebridge/base/read_file.hpp"
@@ -84,6 +85,24 @@ TEST_F(WriteFile, ALinkStaysOneAndADeviceIsWrittenTo) {
   EXPECT_EQ(complaint("/dev/null"), "");
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
   EXPECT_EQ(complaint("/dev/full"), "cannot be written: No space left on device");
+}
+
+// A downloaded folder had a link for every name that a process might choose.
+TEST_F(WriteFile, PreparedLinksLeadNowhere) {
+  const fs::path victim = folder_ / "victim";
+  ASSERT_EQ(complaint(victim, "precious"), "");
+  for (int pid = 1; pid <= 32768; pid += 1) {
+    fs::create_symlink(victim, folder_ / ("result." + std::to_string(pid) + ".part"));
+  }
+  EXPECT_EQ(complaint(path_), "");
+  EXPECT_EQ(text(), "new");
+  EXPECT_FALSE(fs::is_symlink(path_));
+  EXPECT_EQ(read_file(victim, 100).value(), "precious");
+}
+
+TEST_F(WriteFile, APipeThatNobodyReadsIsNotWaitedFor) {
+  ASSERT_EQ(mkfifo(path_.c_str(), 0600), 0);
+  EXPECT_EQ(complaint(path_), "cannot be written: No such device or address");
 }
 
 TEST_F(WriteFile, SaysWhyItCannot) {
