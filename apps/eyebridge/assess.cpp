@@ -14,7 +14,7 @@
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/own_results.hpp"
 #include "eyebridge/base/text.hpp"
-#include "output_file.hpp"
+#include "eyebridge/base/write_file.hpp"
 #include "sweep/assessment_output.hpp"
 #include "sweep/results.hpp"
 #include "sweep_runs.hpp"
@@ -35,10 +35,9 @@ bool make_folder(const std::string& out) {
 
 void write_text(const fs::path& file, const std::string& text) {
   drop_link(file);
-  const OutputFile output = open_output(file.string(), "--out");
-  std::fputs(text.c_str(), output.get());
-  if (std::fflush(output.get()) != 0 || std::ferror(output.get()) != 0) {
-    throw std::runtime_error("cannot write " + file.string() + ": the disk does not take it");
+  check_replaceable(file, "table", text.substr(0, text.find(',')));  // the first heading
+  if (const auto done = write_file(file, text); !done) {
+    throw std::runtime_error(file.string() + ": " + done.error().what);
   }
 }
 

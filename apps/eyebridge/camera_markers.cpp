@@ -10,6 +10,7 @@
 #include "command.hpp"
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/log.hpp"
+#include "eyebridge/base/text.hpp"
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/camera/fiducials.hpp"
 #include "eyebridge/camera/png.hpp"
@@ -60,12 +61,12 @@ int write_sheet(const MarkerOptions& options) {
   }
   if (picture) {
     camera::write_png(camera::draw_page(sheet, options.page, camera::kPixelsPerMm), out);
-    std::printf("%s: page %d of %d\n", out.c_str(), options.page, pages);
+    std::printf("%s: page %d of %d\n", printable(out.string()).c_str(), options.page, pages);
     return kFine;
   }
   camera::write_pdf(sheet, out);
-  std::printf("%s: %zu fiducials on %d pages: print them at 100 %%\n", out.c_str(),
-              fiducials.size(), pages);
+  std::printf("%s: %zu fiducials on %d pages: print them at 100 %%\n",
+              printable(out.string()).c_str(), fiducials.size(), pages);
   return kFine;
 }
 

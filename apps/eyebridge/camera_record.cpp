@@ -13,6 +13,7 @@
 #include "command.hpp"
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/log.hpp"
+#include "eyebridge/base/text.hpp"
 #include "eyebridge/camera/recording/frame_table.hpp"
 #include "stop_signals.hpp"
 
@@ -96,7 +97,7 @@ int record_camera(const CameraRecordOptions& options) {
     if (options.seconds > 0.0 && now - tally.first_time >= from_seconds(options.seconds)) break;
   }
   file.commit();
-  std::printf("%s: %s, %d x %d pixels, %s\n", options.out.c_str(), tally.text().c_str(),
+  std::printf("%s: %s, %d x %d pixels, %s\n", printable(options.out).c_str(), tally.text().c_str(),
               input.size().width, input.size().height, options.codec.c_str());
   return tally.frames == 0 ? static_cast<int>(kFailed) : code;
 }

@@ -13,6 +13,7 @@
 #include "camera_input.hpp"
 #include "command.hpp"
 #include "eyebridge/base/log.hpp"
+#include "eyebridge/base/text.hpp"
 #include "eyebridge/camera/convert.hpp"
 #include "eyebridge/camera/png.hpp"
 #include "stop_signals.hpp"
@@ -103,13 +104,13 @@ int show_camera(const CameraShowOptions& options) {
   std::string failure;
   const Look look = look_through(input, options.frames, failure);
   if (look.last != nullptr) {
-    std::printf("camera      %s\n", options.camera.url.c_str());
+    std::printf("camera      %s\n", printable(options.camera.url).c_str());
     std::printf("size        %d x %d pixels\n", look.last->width, look.last->height);
     std::printf("frames      %s\n", rate_text(look).c_str());
     std::printf("brightness  %s\n", brightness_text(*look.last).c_str());
     if (!options.out.empty()) {
       camera::write_png(*look.last, options.out);
-      std::printf("picture     %s\n", options.out.c_str());
+      std::printf("picture     %s\n", printable(options.out).c_str());
     }
     if (isatty(STDOUT_FILENO) != 0) print_in_terminal(*look.last);
   }

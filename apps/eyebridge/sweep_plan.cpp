@@ -13,6 +13,7 @@
 
 #include "check_settings.hpp"
 #include "config/toml_text.hpp"
+#include "eyebridge/base/one_line.hpp"
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/base/trust.hpp"
 #include "eyebridge/hal/config.hpp"
@@ -196,6 +197,27 @@ void find_programs(SweepPlan& plan) {
   }
 }
 
+namespace {
+
+/// All that the file hands to the programs that it starts: " \"-c\" NAME=\"a\",\"b\"".
+std::string handed_over(const SweepPlan& plan) {
+  std::string text;
+  for (const AxisValue& word : plan.arguments) {
+    if (word.where.line > 0) text += ' ' + as_one_word(word.text);
+  }
+  for (const Axis& axis : plan.axes) {
+    if (axis.kind != AxisKind::Parameter && axis.kind != AxisKind::Environment) continue;
+    std::string values;
+    for (const AxisValue& value : axis.values) {
+      if (value.where.line > 0) values += (values.empty() ? "" : ",") + as_one_word(value.text);
+    }
+    if (!values.empty()) text += ' ' + escaped(axis.name) + '=' + values;
+  }
+  return text;
+}
+
+}  // namespace
+
 std::vector<Asked> asked_by(const SweepPlan& plan) {
   std::vector<Asked> out;
   for (const Axis& axis : plan.axes) {
@@ -207,7 +229,9 @@ std::vector<Asked> asked_by(const SweepPlan& plan) {
       if (is_program && !is_within(value.text, fs::path(value.where.file).parent_path())) {
         std::error_code error;
         const fs::path file = fs::canonical(value.text, error);
-        out.push_back({"program = " + (error ? value.text : file.string()), value.where});
+        out.push_back(
+            {"program = " + as_one_word(error ? value.text : file.string()) + handed_over(plan),
+             value.where});
       }
       if (setting != nullptr && hal::has_effect(*setting, value.text)) {
         out.push_back({hal::asked_by(*setting, value.text), value.where});

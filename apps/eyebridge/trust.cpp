@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "command.hpp"
+#include "eyebridge/base/one_line.hpp"
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/files/load.hpp"
 #include "eyebridge/files/scenario_programs.hpp"
@@ -60,8 +61,9 @@ std::vector<fs::path> files_of(const fs::path& path) {
 }
 
 void print(const fs::path& file, const std::vector<std::string>& asked) {
-  fmt::print("{}\n", printable(file.string()));
-  for (const std::string& text : asked) fmt::print("  {}\n", printable(text));
+  // A line each, whatever is in them.
+  fmt::print("{}\n", printable(escaped(file.string())));
+  for (const std::string& text : asked) fmt::print("  {}\n", printable(escaped(text)));
 }
 
 void trust(const fs::path& path) {
@@ -83,8 +85,8 @@ void take_back(const fs::path& path) {
   std::size_t count = 0;
   for (const Trust::Entry& entry : trusted) {
     std::error_code error;
-    const bool meant = fs::weakly_canonical(fs::absolute(path), error) == entry.file ||
-                       (fs::is_directory(path, error) && is_within(entry.file, path));
+    const fs::path meant_path = fs::weakly_canonical(fs::absolute(path), error);
+    const bool meant = meant_path == entry.file || is_within(entry.file, meant_path);
     if (!meant || !Trust::of_user().take_back(entry.file)) continue;
     fmt::print("{}: not trusted any more\n", printable(entry.file.string()));
     ++count;

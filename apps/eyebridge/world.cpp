@@ -10,6 +10,7 @@
 
 #include "command.hpp"
 #include "eyebridge/base/log.hpp"
+#include "eyebridge/base/own_results.hpp"
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/camera/birdseye.hpp"
 #include "eyebridge/camera/png.hpp"
@@ -71,9 +72,10 @@ int draw(const std::string& path, const std::string& output, int longest_side) {
   }
   const auto target = output.empty() ? std::filesystem::path(path).stem().concat(".png")
                                      : std::filesystem::path(output);
+  if (output.empty()) drop_link(target);  // nobody has said that name
   camera::write_png(camera::draw_birdseye(scene_of(scenario), {}, {.longest_side = longest_side}),
                     target);
-  std::printf("%s\n", target.c_str());
+  std::printf("%s\n", printable(target.string()).c_str());
   return kFine;
 }
 

@@ -16,6 +16,7 @@
 
 #include "command.hpp"
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/one_line.hpp"
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/files/load.hpp"
 #include "eyebridge/files/readers.hpp"
@@ -65,7 +66,7 @@ std::vector<fs::path> worlds_in(const fs::path& folder) {
 
 /// Prints the worlds of one place; a name that an earlier place has as well is never found here.
 void print_place(const char* what, const fs::path& folder, std::set<std::string>& taken) {
-  std::printf("%s: %s\n", what, folder.c_str());
+  std::printf("%s: %s\n", what, printable(folder.string()).c_str());
   std::vector<WorldLine> lines;
   std::size_t name_width = 0;
   std::size_t size_width = 0;
@@ -82,7 +83,8 @@ void print_place(const char* what, const fs::path& folder, std::set<std::string>
   for (const WorldLine& line : lines) {
     const std::string text = fmt::format("  {:{}}  {:{}}  {}", line.name, name_width, line.size,
                                          size_width, line.description);
-    std::printf("%s\n", text.substr(0, text.find_last_not_of(' ') + 1).c_str());
+    // A line each, whatever the files are called.
+    std::printf("%s\n", printable(escaped(text.substr(0, text.find_last_not_of(' ') + 1))).c_str());
   }
 }
 

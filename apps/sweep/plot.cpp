@@ -94,6 +94,7 @@ class Chart {
 
   void write(const std::filesystem::path& file) {
     drop_link(file);
+    check_replaceable(file, "picture", "\x89PNG");
     const cairo_status_t status = cairo_surface_write_to_png(surface_.get(), file.c_str());
     if (status != CAIRO_STATUS_SUCCESS) {
       throw std::runtime_error(

@@ -9,6 +9,7 @@
 #include "config/toml_document.hpp"
 #include "config/values.hpp"
 #include "eyebridge/base/text.hpp"
+#include "eyebridge/base/trust.hpp"
 #include "eyebridge/hal/config.hpp"
 
 namespace eyebridge::apps {
@@ -118,7 +119,14 @@ SweepPlan read_sweep(std::string_view text, const std::string& file) {
                              });
     } else if (name == "results") {
       const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-      plan.results = (folder / as_text(node).text).string();
+      const auto results = folder / as_text(node).text;
+      if (!is_within(results, folder)) {
+        throw ConfigError(as_text(node).where,
+                          fmt::format("found {}, expected a file of this one's folder; another "
+                                      "place is for you to say: --results",
+                                      in_quotes(as_text(node).text)));
+      }
+      plan.results = results.string();
     } else if (name == "wall_limit") {
       const AxisValue value = plain_value(node, document);
       plan.wall_limit = parse_duration(value.text, value.where);

@@ -7,6 +7,7 @@
 #include <cairo-pdf.h>
 #include <cairo.h>
 
+#include "eyebridge/base/own_results.hpp"
 #include "pictures/cairo_picture.hpp"
 
 namespace eyebridge::camera {
@@ -55,9 +56,19 @@ struct Paper::Sheet {
   }
 };
 
+namespace {
+
+const std::filesystem::path& replaceable(const std::filesystem::path& pdf) {
+  check_replaceable(pdf, "PDF", "%PDF");
+  return pdf;
+}
+
+}  // namespace
+
 Paper::Paper(const std::filesystem::path& pdf)
     : sheet_(std::make_unique<Sheet>(
-          cairo_pdf_surface_create(pdf.c_str(), kWidth * kPointsPerMm, kHeight * kPointsPerMm),
+          cairo_pdf_surface_create(replaceable(pdf).c_str(), kWidth * kPointsPerMm,
+                                   kHeight * kPointsPerMm),
           kPointsPerMm)) {
   sheet_->file = pdf.string();
   sheet_->check();

@@ -5,6 +5,7 @@
 
 #include <png.h>
 
+#include "eyebridge/base/own_results.hpp"
 #include "eyebridge/base/write_file.hpp"
 #include "eyebridge/camera/picture.hpp"
 #include "pictures/decoders.hpp"
@@ -54,6 +55,7 @@ Frame finish_reading(Image& image, std::uint64_t most_pixels) {
 }  // namespace
 
 void write_png(const Frame& frame, const std::filesystem::path& path) {
+  check_replaceable(path, "picture", "\x89PNG");
   Image image;
   image.width = static_cast<png_uint_32>(frame.width);
   image.height = static_cast<png_uint_32>(frame.height);

@@ -78,8 +78,11 @@ bool has_effect(const Setting& setting, std::string_view text) {
 std::string asked_by(const Setting& setting, const std::string& text) {
   std::error_code no_folder;  // that of the process is gone: the path stays as it is
   const bool is_path = setting.kind == Setting::Kind::Path && !text.empty();
-  const std::string full =
-      is_path ? std::filesystem::absolute(text, no_folder).lexically_normal().string() : text;
+  // Where links lead: they may lead elsewhere later.
+  const std::string full = is_path ? std::filesystem::weakly_canonical(
+                                         std::filesystem::absolute(text, no_folder), no_folder)
+                                         .string()
+                                   : text;
   return fmt::format("{} = {}", setting.key, full);
 }
 

@@ -108,7 +108,13 @@ void Config::keep_outputs() const {
   RunPlan inherited{"of the parent", values_};  // to others it is one of flags
   for (const Setting& setting : settings()) {
     if (setting.effect != Setting::Effect::Writes) continue;
-    ::unsetenv(variable_name(setting.key).c_str());
+    const std::string name = variable_name(setting.key);
+    // What stands in the folder's file would count for others, too: they read it anew.
+    if (value(setting.key).where.line > 0) {
+      ::setenv(name.c_str(), std::string(setting.fallback).c_str(), 1);
+    } else {
+      ::unsetenv(name.c_str());
+    }
     inherited.values.erase(std::string(setting.key));
   }
   if (std::getenv(kPlanVariable) == nullptr) return;

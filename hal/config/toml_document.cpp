@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -117,6 +118,13 @@ ConfigValue setting_value(const Setting& setting, const toml::node& node,
   check_value(setting, value);
   if (setting.kind == Setting::Kind::Path && !value.text.empty()) {
     value.text = from_folder_of(document.file, value.text);
+  }
+  // "./beep --loud": a program with a slash in its name is meant from here, wherever it is started.
+  const std::string program = value.text.substr(0, value.text.find_first_of(" \t\n"));
+  if (setting.effect == Setting::Effect::Starts && program.find('/') != std::string::npos) {
+    std::error_code no_folder;
+    const auto full = std::filesystem::absolute(from_folder_of(document.file, program), no_folder);
+    value.text.replace(0, program.size(), full.lexically_normal().string());
   }
   return value;
 }

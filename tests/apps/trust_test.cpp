@@ -166,5 +166,103 @@ TEST_F(TrustCommand, SweepFilesStartOnlyProgramsOfTheirFolder) {
   EXPECT_EQ(eyebridge({"sweep", "sweep.toml"}).exit_code, 0);
 }
 
+TEST_F(TrustCommand, OfASweepFileIsForAllThatItHandsOver) {
+  const std::string begin = "program = '/bin/sh'\nseed = 1\n";
+  (void)folder_.write("came/sweep.toml", begin + "arguments = ['-c', 'true']\n");
+  const ProgramRun given = eyebridge({"trust", "sweep.toml"});
+  EXPECT_EQ(given.exit_code, 0) << given.err;
+  EXPECT_THAT(given.out, HasSubstr(R"( "-c" "true")"));
+  EXPECT_NE(eyebridge({"sweep", "sweep.toml"}).exit_code, 2);
+  (void)folder_.write("came/sweep.toml", begin + "arguments = ['-c', 'touch ../../ran']\n");
+  expect_refused(eyebridge({"sweep", "sweep.toml"}), "touch", "eyebridge trust sweep.toml");
+  (void)folder_.write("came/sweep.toml", begin +
+                                             "arguments = ['-c', 'true']\n"
+                                             "[environment]\nLD_PRELOAD = './x.so'\n");
+  expect_refused(eyebridge({"sweep", "sweep.toml"}), "LD_PRELOAD=", "eyebridge trust");
+}
+
+TEST_F(TrustCommand, SweepFilesKeepTheirResultsInTheirFolder) {
+  for (const char* results : {"../home/other.db", "../home/.bashrc", "/tmp/other.db"}) {
+    (void)folder_.write("came/sweep.toml",
+                        std::string("program = './square'\nresults = '") + results + "'\n");
+    expect_refused(eyebridge({"sweep", "sweep.toml"}), "sweep.toml:2:", "--results");
+  }
+  EXPECT_FALSE(is_there("home/other.db"));
+}
+
+// SQLite removes the file that a journal names, before anybody has looked at what it is.
+TEST_F(TrustCommand, NoJournalBesideResultsIsPlayedBack) {
+  EXPECT_EQ(eyebridge({"sweep", "--seed", "1", "./square"}).exit_code, 0);
+  (void)folder_.write("came/sweep.db-journal", "anything");
+  const ProgramRun r = eyebridge({"sweep", "--seed", "1", "./square"});
+  EXPECT_EQ(r.exit_code, 2);
+  EXPECT_THAT(r.err, HasSubstr("sweep.db-journal beside it"));
+  EXPECT_TRUE(is_there("came/sweep.db-journal"));
+}
+
+TEST_F(TrustCommand, HoldsForWhereALinkLedThen) {
+  std::filesystem::create_directory(folder_.path() + "/came/own");
+  std::filesystem::create_directory_symlink("own", folder_.path() + "/came/res");
+  (void)folder_.write("came/eyebridge.toml", "out = 'res'\n");
+  EXPECT_EQ(eyebridge({"trust"}).exit_code, 0);
+  EXPECT_EQ(square().exit_code, 0);
+  std::filesystem::remove(folder_.path() + "/came/res");
+  std::filesystem::create_directory_symlink("../home", folder_.path() + "/came/res");
+  expect_refused(square(), "out = ", "eyebridge trust");
+  EXPECT_FALSE(is_there("home/lcd.txt"));
+}
+
+TEST_F(TrustCommand, APlayerWithASlashLiesInTheFilesFolder) {
+  (void)folder_.write("came/eyebridge.toml", "player = './beep --loud'\n");
+  const ProgramRun given = eyebridge({"trust"});
+  EXPECT_THAT(given.out, HasSubstr("player = " + folder_.path() + "/came/beep --loud"));
+}
+
+TEST_F(TrustCommand, IsListedALineEach) {
+  (void)folder_.write("came/eyebridge.toml", "player = \"aplay\\n/home/you/eyebridge.toml\"\n");
+  EXPECT_EQ(eyebridge({"trust"}).exit_code, 0);
+  EXPECT_THAT(eyebridge({"trust", "--list"}).out,
+              HasSubstr("  player = aplay\\n/home/you/eyebridge.toml\n"));
+  std::filesystem::remove_all(folder_.path() + "/came");
+  std::filesystem::create_directory(folder_.path() + "/came");
+  EXPECT_EQ(eyebridge({"trust", "--revoke", "../came"}).exit_code, 0) << "though it is gone";
+  EXPECT_EQ(eyebridge({"trust", "--list"}).out, "");
+}
+
+// Both wrote into one trace.
+TEST_F(TrustCommand, WhatAProgramStartsDoesNotWriteIntoItsResults) {
+  (void)folder_.write("came/twice.c",
+                      "#include <stdlib.h>\n#include <eyebot.h>\nint main(void) {\n"
+                      "  VWStraight(100, 100);\n  OSWait(200);\n"
+                      "  return system(\"./square >/dev/null\");\n}\n");
+  const ProgramRun built = testing::run_program(
+      {{EYEBRIDGE_BIN "/eyebridge-cc", "twice.c", "-o", "twice"}, {}, folder_.path() + "/came"});
+  ASSERT_EQ(built.exit_code, 0) << built.err;
+  (void)folder_.write("came/eyebridge.toml", "out = 'out'\nreport = 'report.txt'\n");
+  EXPECT_EQ(eyebridge({"trust"}).exit_code, 0);
+  const ProgramRun r = eyebridge({"run", "./twice"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  const std::size_t first = r.err.find("results in");
+  EXPECT_NE(first, std::string::npos) << r.err;
+  EXPECT_EQ(r.err.find("results in", first + 1), std::string::npos) << r.err;
+}
+
+TEST_F(TrustCommand, APictureThatNobodyNamedReplacesNothing) {
+  std::filesystem::create_symlink("../home/.bashrc", folder_.path() + "/came/room.png");
+  EXPECT_EQ(eyebridge({"world", "draw", "room.wld"}).exit_code, 0);
+  EXPECT_EQ(testing::file_text(folder_.path() + "/home/.bashrc"), "# mine\n");
+  const ProgramRun named = eyebridge({"world", "draw", "room.wld", "-o", "../home/.bashrc"});
+  EXPECT_NE(named.exit_code, 0);
+  EXPECT_THAT(named.err, HasSubstr("another kind of file"));
+  EXPECT_EQ(testing::file_text(folder_.path() + "/home/.bashrc"), "# mine\n");
+}
+
+TEST_F(TrustCommand, APipeInThePlaceOfAProgramIsNotWaitedFor) {
+  ASSERT_EQ(mkfifo((folder_.path() + "/came/f.py").c_str(), 0600), 0);
+  const ProgramRun r = eyebridge({"run", "f.py"});
+  EXPECT_NE(r.exit_code, 0);
+  EXPECT_THAT(r.err, HasSubstr("found no regular file"));
+}
+
 }  // namespace
 }  // namespace eyebridge

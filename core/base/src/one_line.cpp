@@ -21,4 +21,13 @@ std::string unescaped(std::string_view text) {
   return out;
 }
 
+std::string as_one_word(std::string_view word) {
+  std::string out = "\"";
+  for (const char c : escaped(word)) {
+    if (c == '"') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
+
 }  // namespace eyebridge

@@ -19,6 +19,9 @@ std::string trouble_with(const std::filesystem::path& program) {
   if (std::filesystem::is_directory(program, unreadable)) {
     return "found a folder, expected a robot program";
   }
+  if (!std::filesystem::is_regular_file(program, unreadable)) {
+    return "found no regular file, expected a robot program";
+  }
   const bool wants_python = is_python(program);
   if (access(program.c_str(), wants_python ? R_OK : X_OK) != 0) {
     const std::string why = std::strerror(errno);

@@ -3,24 +3,11 @@
 #include <algorithm>
 #include <system_error>
 
+#include "eyebridge/base/one_line.hpp"
 #include "eyebridge/base/trust.hpp"
 
 namespace eyebridge::files {
-namespace {
-
 namespace fs = std::filesystem;
-
-/// Different words give different texts.
-std::string quoted(const std::string& word) {
-  std::string out = "\"";
-  for (const char c : word) {
-    if (c == '"' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out + '"';
-}
-
-}  // namespace
 
 fs::path program_file(const std::string& name, const fs::path& scenario) {
   fs::path written(name);
@@ -40,8 +27,9 @@ std::optional<std::string> asked_for(const std::string& name,
   std::error_code error;
   if (!fs::exists(file, error) || is_within(file, scenario.parent_path())) return std::nullopt;
   const fs::path found = fs::canonical(file, error);
-  std::string asked = "program = " + quoted((error ? fs::absolute(file, error) : found).string());
-  for (const std::string& argument : arguments) asked += ' ' + quoted(argument);
+  std::string asked =
+      "program = " + as_one_word((error ? fs::absolute(file, error) : found).string());
+  for (const std::string& argument : arguments) asked += ' ' + as_one_word(argument);
   return asked;
 }
 
