@@ -1,11 +1,13 @@
 #include "replay/recorder.hpp"
 
+#include <filesystem>
 #include <mutex>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "calls/device_list.hpp"
+#include "eyebridge/base/own_results.hpp"
 #include "eyebridge/camera/frame_sink.hpp"
 #include "eyebridge/camera/recording/frame_table.hpp"
 #include "replay/ebrec.hpp"
@@ -52,7 +54,11 @@ class Recorder final : public CallInterceptor, public camera::FrameSink {
 
   void finish() noexcept override {
     write([](OpenRecording& recording) { recording.exchanges.commit(); });
-    drop();  // closed, it is one file instead of three
+    std::error_code error;
+    if (drop() && !std::filesystem::exists(path_, error)) {  // closed: one file instead of three
+      const std::lock_guard lock(mutex_);
+      lost_ = fmt::format("the recording {} is lost: {}", path_, kRemoved);
+    }
   }
 
   std::string lost() override {

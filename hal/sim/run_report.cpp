@@ -21,7 +21,7 @@ constexpr std::size_t kLongestName = 32;
 
 /// Opens it, emptied, if it may be replaced.
 UniqueFd open_report(const std::filesystem::path& path) {
-  check_replaceable(path, "report", "time = ");
+  check_replaceable(path, "report", "time =     ");
   return UniqueFd(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
 }
 
@@ -47,9 +47,9 @@ void RunReport::note(const std::string& name, double value) {
 }
 
 std::string RunReport::lost() const {
-  if (failure_ == 0) return {};
+  if (failure_ == 0 && is_still_at(path_, file_.get())) return {};
   return fmt::format("the report {} could not be written: {}", path_.string(),
-                     std::strerror(failure_));
+                     failure_ == 0 ? kRemoved : std::strerror(failure_));
 }
 
 // No text is shorter than the one before, so that one write replaces that one whole. A disk that is

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/own_results.hpp"
 
 namespace eyebridge::robios {
 
@@ -25,7 +26,8 @@ void RowFile::flush() noexcept {
 }
 
 std::string RowFile::failure() const {
-  return failed() ? path_.string() + ": " + std::generic_category().message(failure_) : "";
+  if (failed()) return path_.string() + ": " + std::generic_category().message(failure_);
+  return is_still_at(path_, fileno(file_.get())) ? "" : path_.string() + ": " + kRemoved;
 }
 
 void RowFile::note_failure() noexcept {

@@ -247,6 +247,24 @@ TEST_F(TrustCommand, WhatAProgramStartsDoesNotWriteIntoItsResults) {
   EXPECT_EQ(r.err.find("results in", first + 1), std::string::npos) << r.err;
 }
 
+TEST_F(TrustCommand, ResultsThatAreRemovedDuringTheRunAreMissed) {
+  (void)folder_.write(
+      "came/removes.c",
+      "#include <stdlib.h>\n#include <eyebot.h>\nint main(int argc, char** argv) {\n"
+      "  VWStraight(100, 100);\n  OSWait(200);\n"
+      "  return argc == 2 ? system(argv[1]) : 1;\n}\n");
+  const ProgramRun built =
+      testing::run_program({{EYEBRIDGE_BIN "/eyebridge-cc", "removes.c", "-o", "removes"},
+                            {},
+                            folder_.path() + "/came"});
+  ASSERT_EQ(built.exit_code, 0) << built.err;
+  for (const char* flag : {"--report", "--record", "--out"}) {
+    const ProgramRun r = eyebridge({"run", flag, "result", "./removes", "rm -r result*"});
+    EXPECT_EQ(r.exit_code, 1) << flag << r.err;
+    EXPECT_THAT(r.err, HasSubstr("it was removed during the run")) << flag;
+  }
+}
+
 TEST_F(TrustCommand, APictureThatNobodyNamedReplacesNothing) {
   std::filesystem::create_symlink("../home/.bashrc", folder_.path() + "/came/room.png");
   EXPECT_EQ(eyebridge({"world", "draw", "room.wld"}).exit_code, 0);

@@ -4,6 +4,8 @@
 #include <string>
 #include <system_error>
 
+#include <sys/stat.h>
+
 #include "eyebridge/base/config_error.hpp"
 
 namespace eyebridge {
@@ -35,6 +37,13 @@ void drop_link(const std::filesystem::path& path) {
   if (!std::filesystem::is_symlink(path, error)) return;
   if (std::filesystem::is_character_file(path, error)) return;
   std::filesystem::remove(path, error);
+}
+
+bool is_still_at(const std::filesystem::path& path, int descriptor) {
+  struct stat there {};
+  struct stat ours {};
+  return stat(path.c_str(), &there) == 0 && fstat(descriptor, &ours) == 0 &&
+         there.st_dev == ours.st_dev && there.st_ino == ours.st_ino;
 }
 
 }  // namespace eyebridge

@@ -3,9 +3,11 @@
 #include <filesystem>
 #include <fstream>
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "eyebridge/base/config_error.hpp"
 
@@ -53,6 +55,19 @@ TEST_F(OwnResults, GoToRegularFilesAndToDevicesThatKeepNothing) {
   fs::remove(path_);
   fs::create_symlink("/dev/null", path_);
   EXPECT_EQ(complaint(), "");
+}
+
+TEST_F(OwnResults, AreMissedWhereTheyWere) {
+  const std::filesystem::path path = std::filesystem::path(::testing::TempDir()) / "own_result";
+  std::filesystem::remove(path);
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+  EXPECT_TRUE(is_still_at(path, file));
+  std::filesystem::remove(path);
+  EXPECT_FALSE(is_still_at(path, file));
+  std::ofstream(path) << "another one";
+  EXPECT_FALSE(is_still_at(path, file));
+  close(file);
+  std::filesystem::remove(path);
 }
 
 TEST_F(OwnResults, DoNotFollowLinksToOtherFolders) {

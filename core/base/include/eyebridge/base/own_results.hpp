@@ -15,4 +15,11 @@ void check_replaceable(const std::filesystem::path& path, std::string_view kind,
 /// must not replace a file in another folder.
 void drop_link(const std::filesystem::path& path);
 
+/// `path` still leads to the open file `descriptor`: nobody has removed it or put another one
+/// there.
+bool is_still_at(const std::filesystem::path& path, int descriptor);
+
+/// What is said of a result that is_still_at() does not find: "it was removed during the run".
+inline constexpr const char* kRemoved = "it was removed during the run";
+
 }  // namespace eyebridge
