@@ -49,11 +49,19 @@ int run(int argc, char** argv) {
   return code;
 }
 
+/// `code`, or a failure where what was printed did not arrive: a full disk behind "> FILE".
+int told(int code) {
+  const bool arrived = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
+  if (arrived || code != eyebridge::apps::kFine) return code;
+  eyebridge::tell("what it printed could not be written in full: is the disk full?");
+  return eyebridge::apps::kFailed;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    return told(run(argc, argv));
   } catch (const eyebridge::ConfigError& error) {
     eyebridge::tell(error.what());
     return eyebridge::apps::kBadInput;

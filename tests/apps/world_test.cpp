@@ -110,5 +110,14 @@ TEST(WorldDraw, APictureThatCannotBeWrittenIsAFailure) {
   EXPECT_THAT(r.err, HasSubstr("no/such/folder.png"));
 }
 
+TEST(Output, ThatDoesNotArriveIsAFailure) {
+  for (const char* words : {"world list", "--version", "config"}) {
+    const auto r = testing::run_program(
+        {{"sh", "-c", EYEBRIDGE_BIN "/eyebridge " + std::string(words) + " >/dev/full"}, {}, {}});
+    EXPECT_EQ(r.exit_code, 1) << words;
+    EXPECT_THAT(r.err, ::testing::HasSubstr("could not be written in full")) << words;
+  }
+}
+
 }  // namespace
 }  // namespace eyebridge
