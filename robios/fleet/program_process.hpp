@@ -75,7 +75,7 @@ class ProgramProcess {
   std::unique_ptr<hal::Backend> robot_;
   UniqueFd line_;
   std::unique_ptr<ChildProcess> process_;
-  std::mutex starting_;  ///< Whoever ends it finds it started, or keeps it from that.
+  std::mutex starting_;                   ///< Held while it is started, and while its end begins.
   std::atomic<bool> is_started_ = false;  ///< For other threads: process_ is there.
   std::atomic<bool> is_ending_ = false;
   std::atomic<bool> hangs_ = false;

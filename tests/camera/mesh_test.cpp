@@ -20,8 +20,8 @@ Vec3 cross(Vec3 a, Vec3 b) {
 Vec3 place(const BodyVertex& vertex) { return {vertex.x, vertex.y, vertex.z}; }
 Vec3 normal(const BodyVertex& vertex) { return {vertex.nx, vertex.ny, vertex.nz}; }
 
-/// Of a solid that is closed but for its floor: the sum of the pyramids from the origin, on that
-/// floor, to each triangle.
+/// The volume of a solid that stands on the floor and has no bottom face: the sum of the pyramids
+/// from the origin to each triangle.
 double volume(const BodyMesh& mesh) {
   double sixfold = 0.0;
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {

@@ -9,12 +9,13 @@ import signal
 import subprocess
 import time
 
+import ends
 import frames
 import oracle
 
 ROBOTS = 3
 ROOM = pathlib.Path(__file__).resolve().parents[2] / "worlds/two-robots.sim"
-PATIENCE_S = 60.0  # on a machine that has more to do than this test
+PATIENCE_S = 60.0  # for commands and ends
 RESULTS = ["--out", "out", "--report", "run.report"]
 
 RUNS = ["nothing", "robot killed", "robot stopped for a while", "robot stopped, then killed", "run gets SIGTERM", "run gets SIGINT",
@@ -47,23 +48,16 @@ def said(folder):
 
 
 def await_that(holds):
-    end = time.monotonic() + PATIENCE_S
-    while not holds():
-        if time.monotonic() > end:
-            return False
-        time.sleep(0.02)
-    return True
+    try:
+        ends.await_that(holds)
+        return True
+    except TimeoutError:
+        return False
 
 
 def robots_of(process):
     """The processes of its robots' programs."""
-    return [one for one in [process, *oracle.children_of(process)] if comm(one) == "chaos_roamer"]
-
-
-def comm(process):
-    with contextlib.suppress(OSError), open(f"/proc/{process}/comm") as file:
-        return file.read().strip()
-    return ""
+    return [one for one in [process, *oracle.children_of(process)] if ends.name_of(one) == "chaos_roamer"]
 
 
 def send(process, number):
@@ -285,5 +279,5 @@ def display(folder):
 
 def threads_of(process):
     with contextlib.suppress(OSError):
-        return [comm(f"{process}/task/{one}") for one in os.listdir(f"/proc/{process}/task")]
+        return [ends.name_of(f"{process}/task/{one}") for one in os.listdir(f"/proc/{process}/task")]
     return []

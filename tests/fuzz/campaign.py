@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Feeds each fuzzer so many inputs, from its corpus and what earlier runs have found, and says what came of it.
+"""Feeds each fuzzer a number of inputs, and prints what it found. They begin with its corpus and the inputs that earlier runs kept.
 
 usage: campaign.py BUILD OUT [NAME...] [--inputs 100000] [--jobs N] [--seconds S] [--coverage BUILD]
 BUILD is a build folder of the preset fuzz; OUT keeps a corpus, a log and findings for each. With --seconds a fuzzer that is

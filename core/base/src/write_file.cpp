@@ -31,8 +31,7 @@ int write_to(UniqueFd file, std::string_view bytes) {
   return ::close(file.release()) == 0 ? 0 : errno;
 }
 
-/// A new file beside `target`, by a name that nobody knows before: what lies there, a link above
-/// all, is not written to.
+/// A new file beside `target`, with a random name, so that nobody can put a link there before.
 UniqueFd open_beside(const fs::path& target, fs::path& beside) {
   std::random_device dice;
   for (int i = 0; i < kAttempts; ++i) {
@@ -45,7 +44,7 @@ UniqueFd open_beside(const fs::path& target, fs::path& beside) {
   return {};
 }
 
-/// What is no file: nobody is waited for who would read a pipe.
+/// For pipes and devices. Does not wait for somebody to read a pipe.
 Result<void> write_in_place(const fs::path& path, std::string_view bytes) {
   UniqueFd file(::open(path.c_str(), O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   if (file.valid()) ::fcntl(file.get(), F_SETFL, 0);

@@ -10,8 +10,8 @@ namespace eyebridge {
 
 /// All bytes of the regular file `path`. A pipe or a device is refused, not waited for. Fails with
 /// Unsupported and what is wrong, as it goes on after the file's name: "no such file", "is not a
-/// file", "has 9 bytes, expected at most 8", "cannot be read: Permission denied". With `expected`,
-/// "a picture", what is no file is told that.
+/// file", "has 9 bytes, expected at most 8", "cannot be read: Permission denied". `expected`
+/// ("a picture") ends the message about what is not a file.
 Result<std::string> read_file(const std::filesystem::path& path, std::uintmax_t most,
                               const std::string& expected = "");
 

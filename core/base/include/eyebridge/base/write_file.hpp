@@ -7,10 +7,10 @@
 
 namespace eyebridge {
 
-/// Makes `bytes` the whole of the file `path`, or leaves it as it was: they are written beside it
-/// first. A link stays one, and so do a file's rights; a device is written to. Fails with
-/// Unsupported and what is wrong, as it goes on after the file's name: "cannot be written: No space
-/// left on device".
+/// Writes `bytes` as the whole file `path`. They go into a new file beside it, which then takes its
+/// place, so after a failure the old file is unchanged. A link stays a link, a file keeps its
+/// rights, and a device is written to. Fails with Unsupported; the message goes on after the file's
+/// name: "cannot be written: No space left on device".
 Result<void> write_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace eyebridge
