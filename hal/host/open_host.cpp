@@ -71,6 +71,7 @@ std::unique_ptr<Radio> make_radio(Backend& robot, const BackendContext& context,
                            setting.corrupt.value_or(model.corrupt),
                            setting.range.value_or(model.range)};
   const int id = setting.id.value_or(robot.robot_id());
+  if (id > Radio::kLastId) return nullptr;  // nobody could send it anything
   switch (setting.medium) {
     case Medium::None:
       return nullptr;

@@ -22,7 +22,13 @@ void check_hope(hal::Radio& radio, Session& session, Time since) {
 
 Result<hal::Radio*> radio_of(Session& session) {
   hal::Radio* const radio = session.backend().radio();
-  if (radio == nullptr) return fail(Errc::NoDevice, "this robot has no radio");
+  if (radio == nullptr) {
+    const int id = session.backend().robot_id();
+    return fail(Errc::NoDevice, id > hal::Radio::kLastId
+                                    ? "robot " + std::to_string(id) +
+                                          " has no radio: only robots 1 to 255 can be reached"
+                                    : std::string("this robot has no radio"));
+  }
   return radio;
 }
 

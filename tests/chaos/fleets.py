@@ -145,6 +145,7 @@ class Long:
         self.place, self.folder = place, place.fresh_folder()
         self.process = start(place, self.folder, words, **environment)
         self.own = {"PATH": "/usr/bin:/bin", "HOME": str(self.folder / "home"), "XDG_RUNTIME_DIR": str(self.folder / "home")}
+        self.lasting = [self.process.pid]  # whose memory is looked at: robots that come and go make it more and less
         self.memory = []
 
     def command(self, *words):
@@ -167,7 +168,7 @@ class Long:
         return f"add: {code}, {text}"
 
     def look(self):
-        self.memory.append(oracle.resident_kb(self.process.pid))
+        self.memory.append(oracle.resident_kb(self.lasting))
 
     def end(self):
         self.process.terminate()
@@ -188,6 +189,7 @@ def lives(place, tally):
     try:
         if not await_that(lambda: len(robots_of(run.process.pid)) == 2):
             raise RuntimeError(f"no robots came; {said(run.folder)}")
+        run.lasting += oracle.children_of(run.process.pid)
         extra = []  # numbers of robots that came later, which still live
         left = list(LIFE)
         while place.has_time() or left:
@@ -205,7 +207,7 @@ def lives(place, tally):
             elif what == "robot of a long run killed":
                 # The one that came last, once it is its program: the first two are what the run lives for.
                 if not await_that(lambda: len(robots_of(run.process.pid)) == 2 + len(extra)):
-                    raise RuntimeError(f"{2 + len(extra)} robots expected, found {robots_of(run.process.pid)}")
+                    raise RuntimeError(f"{2 + len(extra)} robots expected, found {robots_of(run.process.pid)}; {said(run.folder)}")
                 left_alive = robots_of(run.process.pid)
                 send(left_alive[-1], signal.SIGKILL)
                 if not await_that(lambda: left_alive[-1] not in robots_of(run.process.pid)):

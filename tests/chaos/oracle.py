@@ -87,10 +87,10 @@ def said_twice(text):
     return next((f"said twice: {line}" for line in ours if ours.count(line) > 1), None)
 
 
-def resident_kb(process):
-    """Of this process and all that it has started; 0 when it is gone."""
+def resident_kb(processes):
+    """Of all of them together; those that are gone have none."""
     total = 0
-    for one in [process, *children_of(process)]:
+    for one in processes:
         try:
             total += int(pathlib.Path(f"/proc/{one}/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE") // 1024
         except OSError:

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "clock/lockstep_clock.hpp"
+#include "eyebridge/hal/passing_backend.hpp"
 #include "host/open_host.hpp"
 #include "radio/radio_medium.hpp"
 #include "rigs.hpp"
@@ -151,6 +152,28 @@ std::unique_ptr<Backend> robot_with_radio(const std::map<std::string, std::strin
   const Config config = rig_config(all);
   auto robot = open_scenario(rig_scenario(0.5), {"room.wld"}, {config, log});
   return with_host_devices(std::move(robot), {config, log}, air);
+}
+
+class Numbered final : public PassingBackend {
+ public:
+  Numbered(std::unique_ptr<Backend> inner, int id) : PassingBackend(std::move(inner)), id_(id) {}
+  [[nodiscard]] int robot_id() const override { return id_; }
+
+ private:
+  int id_;
+};
+
+TEST(RadioErrors, ARobotWhoseNumberNobodyCanSendToHasNoRadio) {
+  // Numbers are never used again: a run whose robots come and go gets there in an hour. The program
+  // of such a robot in a process of its own did not even start.
+  KeepingLog log;
+  const Config config = rig_config({{"fast", "true"}});
+  for (const int id : {255, 256}) {
+    auto robot = open_scenario(rig_scenario(0.5), {"room.wld"}, {config, log});
+    const auto whole = with_host_devices(std::make_unique<Numbered>(std::move(robot), id),
+                                         {config, log}, nullptr);
+    EXPECT_EQ(whole->radio() != nullptr, id == 255) << id;
+  }
 }
 
 TEST(RadioErrors, OfARobotComeFromItsModelOrTheSetting) {
