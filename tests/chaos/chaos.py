@@ -8,9 +8,11 @@ if anything was, or if a kind of fault was never tried.
 """
 import argparse
 import collections
+import os
 import pathlib
 import random
 import signal
+import subprocess
 import sys
 import tempfile
 import threading
@@ -62,8 +64,8 @@ def guarded(part, place, tally):
 
 
 def main():
-    for number in (signal.SIGINT, signal.SIGQUIT):  # what a shell starts in the background ignores these
-        signal.signal(number, signal.SIG_DFL)
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # what a shell starts in the background ignores these
+    signal.signal(signal.SIGQUIT, signal.SIG_DFL)
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("programs", type=lambda path: pathlib.Path(path).resolve())
     parser.add_argument("--minutes", type=float, default=3.0)
@@ -81,8 +83,17 @@ def main():
         ]
         for thread in threads:
             thread.start()
-        for thread in threads:
-            thread.join()
+        try:
+            for thread in threads:
+                thread.join()
+        except KeyboardInterrupt:
+            # What stays would find the next run's boards: pseudo-terminals get the numbers of those that are gone.
+            subprocess.Popen = None  # the threads go on, and must start nothing more
+            while left := oracle.children_of(os.getpid()):
+                for one in left:
+                    fleets.send(one, signal.SIGKILL)
+                time.sleep(0.1)  # until they are gone, and waited for
+            os._exit(130)
         tally.add("all has ended", oracle.left_over(folder))
     print("| fault | tried | wrong |\n|---|---:|---:|")
     for fault in sorted(tally.tried):

@@ -28,13 +28,31 @@ world::WorldModel read_world(std::string_view text, const std::string& file,
                              std::vector<SourceLocation>* start_places = nullptr,
                              Reading reading = Reading::Strict);
 
-/// Maze drawn with `|` and `_` (`.maz`). What stands off the grid is ignored with a warning; `O`
-/// and `X` are a ball and a crate with a wall below, as with the letters of starts. A drawing with
-/// three columns a cell ("|__|") instead of two is recognised and read as such, with one warning.
+/// How a maze is kept.
+enum class MazeFormat {
+  Drawing,  ///< EyeSim's `.maz`, drawn with `|` and `_`;
+  Posts,    ///< drawn with posts, `o` or `+`, and walls `---` and `|` between them;
+  List,     ///< a line `x y north east south west` for each cell, `.num`;
+  Binary,   ///< a byte for each cell of 16 x 16 or 32 x 32.
+};
+
+/// A maze in any of these formats; its content says which. `cell` is the edge length of a cell,
+/// metres, whatever the file says of it.
+///
+/// Drawing: what stands off the grid is ignored with a warning; `O`, `X` and `G` are a ball, a crate
+/// and a goal with a wall below, as with the letters of starts. A drawing with three columns a cell
+/// ("|__|") instead of two is recognised and read as such, with one warning. A cell is 360 mm unless
+/// the last line says another size.
+///
+/// The others are those of contests: a cell is 180 mm, the robot starts at `S`, or in the lower left
+/// cell, facing a side that is open; goals are the cells with a `G`, or those in the middle.
+///
+/// An outer boundary that is open, and a maze without walls, are warnings with a place.
 /// `start_places` as in read_world().
-world::WorldModel read_maze(std::string_view text, const std::string& file,
+world::WorldModel read_maze(std::string_view bytes, const std::string& file,
                             std::vector<Warning>& warnings,
-                            std::vector<SourceLocation>* start_places = nullptr);
+                            std::vector<SourceLocation>* start_places = nullptr,
+                            std::optional<double> cell = std::nullopt);
 
 /// Robot description (`.robi`), both dialects: the new one has `drive` as its first keyword, and
 /// its `wheel` gives half the wheel base.

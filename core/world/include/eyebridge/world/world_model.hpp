@@ -129,6 +129,14 @@ struct StartPose {
   friend bool operator==(const StartPose&, const StartPose&) = default;
 };
 
+/// A cell of a maze.
+struct MazeCell {
+  int column = 0;
+  int row = 0;
+
+  friend bool operator==(const MazeCell&, const MazeCell&) = default;
+};
+
 /// A maze drawn on a square grid. Cell (0, 0) is at the lower left.
 ///
 /// Edges are stored as bits: `south[row * columns + column]` is the edge under a cell, with one
@@ -137,9 +145,10 @@ struct StartPose {
 struct MazeGrid {
   int columns = 0;
   int rows = 0;
-  double cell = 0.36;       ///< Edge length of a cell, metres.
-  std::vector<char> south;  ///< columns * (rows + 1) flags.
-  std::vector<char> west;   ///< (columns + 1) * rows flags.
+  double cell = 0.36;                ///< Edge length of a cell, metres.
+  std::vector<char> south;           ///< columns * (rows + 1) flags.
+  std::vector<char> west;            ///< (columns + 1) * rows flags.
+  std::vector<MazeCell> goals = {};  ///< Where a contest run ends; none: its file says nothing.
 
   friend bool operator==(const MazeGrid&, const MazeGrid&) = default;
 };

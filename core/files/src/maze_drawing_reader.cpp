@@ -2,8 +2,9 @@
 #include <optional>
 
 #include "eyebridge/base/units.hpp"
-#include "eyebridge/files/maze_limits.hpp"
 #include "eyebridge/files/readers.hpp"
+#include "maze_formats.hpp"
+#include "maze_layout.hpp"
 #include "object_kinds.hpp"
 #include "text.hpp"
 
@@ -11,8 +12,6 @@ namespace eyebridge::files {
 namespace {
 
 constexpr std::size_t kMaxLines = 100000;
-constexpr double kMinCell = 10;  // millimetres
-constexpr double kMaxCell = 100000;
 
 struct Row {
   std::string_view text;   ///< Two columns a cell.
@@ -58,16 +57,19 @@ std::optional<double> facing(char letter) {
 }
 
 bool is_object(char c) { return c == 'o' || c == 'O' || c == 'x' || c == 'X'; }
+bool is_goal(char c) { return c == 'g' || c == 'G'; }
 /// True for letters that put something into the maze.
-bool is_sign(char c) { return is_object(c) || facing(c).has_value(); }
+bool is_sign(char c) { return is_object(c) || is_goal(c) || facing(c).has_value(); }
 
 class MazeReader {
  public:
-  MazeReader(std::string_view text, const std::string& file, std::vector<Warning>& warnings,
-             std::vector<SourceLocation>* start_places)
-      : file_(file), warnings_(file, warnings), start_places_(start_places) {
-    text = without_bom(text);
-    check_text(text, file);
+  explicit MazeReader(const MazeSource& source)
+      : file_(source.file),
+        warnings_(source.file, source.warnings),
+        start_places_(source.start_places),
+        cell_(source.cell) {
+    std::string_view text = without_bom(source.bytes);
+    check_text(text, file_);
     int line = 0;
     while (!text.empty()) {
       if (rows_.size() == kMaxLines) {
@@ -87,7 +89,9 @@ class MazeReader {
     take_size();
     if (is_wide()) narrow();
     lay_out_grid();
+    if (cell_) grid_.cell = *cell_;
     for (std::size_t r = 0; r < rows_.size(); ++r) read_row(r);
+    sort_goals(grid_);
     model_.width = grid_.columns * grid_.cell;
     model_.height = grid_.rows * grid_.cell;
     model_.walls = world::walls_of(grid_);
@@ -95,6 +99,8 @@ class MazeReader {
       throw ConfigError({file_, rows_.front().line, 1},
                         "no wall in the maze: expected '|' in odd and '_' in even columns");
     }
+    warn_of_gaps(grid_, warnings_,
+                 [this](world::MazeCell cell, Side side) { return place_of(cell, side); });
     model_.maze = std::move(grid_);
     return std::move(model_);
   }
@@ -113,7 +119,7 @@ class MazeReader {
       return std::nullopt;
     }
     try {
-      return s.millimetres(0, "the size of a cell", kMinCell, kMaxCell);
+      return s.millimetres(0, "the size of a cell", kLeastCell, kMostCell);
     } catch (const ConfigError& error) {  // the statement counts its lines from this row
       throw ConfigError({file_, row.line, error.where().column}, error.text());
     }
@@ -196,22 +202,15 @@ class MazeReader {
     std::size_t longest = 0;
     for (const Row& row : rows_) longest = std::max(longest, row.text.size());
     const std::size_t columns = longest / 2;
-    const int line = rows_.empty() ? 1 : rows_.front().line;
+    const SourceLocation where{file_, rows_.empty() ? 1 : rows_.front().line, 1};
     if (rows_.size() < 2 || columns == 0) {
-      throw ConfigError({file_, line, 1},
+      throw ConfigError(where,
                         "no cell in the maze: expected at least two lines of two columns drawn "
                         "with '|' and '_'");
     }
-    if (columns * (rows_.size() - 1) > kMostMazeCells || columns > 32768 || rows_.size() > 32768) {
-      throw ConfigError({file_, line, 1}, "maze of " + std::to_string(columns) + " x " +
-                                              std::to_string(rows_.size() - 1) +
-                                              " cells: expected at most " +
-                                              std::to_string(kMostMazeCells) + " cells");
-    }
-    grid_.columns = static_cast<int>(columns);
-    grid_.rows = static_cast<int>(rows_.size()) - 1;
-    grid_.south.assign(columns * rows_.size(), 0);
-    grid_.west.assign((columns + 1) * (rows_.size() - 1), 0);
+    const double cell = grid_.cell;
+    grid_ = empty_maze(columns, rows_.size() - 1, where);
+    grid_.cell = cell;
   }
 
   void read_row(std::size_t r) {
@@ -227,17 +226,16 @@ class MazeReader {
         add_start(r, i);
       } else if (is_object(c)) {
         add_object(r, i);
+      } else if (is_goal(c)) {
+        add_goal(r, i);
       } else if (c == '\t') {
         throw ConfigError({file_, rows_[r].line, column(r, i)},
                           "tab found: expected blanks, a tab has no width in a drawing");
-      } else if (is_letter(c)) {
-        odd(r, i,
-            std::string("letter '")
-                .append(1, c)
-                .append("' means nothing in a maze and is ignored"));
-      } else if (static_cast<unsigned char>(c) >= 0x80 && !told_of_bytes_) {
+      } else if (static_cast<unsigned char>(c) >= 0x80) {
+        if (!told_of_bytes_) odd(r, i, "character outside ASCII: it may shift the columns after it");
         told_of_bytes_ = true;
-        odd(r, i, "character outside ASCII: it may shift the columns after it");
+      } else if (c != '.') {  // a dot keeps a column that would be lost at the end of a line
+        odd(r, i, "'" + std::string(1, c) + "' means nothing in a maze and is ignored");
       }
     }
   }
@@ -311,6 +309,12 @@ class MazeReader {
     }
   }
 
+  void add_goal(std::size_t r, std::size_t i) {
+    if (!stands_in_cell(r, i, std::string("goal '") + rows_[r].text[i] + "'")) return;
+    if (i % 2 == 0) return;  // on a line between two cells
+    grid_.goals.push_back({static_cast<int>(i / 2), static_cast<int>(row(r))});
+  }
+
   void add_object(std::size_t r, std::size_t i) {
     const char c = rows_[r].text[i];
     const bool ball = c == 'o' || c == 'O';
@@ -320,6 +324,14 @@ class MazeReader {
     if (ball) object.height = 2 * object.radius;
     object.pose = place(r, i);
     model_.objects.push_back(object);
+  }
+
+  /// Where an edge of a cell is drawn.
+  [[nodiscard]] SourceLocation place_of(world::MazeCell cell, Side side) const {
+    const auto line = static_cast<std::size_t>(grid_.rows - cell.row - (side == Side::North ? 1 : 0));
+    const auto at = 2 * static_cast<std::size_t>(cell.column) +
+                    (side == Side::West ? 0 : side == Side::East ? 2 : 1);
+    return {file_, rows_[line].line, static_cast<int>(at / kUsualPitch * pitch_ + at % kUsualPitch) + 1};
   }
 
   void odd(std::size_t r, std::size_t i, const std::string& text) {
@@ -342,6 +354,7 @@ class MazeReader {
   const std::string& file_;
   Warnings warnings_;
   std::vector<SourceLocation>* start_places_;
+  std::optional<double> cell_;
   std::vector<Row> rows_;
   std::vector<std::string> narrow_;  ///< Lines of a wide drawing, in the usual width.
   std::size_t pitch_ = kUsualPitch;
@@ -352,10 +365,6 @@ class MazeReader {
 
 }  // namespace
 
-world::WorldModel read_maze(std::string_view text, const std::string& file,
-                            std::vector<Warning>& warnings,
-                            std::vector<SourceLocation>* start_places) {
-  return MazeReader(text, file, warnings, start_places).read();
-}
+world::WorldModel read_drawn_maze(const MazeSource& source) { return MazeReader(source).read(); }
 
 }  // namespace eyebridge::files
