@@ -89,10 +89,13 @@ def main():
         except KeyboardInterrupt:
             # What stays would find the next run's boards: pseudo-terminals get the numbers of those that are gone.
             subprocess.Popen = None  # the threads go on, and must start nothing more
-            while left := oracle.children_of(os.getpid()):
-                for one in left:
-                    fleets.send(one, signal.SIGKILL)
-                time.sleep(0.1)  # until they are gone, and waited for
+            known = set()
+            while new := {*oracle.children_of(os.getpid())} - known:  # children of one that is killed would be nobody's
+                known |= new
+                for one in new:
+                    fleets.send(one, signal.SIGSTOP)
+            for one in known:
+                fleets.send(one, signal.SIGKILL)
             os._exit(130)
         tally.add("all has ended", oracle.left_over(folder))
     print("| fault | tried | wrong |\n|---|---:|---:|")
