@@ -104,15 +104,16 @@ std::size_t world_named(const std::string& name, const std::vector<AxisValue>& w
 
 /// Throws where a robot could never be: what is meant is another world, or another unit.
 void check_in_world(const Goal& goal, const std::string& path, const std::string& robot) {
-  const files::Scenario scenario = files::load_scenario(path, robot);
-  const double width = scenario.world.width;
-  const double height = scenario.world.height;
+  const files::Scenario scenario = files::load_scenario(path, {.robot = robot});
+  const Vec2 near = scenario.world.corner;
+  const Vec2 far = scenario.world.far_corner();
   const Vec2 at = goal.centre;
-  if (at.x >= 0 && at.x <= width && at.y >= 0 && at.y <= height) return;
+  if (scenario.world.has_floor_at(at)) return;
   throw ConfigError(
-      {"--goal"}, fmt::format("found ({:g}, {:g}) mm, expected a place in {}: 0 ... {:g} by 0 "
+      {"--goal"}, fmt::format("found ({:g}, {:g}) mm, expected a place in {}: {:g} ... {:g} by {:g} "
                               "... {:g} mm",
-                              m_to_mm(at.x), m_to_mm(at.y), path, m_to_mm(width), m_to_mm(height)));
+                              m_to_mm(at.x), m_to_mm(at.y), path, m_to_mm(near.x), m_to_mm(far.x),
+                              m_to_mm(near.y), m_to_mm(far.y)));
 }
 
 void read_goals(Assessment& out, const AssessFlags& flags, const std::vector<AxisValue>& worlds,

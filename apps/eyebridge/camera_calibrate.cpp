@@ -17,7 +17,7 @@
 #include "eyebridge/camera/png.hpp"
 #include "eyebridge/camera/sheet.hpp"
 #include "eyebridge/camera/source.hpp"
-#include "length.hpp"
+#include "eyebridge/base/length.hpp"
 #include "source_clock.hpp"
 
 namespace eyebridge::apps {
@@ -118,7 +118,7 @@ void add_camera_calibrate(CLI::App& camera, int& code) {
   command->add_option("--seconds", options->seconds, "Gives up after so long [180]")
       ->check(CLI::Range(1.0, 3600.0));
   command->callback([options, &code] {
-    const double square = parse_length(options->square, "--square", 0.001, 1.0);
+    const double square = parse_length(options->square, {"--square"}, 0.001, 1.0);
     const camera::Board board = camera::parse_board(options->board, square);
     code = options->print.empty() ? calibrate(*options, board) : print_board(board, options->print);
   });

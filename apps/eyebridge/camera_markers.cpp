@@ -16,7 +16,7 @@
 #include "eyebridge/camera/png.hpp"
 #include "eyebridge/camera/sheet.hpp"
 #include "eyebridge/files/load.hpp"
-#include "length.hpp"
+#include "eyebridge/base/length.hpp"
 
 namespace eyebridge::apps {
 namespace {
@@ -39,11 +39,11 @@ int write_sheet(const MarkerOptions& options) {
   }
   camera::FiducialLayout layout;
   layout.size =
-      parse_length(options.size, "--size", camera::kSmallestFiducial, camera::kLargestPrinted);
-  layout.spacing = parse_length(options.spacing, "--spacing", 0.02, 100.0);
-  if (!options.height.empty()) layout.height = parse_length(options.height, "--height", 0.01, 10.0);
+      parse_length(options.size, {"--size"}, camera::kSmallestFiducial, camera::kLargestPrinted);
+  layout.spacing = parse_length(options.spacing, {"--spacing"}, 0.02, 100.0);
+  if (!options.height.empty()) layout.height = parse_length(options.height, {"--height"}, 0.01, 10.0);
   // Only the walls count: the smallest robot, so that none is too large for a start.
-  const files::Scenario scenario = files::load_scenario(options.world, "Mouse");
+  const files::Scenario scenario = files::load_scenario(options.world, {.robot = ""});
   for (const Warning& warning : scenario.warnings) {
     tell(warning.str());
   }

@@ -127,7 +127,7 @@ int run_boards(const FirmwareOptions& options, const files::Scenario& scenario,
 
 int run_firmware(const CLI::App& command, const FirmwareOptions& options) {
   const files::Scenario scenario = files::load_scenario(
-      options.world, options.robot, files::SearchPlaces::of_process(), {"--robot"});
+      options.world, {.robot = options.robot, .robot_where = {"--robot"}});
   for (const Warning& warning : scenario.warnings) {
     tell(warning.str());
   }

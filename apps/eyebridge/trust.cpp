@@ -37,9 +37,7 @@ std::vector<std::string> asked_by_file(const fs::path& file) {
   if (file.filename() == kSettings) return hal::asked_by_file(file);
   if (file.extension() == ".toml") return asked_by_sweep_file(file);
   if (file.extension() == ".sim") {
-    return files::asked_by(files::load_scenario(file, "S4", files::SearchPlaces::of_process(),
-                                                {"default robot"}, files::Reading::Tolerant),
-                           file);
+    return files::asked_by(files::load_scenario(file, {.reading = files::Reading::Tolerant}), file);
   }
   throw ConfigError({file.string()},
                     "found another file, expected eyebridge.toml, a .sim file, a "

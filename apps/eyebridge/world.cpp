@@ -15,7 +15,9 @@
 #include "eyebridge/camera/birdseye.hpp"
 #include "eyebridge/camera/png.hpp"
 #include "eyebridge/files/load.hpp"
+#include "world_convert.hpp"
 #include "world_list.hpp"
+#include "world_reading.hpp"
 
 namespace eyebridge::apps {
 namespace {
@@ -27,17 +29,17 @@ std::string counted(std::size_t count, const char* noun) {
 std::string summary(const files::Scenario& scenario) {
   std::string text = size_text(scenario);
   text += ", " + counted(scenario.world.walls.size(), "wall");
-  text += ", " + robots_text(scenario);
+  if (!scenario.robots.empty()) text += ", " + robots_text(scenario);
   text += ", " + counted(scenario.world.objects.size(), "object");
   return text + ", " + counted(scenario.warnings.size(), "warning");
 }
 
 /// Goes through all files, so that one bad file does not hide the next.
-int check(const std::vector<std::string>& paths) {
+int check(const std::vector<std::string>& paths, const ReadingFlags& flags) {
   int code = kFine;
   for (const std::string& path : paths) {
     try {
-      const files::Scenario scenario = files::load_scenario(path);
+      const files::Scenario scenario = files::load_scenario(path, flags.options());
       std::printf("%s: %s\n", printable(path).c_str(), summary(scenario).c_str());
       for (const Warning& warning : scenario.warnings) {
         std::printf("  %s\n", printable(warning.str()).c_str());
@@ -65,8 +67,9 @@ world::Scene scene_of(const files::Scenario& scenario) {
   return scene;
 }
 
-int draw(const std::string& path, const std::string& output, int longest_side) {
-  const files::Scenario scenario = files::load_scenario(path);
+int draw(const std::string& path, const std::string& output, int longest_side,
+         const ReadingFlags& flags) {
+  const files::Scenario scenario = files::load_scenario(path, flags.options());
   for (const Warning& warning : scenario.warnings) {
     tell(warning.str());
   }
@@ -82,7 +85,7 @@ int draw(const std::string& path, const std::string& output, int longest_side) {
 }  // namespace
 
 void add_world(CLI::App& root, int& code) {
-  CLI::App* world = root.add_subcommand("world", "Lists, checks or draws worlds");
+  CLI::App* world = root.add_subcommand("world", "Lists, checks, draws or converts worlds");
   world->require_subcommand(1);
   add_world_list(*world, code);
 
@@ -91,7 +94,8 @@ void add_world(CLI::App& root, int& code) {
   checking->add_option("FILE", *paths, "World, maze, scenario, robot or parameter file")
       ->required()
       ->type_name("WORLD");
-  checking->callback([paths, &code] { code = check(*paths); });
+  const auto check_flags = add_reading_flags(*checking);
+  checking->callback([paths, check_flags, &code] { code = check(*paths, *check_flags); });
 
   CLI::App* drawing = world->add_subcommand("draw", "Writes a picture of a world seen from above");
   auto path = std::make_shared<std::string>();
@@ -104,7 +108,11 @@ void add_world(CLI::App& root, int& code) {
       ->type_name("FILE");
   drawing->add_option("--size", *side, "Longest side of the picture, pixels [1000]")
       ->check(CLI::Range(50, 8000));
-  drawing->callback([path, output, side, &code] { code = draw(*path, *output, *side); });
+  const auto draw_flags = add_reading_flags(*drawing);
+  drawing->callback([path, output, side, draw_flags, &code] {
+    code = draw(*path, *output, *side, *draw_flags);
+  });
+  add_world_convert(*world, code);
 }
 
 }  // namespace eyebridge::apps

@@ -38,7 +38,7 @@ struct WorldLine {
 WorldLine world_line_of(const fs::path& path) {
   WorldLine line{path.filename().string(), "", ""};
   try {
-    const files::Scenario scenario = files::load_scenario(path, "Mouse");
+    const files::Scenario scenario = files::load_scenario(path, {.robot = ""});
     line.size = size_text(scenario);
     if (path.extension() == ".sim") {
       line.size += fmt::format(", {}", robots_text(scenario));

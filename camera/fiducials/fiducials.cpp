@@ -126,7 +126,9 @@ class Placer {
   }
 
   [[nodiscard]] bool is_inside(Vec2 point) const {
-    return point.x > 0.0 && point.x < model_.width && point.y > 0.0 && point.y < model_.height;
+    const Vec2 near = model_.corner;
+    const Vec2 far = model_.far_corner();
+    return point.x > near.x && point.x < far.x && point.y > near.y && point.y < far.y;
   }
 
   /// Walls that were drawn twice, or over each other, have one face.

@@ -13,7 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Hidden files are what other systems keep beside pictures.
 bool is_picture_name(const fs::path& path) {
+  if (path.filename().string().starts_with('.')) return false;
   std::string ending = path.extension().string();
   for (char& c : ending) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -45,7 +47,10 @@ class FolderSeries final : public FrameSeries {
     try {
       Frame frame = read_picture(files_[at_]);
       if (Size{frame.width, frame.height} == size_) return frame;
-      return fail(Errc::Corrupt, "camera: " + files_[at_].string() + " is of another size now");
+      return fail(Errc::Corrupt, "camera: " + files_[at_].string() + " has " +
+                                     text_of({frame.width, frame.height}) + " pixels, expected " +
+                                     text_of(size_) +
+                                     ": pictures of one camera are of one size");
     } catch (const std::runtime_error& error) {
       return fail(Errc::Corrupt, std::string("camera: ") + error.what());
     }
@@ -86,21 +91,17 @@ std::vector<fs::path> pictures_in(const fs::path& folder) {
 
 std::unique_ptr<FrameSeries> open_folder_series(const fs::path& folder, double rate) {
   std::vector<fs::path> files = pictures_in(folder);
-  Size size;
+  // Of the first one that can be read; the others fail at their turn.
+  std::string why;
   for (const fs::path& file : files) {
-    Size here;
     try {
-      here = picture_size(file);
+      const Size size = picture_size(file);
+      return std::make_unique<FolderSeries>(std::move(files), size, rate);
     } catch (const std::runtime_error& error) {
-      throw ConfigError({}, error.what());
+      if (why.empty()) why = error.what();
     }
-    if (&file == &files.front()) size = here;
-    if (here == size) continue;
-    throw ConfigError({file.string()}, "found " + text_of(here) + " pixels, expected " +
-                                           text_of(size) + " as " + files.front().string() +
-                                           ": pictures of one camera are of one size");
   }
-  return std::make_unique<FolderSeries>(std::move(files), size, rate);
+  throw ConfigError({}, why);
 }
 
 }  // namespace eyebridge::camera

@@ -42,21 +42,23 @@ class FrameSeries {
   virtual void advance() = 0;
   /// Goes back to the first.
   virtual void rewind() = 0;
-
-  /// Past the last frame: why there should have been more; none when all was well.
-  [[nodiscard]] virtual std::optional<Error> damage() const { return std::nullopt; }
 };
 
 // All throw ConfigError naming the file, or "--camera" where a library is missing.
 
 /// The pictures of a folder (names that end in png, jpg, jpeg or bmp; other files are left out), in
 /// the natural order of their names: frame2 comes before frame10; `rate` of them
-/// a second, 0.01 … 1000. All must be of one size.
+/// a second, 0.01 … 1000. Those of another size than the first one that can be read, and those that
+/// cannot be read, fail at their turn.
 std::unique_ptr<FrameSeries> open_folder_series(const std::filesystem::path& folder, double rate);
 /// The frames of a recording, at the times when they were given.
 std::unique_ptr<FrameSeries> open_recorded_series(const std::filesystem::path& file);
-/// A video file of any kind that OpenCV (FFmpeg) reads, at its own times.
-std::unique_ptr<FrameSeries> open_video_series(const std::filesystem::path& file);
+/// A video file of any kind that OpenCV (FFmpeg) reads, at its own times; with a `rate` > 0, so many
+/// frames a second: for files that have no times (has_no_times()).
+std::unique_ptr<FrameSeries> open_video_series(const std::filesystem::path& file, double rate = 0);
+/// Whether a file is frames alone, without a container that says when each is due: JPEGs one after
+/// another, or H.264.
+bool has_no_times(const std::filesystem::path& file);
 
 /// The pictures of `folder` as open_folder_series() takes them. Throws ConfigError when there are
 /// none, or the folder cannot be read.

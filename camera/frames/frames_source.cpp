@@ -19,7 +19,7 @@ std::unique_ptr<FrameSeries> open_series(const FramesUrl& url) {
     case FramesUrl::Kind::Video:
       break;
   }
-  return open_video_series(url.path);
+  return open_video_series(url.path, url.rate);
 }
 
 class FramesSource final : public Source {

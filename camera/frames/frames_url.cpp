@@ -103,10 +103,11 @@ FramesUrl parse_frames_url(std::string_view rest) {
     } else if (key != "fps") {
       throw ConfigError(kWhere,
                         "found the option " + in_quotes(key) + ", expected end, fps or pick");
-    } else if (wanted.kind != FramesUrl::Kind::Folder) {
+    } else if (wanted.kind == FramesUrl::Kind::Recording ||
+               (wanted.kind == FramesUrl::Kind::Video && !has_no_times(wanted.path))) {
       throw ConfigError(kWhere, "found fps for " + wanted.path.string() +
-                                    ", expected it for a folder only: a video and a recording have"
-                                    " times of their own");
+                                    ", expected it for a folder or JPEGs one after another: this "
+                                    "file has times of its own");
     } else {
       wanted.rate = rate_of(value);
     }

@@ -23,7 +23,7 @@ struct FramesUrl {
   Kind kind = Kind::Folder;
   End end = End::Stop;
   Pick pick = Pick::Newest;
-  double rate = 0.0;  ///< Of a folder, frames a second; else 0.
+  double rate = 0.0;  ///< Frames a second, of a folder or a video without times; else 0.
 };
 
 /// Reads what follows "frames:". Throws ConfigError: nothing is there, a folder has no pictures, an

@@ -66,13 +66,6 @@ Result<void> SeriesPlayer::advance(Time now) {
     put(*entry);
     return {};
   }
-  const std::optional<Error> damage = series_->damage();
-  if (damage && !damage_told_) {
-    damage_told_ = true;
-    given_ = true;  // the next call goes on here
-    if (end_ == FramesUrl::End::Stop) ended_ = true;
-    return tl::unexpected(*damage);
-  }
   return go_on_after_end(now);
 }
 
@@ -105,7 +98,7 @@ Result<void> SeriesPlayer::go_on_after_end(Time now) {
   const std::optional<SeriesEntry> first = series_->entry(0);
   if (!first) {
     ended_ = true;
-    return tl::unexpected(series_->damage().value_or(ended().value()));
+    return ended();
   }
   put(*first);
   return {};

@@ -56,7 +56,6 @@ class SeriesPlayer {
   bool given_ = false;    ///< The slot's frame is out.
   bool holding_ = false;  ///< The series is past its end, and its last picture goes on.
   bool ended_ = false;
-  bool damage_told_ = false;
   std::optional<Result<Frame>> held_;
 };
 

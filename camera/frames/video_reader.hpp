@@ -18,8 +18,6 @@ class VideoReader {
   [[nodiscard]] virtual Size size() const = 0;
   /// Frames a second, as the file says; 0 when it does not.
   [[nodiscard]] virtual double rate() const = 0;
-  /// How many frames the file says that it has; 0 when it does not.
-  [[nodiscard]] virtual std::int64_t count() const = 0;
 
   /// Goes to the next frame. Its time as the file says, from the file's start; none at the end, or
   /// where the file cannot be read any further.

@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/read_file.hpp"
 #include "frames/frame_series.hpp"
 #include "frames/video_reader.hpp"
 #include "sources/frame_schedule.hpp"
@@ -10,17 +11,16 @@
 namespace eyebridge::camera {
 namespace {
 
-/// Counts of containers without an index are estimates.
-constexpr std::int64_t kFewMissing = 2;
 constexpr double kHighestVideoRate = 1000.0;
 
 /// A reader gives one frame at a time; to know when the next is due it must be grabbed, and what
 /// was there before is kept as a picture until then.
 class VideoSeries final : public FrameSeries {
  public:
-  VideoSeries(std::unique_ptr<VideoReader> reader, std::filesystem::path file)
-      : reader_(std::move(reader)), file_(std::move(file)) {
-    const double rate = reader_->rate();
+  /// `own_rate`: of the file's own times; 0: it has them.
+  VideoSeries(std::unique_ptr<VideoReader> reader, std::filesystem::path file, double own_rate)
+      : reader_(std::move(reader)), file_(std::move(file)), is_even_(own_rate > 0.0) {
+    const double rate = is_even_ ? own_rate : reader_->rate();
     period_ = from_seconds(rate > 0.0 ? 1.0 / std::min(rate, kHighestVideoRate)
                                       : 1.0 / FrameSchedule::kFramesPerSecond);
     here_ = grab();
@@ -53,14 +53,8 @@ class VideoSeries final : public FrameSeries {
       reader_->rewind();
       here_ = grab();
     } catch (const std::runtime_error&) {
-      here_.reset();  // damage() tells of it
+      here_.reset();
     }
-  }
-  [[nodiscard]] std::optional<Error> damage() const override {
-    if (count_ > 0 && count_ + kFewMissing >= reader_->count()) return std::nullopt;
-    return Error{Errc::Corrupt, "camera: " + file_.string() + " ends after " +
-                                    std::to_string(count_) + " of " +
-                                    std::to_string(reader_->count()) + " frames: cut or damaged"};
   }
 
  private:
@@ -68,7 +62,7 @@ class VideoSeries final : public FrameSeries {
     const std::optional<Time> time = reader_->grab();
     if (!time) return std::nullopt;
     if (count_ == 0) first_ = *time;
-    Time due = *time - first_;
+    Time due = is_even_ ? count_ * period_ : *time - first_;
     // Files without times of frames give none, or the same ones again.
     if (last_ && due <= *last_) due = *last_ + period_;
     last_ = due;
@@ -85,6 +79,7 @@ class VideoSeries final : public FrameSeries {
 
   std::unique_ptr<VideoReader> reader_;
   std::filesystem::path file_;
+  bool is_even_;  ///< Its frames come at a rate, not at times of theirs.
   Time period_{0};
   Time first_{0};
   std::optional<Time> last_;
@@ -97,11 +92,20 @@ class VideoSeries final : public FrameSeries {
 
 }  // namespace
 
-std::unique_ptr<FrameSeries> open_video_series(const std::filesystem::path& file) {
+bool has_no_times(const std::filesystem::path& file) {
+  const std::string beginning = first_bytes(file, 4);
+  using namespace std::string_view_literals;
+  return beginning.starts_with("\xFF\xD8\xFF"sv) || beginning == "\0\0\0\1"sv;
+}
+
+std::unique_ptr<FrameSeries> open_video_series(const std::filesystem::path& file, double rate) {
+  constexpr double kUsualRate = 25.0;  // of such files, as FFmpeg has it
+  const double own_rate = rate > 0.0 ? rate : has_no_times(file) ? kUsualRate : 0.0;
   const auto open = reinterpret_cast<OpenVideo>(
       own_library_entry("libeyebridge_video.so", "eyebridge_open_video"));
   try {
-    return std::make_unique<VideoSeries>(std::unique_ptr<VideoReader>(open(file.c_str())), file);
+    return std::make_unique<VideoSeries>(std::unique_ptr<VideoReader>(open(file.c_str())), file,
+                                         own_rate);
   } catch (const ConfigError&) {
     throw;
   } catch (const std::runtime_error& error) {

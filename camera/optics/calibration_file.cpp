@@ -11,6 +11,7 @@
 #include "eyebridge/base/toml_names.hpp"
 #include "eyebridge/base/write_file.hpp"
 #include "eyebridge/camera/calibration.hpp"
+#include "optics/calibration_yaml.hpp"
 
 namespace eyebridge::camera {
 namespace {
@@ -116,6 +117,7 @@ void refuse_beyond_ascii(std::string_view text, const std::string& file) {
 }  // namespace
 
 Calibration parse_calibration(std::string_view text, const std::string& file) {
+  if (is_yaml_calibration(text)) return parse_yaml_calibration(text, file);
   refuse_beyond_ascii(text, file);
   check_table_names(text, file);
   toml::table table;

@@ -26,16 +26,19 @@ Rgb wall_ink(Rgb colour) {
 }
 
 void draw_floor(Canvas& canvas, const world::WorldModel& model) {
-  canvas.fill_rectangle({0, 0}, {model.width, model.height}, kGround);
+  const Vec2 near = model.corner;
+  const Vec2 far = model.far_corner();
+  canvas.fill_rectangle(near, far, kGround);
   double step = model.maze ? model.maze->cell : 1.0;
   while (canvas.to_pixels(step) < 6.0) step *= 10.0;  // lines must not run together
-  for (double x = step; x < model.width; x += step) {
-    canvas.line({x, 0}, {x, model.height}, 1.0, kGrid);
+  const auto first = [step](double edge) { return (std::floor(edge / step) + 1) * step; };
+  for (double x = first(near.x); x < far.x; x += step) {
+    canvas.line({x, near.y}, {x, far.y}, 1.0, kGrid);
   }
-  for (double y = step; y < model.height; y += step) {
-    canvas.line({0, y}, {model.width, y}, 1.0, kGrid);
+  for (double y = first(near.y); y < far.y; y += step) {
+    canvas.line({near.x, y}, {far.x, y}, 1.0, kGrid);
   }
-  canvas.outline_rectangle({0, 0}, {model.width, model.height}, kFrame);
+  canvas.outline_rectangle(near, far, kFrame);
 }
 
 void draw_starts(Canvas& canvas, const world::WorldModel& model) {
@@ -106,8 +109,8 @@ void draw_scale(Canvas& canvas, double world_width) {
 Frame draw_birdseye(const world::Scene& scene, std::span<const Trail> trails,
                     const BirdseyeOptions& options) {
   const world::WorldModel& model = *scene.model;
-  Vec2 low{0.0, 0.0};
-  Vec2 high{model.width, model.height};
+  Vec2 low = model.corner;
+  Vec2 high = model.far_corner();
   for (const world::Wall& wall : model.walls) {
     for (const Vec2 end : {wall.a, wall.b}) {
       low = {std::min(low.x, end.x), std::min(low.y, end.y)};

@@ -99,8 +99,11 @@ void draw_map(Paper& paper, const FiducialSheet& sheet, int pages) {
   const Vec2 room{kUsable - 8.0, kBottom - kTop - 38.0};
   const double scale = std::min(room.x / model.width, room.y / model.height);
   const Vec2 origin{0.5 * (Paper::kWidth - scale * model.width), kTop + 4.0 + scale * model.height};
-  const auto at = [&](Vec2 p) { return Vec2{origin.x + scale * p.x, origin.y - scale * p.y}; };
-  paper.fill(at({0.0, model.height}), {scale * model.width, scale * model.height}, kFloor);
+  const auto at = [&](Vec2 p) {
+    const Vec2 from_corner = p - model.corner;
+    return Vec2{origin.x + scale * from_corner.x, origin.y - scale * from_corner.y};
+  };
+  paper.fill(at({model.corner.x, model.far_corner().y}), {scale * model.width, scale * model.height}, kFloor);
   for (const world::Wall& wall : model.walls) {
     paper.line(at(wall.a), at(wall.b), std::max(0.5, scale * wall.thickness), kInk);
   }

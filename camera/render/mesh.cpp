@@ -129,7 +129,9 @@ QuadMesh floor_mesh(const world::WorldModel& model, Pattern pattern) {
   const double top = model.height + kUnderWalls;
   const double u = 1.0 / (pattern == Pattern::Tiles ? kTileSize : right);
   const double v = 1.0 / (pattern == Pattern::Tiles ? kTileSize : top);
-  const auto corner = [&](double x, double y) { return Corner{{x, y}, 0.0, x * u, y * v}; };
+  const auto corner = [&](double x, double y) {
+    return Corner{model.corner + Vec2{x, y}, 0.0, x * u, y * v};
+  };
   QuadMesh mesh;
   add_quad(mesh,
            {corner(-kUnderWalls, -kUnderWalls), corner(right, -kUnderWalls), corner(right, top),

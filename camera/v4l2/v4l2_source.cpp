@@ -48,6 +48,7 @@ V4l2Source::~V4l2Source() {
   say(Severity::Debug, std::to_string(counts_.given) + " frames given, " +
                            std::to_string(counts_.dropped) + " dropped, " +
                            std::to_string(counts_.corrupt) + " corrupt, " +
+                           std::to_string(counts_.odd) + " odd, " +
                            std::to_string(counts_.restarts) + " restarts, " +
                            std::to_string(counts_.losses) + " times unplugged");
 }
@@ -131,6 +132,19 @@ Result<void> V4l2Source::watch() {
   return revive({Errc::Timeout, "no frame for " + seconds_text(silent)});
 }
 
+void V4l2Source::note(const JpegOddities& odd) {
+  if (counts_.odd++ > 0) return;
+  std::string what;
+  const auto add = [&](bool holds, const char* text) {
+    if (holds) what += (what.empty() ? "" : ", ") + std::string(text);
+  };
+  add(odd.stray_bytes, "with stray bytes");
+  add(odd.no_end, "without an end");
+  add(odd.no_tables, "without tables");
+  add(odd.trailing_bytes, "with bytes after their end");
+  say(Severity::Info, "sends JPEGs " + what + "; all their rows are there, and they are shown");
+}
+
 Result<FramePtr> V4l2Source::picture_of(const RawFrame& raw) {
   if (!trouble_.empty()) {
     trouble_.clear();
@@ -146,6 +160,7 @@ Result<FramePtr> V4l2Source::picture_of(const RawFrame& raw) {
     ++counts_.corrupt;
     return fail(frame.error().code, "camera " + opener_.name() + ": " + frame.error().what);
   }
+  if (mode_.format == RawFormat::Mjpeg && decoder_.oddities().any()) note(decoder_.oddities());
   frame->time = last_time_;
   frame->sequence = number;
   ++counts_.given;

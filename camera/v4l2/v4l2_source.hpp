@@ -24,6 +24,7 @@ class V4l2Source final : public Source {
     std::uint64_t given = 0;
     std::uint64_t dropped = 0;   ///< Taken by the camera but never asked for.
     std::uint64_t corrupt = 0;   ///< Came damaged.
+    std::uint64_t odd = 0;       ///< JPEGs with something odd, whose rows were all there.
     std::uint64_t restarts = 0;  ///< By the watchdog, or after an error of the driver's.
     std::uint64_t losses = 0;    ///< Unplugged.
   };
@@ -45,6 +46,7 @@ class V4l2Source final : public Source {
   Result<void> revive(const Error& error);
   Result<void> watch();
   tl::unexpected<Error> lose(const std::string& reason);
+  void note(const JpegOddities& odd);
   Result<FramePtr> picture_of(const RawFrame& raw);
   std::uint64_t number_of(const RawFrame& raw);
   [[nodiscard]] Error timeout(Time deadline) const;

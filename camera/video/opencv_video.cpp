@@ -24,14 +24,10 @@ class OpencvVideo final : public VideoReader {
              static_cast<int>(video_.get(cv::CAP_PROP_FRAME_HEIGHT))};
     const double rate = video_.get(cv::CAP_PROP_FPS);
     rate_ = std::isfinite(rate) && rate > 0.0 ? rate : 0.0;
-    // Absurd where the container does not know: FFmpeg's "no value" times a rate.
-    const double count = video_.get(cv::CAP_PROP_FRAME_COUNT);
-    count_ = count > 0.0 && count < 1e9 ? std::llround(count) : 0;
   }
 
   [[nodiscard]] Size size() const override { return size_; }
   [[nodiscard]] double rate() const override { return rate_; }
-  [[nodiscard]] std::int64_t count() const override { return count_; }
 
   std::optional<Time> grab() override {
     try {
@@ -81,7 +77,6 @@ class OpencvVideo final : public VideoReader {
   cv::VideoCapture video_;
   Size size_;
   double rate_ = 0.0;
-  std::int64_t count_ = 0;
 };
 
 /// What goes wrong is said once, by us; OPENCV_FFMPEG_DEBUG brings the libraries' own words back.

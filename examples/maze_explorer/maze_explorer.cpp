@@ -1,12 +1,14 @@
 // Maps a maze with four distance sensors, then drives the shortest way from its start to its
 // centre.
 //
-// It knows nothing of the maze but the contest's rules: square cells, and a start cell with a wall
-// to its left and to its right, from which it measures how big a cell is. It goes to the nearest
-// cell that it has not visited until there is none, returns to the start and runs to the centre.
-// A maze that is open to the outside has no end: it gives up there.
+// It knows nothing of the maze but the contest's rules: square cells, and a start in the middle of
+// one that has a wall, from which it measures how big a cell is. It goes to the nearest cell that it
+// has not visited until there is none, returns to the start and runs to the centre: of as many cells
+// as it is told, the start in a corner, else of those that it could reach. A maze that is open to
+// the outside has no end: it gives up there.
 //
-// Usage: maze_explorer [distance of the PSDs from the robot's centre in mm, 20 by default]
+// Usage: maze_explorer [distance of the PSDs from the robot's centre in mm, 20 by default
+//                       [columns and rows of the maze]]
 
 #include <algorithm>
 #include <cmath>
@@ -24,16 +26,20 @@ constexpr int kSpeed = 400;                                            // mm/s
 constexpr int kTurnSpeed = 240;                                        // deg/s
 constexpr double kDegrees = 57.29577951308232;                         // in a radian
 constexpr int kMostCells = 4096;  // four times the largest contest maze
+constexpr int kFarthest = 3000;   // mm: beyond it a range may be "nothing there"
+constexpr double kSame = 0.25;    // of a cell: by so much a range may be wrong
 
 class Explorer {
  public:
-  explicit Explorer(int psd_offset) : psd_offset_(psd_offset) {}
+  Explorer(int psd_offset, int columns, int rows)
+      : psd_offset_(psd_offset), columns_(columns), rows_(rows) {}
 
   int run() {
     LCDMenu("", "", "", "");
     if (!measure_cell()) return 1;
-    explore();
+    if (!explore()) return 1;
     if (map_.visited_count() > kMostCells) return gave_up();
+    if (map_.visited_count() == 1) return shut_in();
     if (!drive(map_.way(at_, heading_, [](Cell c) { return c == Cell{}; }))) return lost();
     return run_to_centre();
   }
@@ -42,21 +48,51 @@ class Explorer {
   /// Range from the robot's centre, `turns` quarter turns to the left of its front.
   int range(int turns) const { return PSDGet(kPsdOf[turns]) + psd_offset_; }
 
+  /// The nearest wall is half a cell away; opposite walls, some cells from each other, say it better.
   bool measure_cell() {
-    cell_ = range(1) + range(3);
-    if (cell_ > 1500) {
-      std::printf("the start cell needs a wall on its left and on its right\n");
+    const int ranges[4] = {range(0), range(1), range(2), range(3)};
+    const int nearest = *std::min_element(ranges, ranges + 4);
+    if (nearest > kFarthest / 2) {
+      std::printf("the start cell needs a wall: the nearest is %d mm away\n", nearest);
       return false;
+    }
+    cell_ = 2 * nearest;
+    int fewest = 0;
+    for (int turns = 0; turns < 2; ++turns) {
+      const int between = ranges[turns] + ranges[turns + 2];
+      const int cells = static_cast<int>(std::lround(between / (2.0 * nearest)));
+      if (between > kFarthest || (fewest > 0 && cells >= fewest)) continue;
+      fewest = cells;
+      cell_ = between / cells;
+    }
+    for (const int range : ranges) {
+      if (range < kFarthest && !fits(range)) return no_cells(range);
     }
     std::printf("cells of %d mm\n", cell_);
     return true;
   }
 
-  void look_around() {
-    if (map_.visited(at_)) return;
+  /// Whether a wall can be so far from the middle of a cell. Far away a small error of the cell's
+  /// size is a large one of the range.
+  bool fits(int range) const {
+    const double cells = (range - cell_ / 2.0) / cell_;
+    return cells > 4 || std::abs(cells - std::round(cells)) <= kSame;
+  }
+
+  bool no_cells(int range) const {
+    std::printf("no cells of %d mm: a wall is %d mm from the middle of cell %d, %d\n", cell_, range,
+                at_.x, at_.y);
+    return false;
+  }
+
+  /// Also a second look at the size of the cells: a wall within one means that it is too large.
+  bool look_around() {
+    if (map_.visited(at_)) return true;
     map_.set_visited(at_);
     for (int turns = 0; turns < 4; ++turns) {
-      map_.set_edge(at_, (heading_ + turns) % 4, range(turns) < cell_);
+      const int way = range(turns);
+      if (way < cell_ && !fits(way)) return no_cells(way);
+      map_.set_edge(at_, (heading_ + turns) % 4, way < cell_);
     }
     const int seen = map_.visited_count();
     LCDSetPrintf(0, 0, "cells seen: %d", seen);
@@ -64,15 +100,21 @@ class Explorer {
       std::printf("%d cells seen after %.1f s\n", seen, OSGetCount() / 1000.0);
       std::fflush(stdout);
     }
+    return true;
   }
 
-  void explore() {
-    look_around();
+  /// False: it has said why it cannot go on.
+  bool explore() {
+    if (!look_around()) return false;
     for (;;) {
       const auto way = map_.way(at_, heading_, [this](Cell c) { return !map_.visited(c); });
-      if (way.empty() || !drive(way)) return;
-      look_around();
-      if (map_.visited_count() > kMostCells) return;
+      if (way.empty()) return true;
+      if (!drive(way)) {
+        lost();
+        return false;
+      }
+      if (!look_around()) return false;
+      if (map_.visited_count() > kMostCells) return true;
     }
   }
 
@@ -127,7 +169,7 @@ class Explorer {
   }
 
   int run_to_centre() {
-    const std::vector<Cell> centre = map_.centre();
+    const std::vector<Cell> centre = map_.centre(columns_, rows_);
     const auto is_centre = [&](Cell c) {
       for (const Cell& goal : centre) {
         if (map_.visited(c) && c == goal) return true;
@@ -141,7 +183,7 @@ class Explorer {
       std::printf("the centre cannot be reached\n");
       return 1;
     }
-    if (!drive(way)) return lost();
+    if (!drive(way) || !is_where_map_says()) return lost();
     std::printf("cells seen: %d\n", map_.visited_count());
     std::printf("path length: %d cells, %d mm\n", static_cast<int>(way.size()),
                 static_cast<int>(way.size()) * cell_);
@@ -149,6 +191,20 @@ class Explorer {
     LCDSetPrintf(1, 0, "path: %d cells", static_cast<int>(way.size()));
     std::printf("maze solved\n");
     return 0;
+  }
+
+  /// Whether the walls around are those that the map has here.
+  bool is_where_map_says() const {
+    for (int turns = 0; turns < 4; ++turns) {
+      const bool wall = map_.edge(at_, (heading_ + turns) % 4) == MazeMap::Edge::Wall;
+      if (wall != (range(turns) < cell_)) return false;
+    }
+    return true;
+  }
+
+  int shut_in() const {
+    std::printf("no way out of the start cell\n");
+    return 1;
   }
 
   int gave_up() const {
@@ -195,6 +251,8 @@ class Explorer {
   }
 
   int psd_offset_;
+  int columns_;  // of the maze; 0: nobody has said it
+  int rows_;
   int cell_ = 0;
   Cell at_;
   int heading_ = kNorth;
@@ -204,4 +262,7 @@ class Explorer {
 
 }  // namespace
 
-int main(int argc, char** argv) { return Explorer(argc > 1 ? std::atoi(argv[1]) : 20).run(); }
+int main(int argc, char** argv) {
+  const auto number = [&](int i, int usual) { return argc > i ? std::atoi(argv[i]) : usual; };
+  return Explorer(number(1, 20), number(2, 0), number(3, number(2, 0))).run();
+}

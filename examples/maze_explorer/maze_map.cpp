@@ -87,12 +87,15 @@ std::vector<int> MazeMap::way_to(Cell from, int heading, Cell to) const {
   return way;
 }
 
-std::vector<Cell> MazeMap::centre() const {
+std::vector<Cell> MazeMap::centre(int columns, int rows) const {
   std::vector<Cell> cells;
-  const int width = high_.x - low_.x + 1;
-  const int height = high_.y - low_.y + 1;
+  const int width = columns > 0 ? columns : high_.x - low_.x + 1;
+  const int height = rows > 0 ? rows : high_.y - low_.y + 1;
+  // Cells may lie beyond those that can be reached: away from the start, which is a corner.
+  const int left = low_.x < 0 ? high_.x - width + 1 : low_.x;
+  const int bottom = low_.y < 0 ? high_.y - height + 1 : low_.y;
   for (int y = (height - 1) / 2; y <= height / 2; ++y) {
-    for (int x = (width - 1) / 2; x <= width / 2; ++x) cells.push_back({low_.x + x, low_.y + y});
+    for (int x = (width - 1) / 2; x <= width / 2; ++x) cells.push_back({left + x, bottom + y});
   }
   return cells;
 }

@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QStandardPaths>
@@ -96,6 +97,9 @@ Plan Autosave::left() const {
     plan.starts[i].letter = letter == '-' ? '\0' : letter;
   }
   if (kept.contains("cell")) plan.cell = kept["cell"].toDouble();
+  for (const QJsonValue& goal : kept["goals"].toArray()) {
+    plan.goals.push_back({goal.toArray().at(0).toInt(), goal.toArray().at(1).toInt()});
+  }
   for (const world::ObjectSpec& object : plan.rest.objects) plan.things.push_back({object, false});
   for (std::size_t i = 0; i < plan.things.size(); ++i) {
     const auto at = static_cast<qsizetype>(i);
@@ -137,6 +141,9 @@ void Autosave::write(const Plan& plan) {
                    {"letters", letters},
                    {"drawn", drawn}};
   if (plan.cell) kept["cell"] = *plan.cell;
+  QJsonArray goals;
+  for (const world::MazeCell goal : plan.goals) goals.append(QJsonArray{goal.column, goal.row});
+  if (!goals.isEmpty()) kept["goals"] = goals;
   is_there_ = true;
   files_.write(file_, [kept] { return QJsonDocument(kept).toJson(); });
 }

@@ -51,7 +51,7 @@ void Canvas::set_grid(double step) {
 
 void Canvas::fit() {
   is_fitted_ = true;
-  view_.fit({document_.plan().width, document_.plan().height});
+  view_.fit({}, {document_.plan().width, document_.plan().height});
   update();
 }
 
@@ -62,7 +62,7 @@ void Canvas::zoom(double factor) {
 }
 
 void Canvas::refresh() {
-  if (is_fitted_ && !is_down_) view_.fit({document_.plan().width, document_.plan().height});
+  if (is_fitted_ && !is_down_) view_.fit({}, {document_.plan().width, document_.plan().height});
   // Undone under the mouse, say: what it held is gone, or another thing.
   if (hold_ && held_version_ != document_.version()) hold_.reset();
   if (way_point_) {

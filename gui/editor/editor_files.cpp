@@ -68,7 +68,7 @@ bool EditorWindow::write(const QString& path) {
 void EditorWindow::check_run() {
   notices_->end("run");
   try {
-    files::load_scenario(files_.path, "S4", search_places());
+    files::load_scenario(files_.path, {.places = search_places()});
   } catch (const ConfigError& error) {
     notices_->tell(
         "run",
@@ -221,15 +221,15 @@ void EditorWindow::ask_to_open() {
 void EditorWindow::ask_for_picture() {
   auto* const dialog = new ImportDialog(this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->on_choice = [this](const QString& picture, const FloorPlanOptions& options,
+  dialog->on_choice = [this](const QString& picture, const files::FloorPlanOptions& options,
                              bool replaces) { import_floor_plan(picture, options, replaces); };
   dialog->open();
 }
 
-bool EditorWindow::import_floor_plan(const QString& picture, const FloorPlanOptions& options,
+bool EditorWindow::import_floor_plan(const QString& picture, const files::FloorPlanOptions& options,
                                      bool replaces) {
   try {
-    const FloorPlan read = read_floor_plan(QImage(picture), options);
+    const files::FloorPlan read = read_floor_plan(QImage(picture), options);
     document_.edit(tr("Import floor plan"), [&](Plan& plan) {
       if (replaces) {
         plan.walls.clear();

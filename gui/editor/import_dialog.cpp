@@ -56,7 +56,7 @@ ImportDialog::ImportDialog(QWidget* parent) : QDialog(parent) {
   });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(buttons, &QDialogButtonBox::accepted, this, [=, this] {
-    FloorPlanOptions options;
+    files::FloorPlanOptions options;
     options.metres_per_pixel = mm_to_m(scale->value());
     if (threshold->value() > 0) options.threshold = threshold->value();
     options.tolerance = tolerance->value();

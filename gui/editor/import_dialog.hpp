@@ -16,7 +16,7 @@ class ImportDialog final : public QDialog {
   explicit ImportDialog(QWidget* parent);
 
   /// Told when a person has chosen.
-  std::function<void(const QString& picture, const FloorPlanOptions& options, bool replaces)>
+  std::function<void(const QString& picture, const files::FloorPlanOptions& options, bool replaces)>
       on_choice;
 };
 

@@ -15,7 +15,6 @@ namespace eyebridge::gui {
 namespace {
 
 constexpr double kMicro = 1e6;       // the grid is looked for in whole micrometres
-constexpr double kLeastCell = 0.01;  // metres: finer grids are drawings of nothing
 constexpr double kOnGrid = 1e-6;     // metres
 constexpr int kFinest = 64;          // so many cells of a trial at most where walls need one
 
@@ -44,6 +43,10 @@ class MazeTrial {
       if (all_things_ || thing.is_drawn) maze.objects.push_back(drawn(thing.spec));
     }
     maze.walls = world::walls_of(grid_);
+    for (const world::MazeCell goal : plan_.goals) {
+      // The floor may have shrunk since.
+      if (goal.column < grid_.columns && goal.row < grid_.rows) grid_.goals.push_back(goal);
+    }
     maze.maze = grid_;
     try {
       static_cast<void>(files::write_maze(maze));
@@ -220,14 +223,14 @@ MazeFit fit_maze(const Plan& plan, bool all_things) {
     cells.push_back(*plan.cell);
   } else {
     const double measure = common_measure(plan);
-    for (int parts = 1; parts <= kFinest && measure / parts >= kLeastCell; ++parts) {
+    for (int parts = 1; parts <= kFinest && measure / parts >= files::kLeastMazeCell; ++parts) {
       // Whole tenths of a millimetre: a file says them, and a person can read them.
       const double cell = std::round(measure / parts * 1e4) / 1e4;
       if (std::abs(cell * parts - measure) < kOnGrid) cells.push_back(cell);
     }
   }
   // What lies on no grid is told of the finest that anybody would draw.
-  if (cells.empty()) cells.push_back(kLeastCell);
+  if (cells.empty()) cells.push_back(files::kLeastMazeCell);
   MazeFit fit;
   for (const double cell : cells) {
     try {

@@ -28,6 +28,7 @@ struct Plan {
   std::optional<std::string> texture;
   std::optional<double> water;  ///< Its depth, as the world says; a simulation's is in `rest`.
   std::optional<double> cell;   ///< Of the maze that it is to be; none: any.
+  std::vector<world::MazeCell> goals;  ///< Of that maze.
   std::vector<world::Wall> walls;
   std::vector<world::StartPose> starts;
   std::vector<Thing> things;

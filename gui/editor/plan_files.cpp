@@ -59,8 +59,10 @@ std::string header_of(std::string_view text, int& others) {
 }
 
 void take_ground(const std::filesystem::path& path, PlanFiles& files) {
-  const std::string text = files::read_text_file(path);
-  const bool is_maze = ending_of(path) == ".maz";
+  const auto kind = files::ground_kind(path);
+  if (!kind) refuse(path, PlanFilesText::tr("it is neither world nor maze: expected .wld, .maz or .sim"));
+  const bool is_maze = *kind == files::GroundKind::Maze;
+  const std::string text = is_maze ? files::read_maze_file(path) : files::read_text_file(path);
   const auto ground = is_maze ? files::read_maze(text, path.string(), files.warnings)
                               : files::read_world(text, path.string(), files.warnings);
   files.ground = path;
@@ -72,7 +74,10 @@ void take_ground(const std::filesystem::path& path, PlanFiles& files) {
   plan.water = ground.water;
   plan.walls = ground.walls;
   plan.starts = ground.starts;
-  if (ground.maze) plan.cell = ground.maze->cell;
+  if (ground.maze) {
+    plan.cell = ground.maze->cell;
+    plan.goals = ground.maze->goals;
+  }
   for (const world::ObjectSpec& object : ground.objects) plan.things.push_back({object, true});
 }
 
@@ -83,12 +88,6 @@ void take_simulation(const std::filesystem::path& path, PlanFiles& files) {
   if (sim.world) {
     const auto ground =
         files::find_file(*sim.world, path.parent_path(), search_places(), sim.world_where);
-    const std::string ending = ending_of(ground);
-    if (ending != ".wld" && ending != ".maz") {
-      throw ConfigError(sim.world_where, "'" + *sim.world +
-                                             "' is neither world nor maze: expected a .wld or .maz "
-                                             "file");
-    }
     take_ground(ground, files);
   } else {
     constexpr double kRoom = 2.0;  // metres: what a run then takes
@@ -113,7 +112,8 @@ bool same_ground(const Plan& a, const Plan& b) {
     }
     return out;
   };
-  return ground_of(a, true) == ground_of(b, true) && a.cell == b.cell && drawn(a) == drawn(b);
+  return ground_of(a, true) == ground_of(b, true) && a.cell == b.cell && a.goals == b.goals &&
+         drawn(a) == drawn(b);
 }
 
 std::filesystem::path folder_of(const std::filesystem::path& path) {
@@ -172,6 +172,7 @@ class Saver {
     if (keeps) saving_.files.ground_header = source_.ground_header;
     find_texture_from(folder_of(path));
     plan().cell.reset();
+    plan().goals.clear();
     for (world::StartPose& start : plan().starts) start.letter = 0;
     saving_.texts.push_back(
         {path, saving_.files.ground_header + files::write_world(ground_of(plan(), false))});
@@ -331,11 +332,9 @@ PlanFiles open_plan(const std::filesystem::path& path) {
   const std::string ending = ending_of(path);
   if (ending == ".sim") {
     take_simulation(path, files);
-  } else if (ending == ".wld" || ending == ".maz") {
+  } else {
     take_ground(path, files);
     files.header = files.ground_header;
-  } else {
-    refuse(path, PlanFilesText::tr("unknown kind of file: expected .wld, .maz or .sim"));
   }
   files.path = path;
   return files;

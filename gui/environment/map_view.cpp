@@ -41,7 +41,7 @@ void MapView::fit() {
   is_placed_ = false;
   if (look_ == nullptr) return;
   const mapping::GridGeometry& grid = look_->grey.geometry;
-  viewport_.fit(extent_of(grid));
+  viewport_.fit({}, extent_of(grid));
   viewport_.centre_on(grid.origin + 0.5 * extent_of(grid));
   update();
 }

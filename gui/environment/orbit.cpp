@@ -11,9 +11,10 @@ constexpr double kHighest = deg_to_rad(89);
 
 }  // namespace
 
-Orbit Orbit::of_floor(Vec2 extent) {
+Orbit Orbit::of_floor(Vec2 near, Vec2 far) {
+  const Vec2 extent = far - near;
   Orbit orbit;
-  orbit.target = {0.5 * extent.x, 0.45 * extent.y};
+  orbit.target = near + Vec2{0.5 * extent.x, 0.45 * extent.y};
   // As far as it is wide, so that it fits an opening of 60 degrees with some room.
   orbit.distance = std::clamp(1.15 * std::max(extent.x, extent.y), kNearest, kFarthest);
   orbit.height = deg_to_rad(50);

@@ -16,7 +16,7 @@ struct Orbit {
   double height = deg_to_rad(40);  ///< Of the eye above the floor as seen from the target, radians.
 
   /// So that a floor from (0, 0) to `extent` can be seen, from its lower side.
-  static Orbit of_floor(Vec2 extent);
+  static Orbit of_floor(Vec2 near, Vec2 far);
   /// Behind a robot and above it.
   static Orbit behind(const Pose& robot);
 

@@ -68,7 +68,7 @@ void SceneView::refresh(const hal::WorldLook& look, std::optional<std::size_t> c
   if (!isVisible()) return;
   if (!is_placed_) {
     is_placed_ = true;
-    orbit_ = Orbit::of_floor({look.scene.model->width, look.scene.model->height});
+    orbit_ = Orbit::of_floor(look.scene.model->corner, look.scene.model->far_corner());
   }
   const bool has_robot = chosen && *chosen < look.robots.size();
   camera::Eye eye = orbit_.eye();

@@ -70,7 +70,7 @@ void WorldView::clear_trails() {
 void WorldView::fit() {
   is_fitted_ = true;
   follows_ = false;
-  view_.fit({look_.scene.model->width, look_.scene.model->height});
+  view_.fit(look_.scene.model->corner, look_.scene.model->far_corner());
   update();
 }
 

@@ -147,9 +147,7 @@ std::vector<bool> Mirror::bumpers(std::size_t robot) {
 
 bool Mirror::is_free(world::BodyId body, Vec2 place) const {
   const world::WorldModel& model = world_->world().model();
-  const bool on_floor =
-      place.x >= 0.0 && place.y >= 0.0 && place.x <= model.width && place.y <= model.height;
-  if (!on_floor) return false;
+  if (!model.has_floor_at(place)) return false;
   const world::World& world = world_->world();
   if (!world.object_of(body)) return world.is_free(place, world.radius(body), body);
   world::ObjectSpec object = world.object(body);

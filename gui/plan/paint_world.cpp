@@ -113,7 +113,8 @@ void paint_robot(QPainter& painter, const Viewport& view, const world::BodyView&
 void paint_ground(QPainter& painter, const Viewport& view, const world::WorldModel& model,
                   const QImage& texture) {
   painter.fillRect(painter.viewport(), kOutside);
-  const QRectF floor(view.to_pixel({0.0, model.height}), view.to_pixel({model.width, 0.0}));
+  const QRectF floor(view.to_pixel({model.corner.x, model.far_corner().y}),
+                     view.to_pixel({model.far_corner().x, model.corner.y}));
   painter.fillRect(floor, kFloor);
   if (!texture.isNull()) painter.drawImage(floor, texture);
   painter.setRenderHint(QPainter::Antialiasing);

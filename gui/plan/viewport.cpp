@@ -6,10 +6,11 @@
 
 namespace eyebridge::gui {
 
-void Viewport::fit(Vec2 extent) {
+void Viewport::fit(Vec2 near, Vec2 far) {
+  const Vec2 extent = far - near;
   constexpr double kMargin = 1.05;
   constexpr double kLeast = 0.1;  // metres: of a world that is a point
-  centre_ = 0.5 * extent;
+  centre_ = near + 0.5 * extent;
   scale_ = std::clamp(std::min(size_.width() / (kMargin * std::max(extent.x, kLeast)),
                                size_.height() / (kMargin * std::max(extent.y, kLeast))),
                       kFarthest, kNearest);

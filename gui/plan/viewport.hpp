@@ -18,8 +18,8 @@ class Viewport {
 
   /// Pixels of the view. Its middle stays where it is in the world.
   void resize(QSizeF size) { size_ = size; }
-  /// Shows the world from (0, 0) to `extent`, metres, with a margin.
-  void fit(Vec2 extent);
+  /// Shows the world from one corner to another, metres, with a margin.
+  void fit(Vec2 near, Vec2 far);
   void centre_on(Vec2 place) { centre_ = place; }
   /// What lies under `pixel` stays there.
   void zoom_at(QPointF pixel, double factor);

@@ -18,6 +18,7 @@ constexpr auto kSettings = std::to_array<Setting>({
     {"hal", Kind::Text, "sim", "how the robot is reached: a backend's URL"},
     {"mix", Kind::Text, "", "devices from other backends: psd=sim; drive=serial:/dev/ttyACM0"},
     {"world", Kind::Path, "", "world to drive in: .wld .maz .sim .robi .p; unset: an empty room"},
+    {"cell", Kind::Text, "", "size of the maze's cells: 180mm; unset: as its file says"},
     {"robot", Kind::Text, "S4", "type of the robot where the world places none"},
     {"robots", Kind::NumberOrText, "1",
      "how many robots of the world run programs: a number, or all that it places"},

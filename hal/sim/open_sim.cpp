@@ -1,6 +1,8 @@
 #include "sim/open_sim.hpp"
 
+#include "eyebridge/base/length.hpp"
 #include "eyebridge/files/load.hpp"
+#include "eyebridge/files/maze_limits.hpp"
 #include "eyebridge/hal/world_file.hpp"
 #include "sim/error_settings.hpp"
 
@@ -19,11 +21,19 @@ files::Scenario empty_room(const Config& config) {
 
 files::Scenario named_scenario(const Config& config) {
   if (!config.is_set("world")) return empty_room(config);
-  const auto& robot = config.value("robot");
-  return files::load_scenario(
-      find_world(config.value("world"), config.program()), robot.text,
-      files::SearchPlaces::of_process(config.program()), robot.where,
-      config.boolean("strict") ? files::Reading::Strict : files::Reading::Tolerant);
+  const ConfigValue& robot = config.value("robot");
+  files::LoadOptions options;
+  options.robot = robot.text;
+  options.robot_where = robot.where;
+  options.places = files::SearchPlaces::of_process(config.program());
+  options.reading = config.boolean("strict") ? files::Reading::Strict : files::Reading::Tolerant;
+  if (config.is_set("cell")) {
+    const ConfigValue& cell = config.value("cell");
+    options.cell_where = cell.where;
+    options.cell =
+        parse_length(cell.text, cell.where, files::kLeastMazeCell, files::kMostMazeCell);
+  }
+  return files::load_scenario(find_world(config.value("world"), config.program()), options);
 }
 
 files::Scenario configured_scenario(const Config& config) {

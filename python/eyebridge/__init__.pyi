@@ -26,13 +26,17 @@ class Scenario:
     def walls(self) -> NDArray[numpy.float64]:
         """One row a wall: x and y of its ends. A copy."""
     @property
+    def goals(self) -> NDArray[numpy.float64]:
+        """One row a goal of a maze: x and y of the middle of its cell, metres. A copy; no row where its file names none."""
+    @property
     def warnings(self) -> list[str]:
         """What was odd in the files and is read all the same."""
 
 def load_scenario(
-    path: str | os.PathLike[str], robot: str = "S4", *, strict: bool = True
+    path: str | os.PathLike[str], robot: str = "S4", *, strict: bool = True, cell: float | None = None
 ) -> Scenario:
-    """Reads a .wld, .maz, .sim, .robi, .esObj or EyeSim parameter file and all that it names. A `path` that does not exist is
+    """Reads a .wld, .maz, .sim, .robi, .esObj or EyeSim parameter file, or the maze of a contest (docs/formats.md), and all
+    that it names. `cell` is the size of the maze's cells, 0.01 to 100 m, whatever its file says. A `path` that does not exist is
     looked for by name, also in the folder worlds beside the script that runs (docs/worlds.md). A world without robots
     gets one `robot`. Raises ConfigError for the first line that is wrong. Where `strict` is False, a wrong line is left
     out and is one of the `warnings` (docs/worlds.md); ConfigError is raised only when nothing of the file can be used."""

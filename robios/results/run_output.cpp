@@ -1,7 +1,11 @@
 #include "run_output.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <stdexcept>
+
+#include <fcntl.h>
+#include <sys/file.h>
 
 #include <fmt/format.h>
 
@@ -56,12 +60,24 @@ const std::filesystem::path& claimed(const std::filesystem::path& folder) {
   return folder;
 }
 
+/// Keeps other runs out of the folder while this lives. Where a file system has no locks, nobody is.
+UniqueFd locked(const std::filesystem::path& folder) {
+  UniqueFd file(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (file.valid() && flock(file.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    throw ConfigError({}, fmt::format("cannot write {}: another run writes its results there now, "
+                                      "expected another folder",
+                                      folder.string()));
+  }
+  return file;
+}
+
 }  // namespace
 
 RunOutput::RunOutput(std::filesystem::path directory, long long frames_to_keep) try
     : directory_(std::move(directory)),
+      lock_(locked(claimed(directory_))),
       frames_left_(frames_to_keep),
-      trace_(claimed(directory_) / "trace.csv"),
+      trace_(directory_ / "trace.csv"),
       collisions_(directory_ / "collisions.csv") {
 } catch (const std::filesystem::filesystem_error& error) {
   throw ConfigError({}, fmt::format("cannot make the folder {}: {}", error.path1().string(),

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "eyebridge/base/unique_fd.hpp"
 #include "eyebridge/camera/frame.hpp"
 #include "eyebridge/hal/trace.hpp"
 #include "eyebridge/world/scene.hpp"
@@ -16,7 +17,8 @@ namespace eyebridge::robios {
 /// map, the last LCD and the camera's frames as PNG; the LCD's text. Any thread.
 class RunOutput final : public hal::TraceSink {
  public:
-  /// Makes `directory`. Throws ConfigError, without a place, when it cannot be written.
+  /// Makes `directory`, which is this run's alone meanwhile. Throws ConfigError, without a place, when
+  /// it cannot be written or another run writes there.
   RunOutput(std::filesystem::path directory, long long frames_to_keep);
   ~RunOutput() override;
 
@@ -40,6 +42,7 @@ class RunOutput final : public hal::TraceSink {
 
   std::filesystem::path directory_;
   mutable std::mutex mutex_;
+  UniqueFd lock_;  ///< Of the folder.
   long long frames_left_;
   int frames_taken_ = 0;
   TraceFile trace_;

@@ -225,18 +225,26 @@ TEST_F(Frames, ADamagedPictureIsAnErrorThatNamesItAndTheNextOneComes) {
   EXPECT_EQ(next(), 2);
 }
 
-TEST_F(Frames, PicturesOfMixedSizesAreRefusedNamingBoth) {
+TEST_F(Frames, APictureOfAnotherSizeFailsAtItsTurn) {
   const std::string folder = files_.folder(2);
-  files_.put(7, "pictures/z.png", 16, 12);
-  const std::string text = complaint(folder);
-  EXPECT_THAT(text, HasSubstr("z.png: found 16 x 12 pixels, expected 8 x 6 as "));
-  EXPECT_THAT(text, HasSubstr("frame 0.png"));
+  files_.put(7, "pictures/frame 0b.png", 16, 12);
+  open(folder);
+  EXPECT_EQ(next(), 0);
+  EXPECT_EQ(next(), -1);
+  EXPECT_THAT(error_.what, HasSubstr("frame 0b.png has 16 x 12 pixels, expected 8 x 6"));
+  EXPECT_EQ(next(), 1);
 }
 
-TEST_F(Frames, WhatIsNoPictureIsRefusedByItsName) {
+TEST_F(Frames, WhatIsNoPictureFailsAtItsTurnAndHiddenFilesAreLeftOut) {
   const std::string folder = files_.folder(1);
-  std::ofstream(folder + "/b.jpg") << "text";
-  EXPECT_THAT(complaint(folder), HasSubstr("b.jpg: cannot read picture: neither a PNG"));
+  std::ofstream(folder + "/a.jpg") << "text";  // before the others
+  std::ofstream(folder + "/._frame 0.png") << "of another system";
+  open(folder);
+  EXPECT_EQ(next(), -1);
+  EXPECT_THAT(error_.what, HasSubstr("a.jpg: cannot read picture: neither a PNG"));
+  EXPECT_EQ(next(), 0);
+  std::filesystem::remove(folder + "/frame 0.png");
+  EXPECT_THAT(complaint(folder), HasSubstr("a.jpg: cannot read picture: neither a PNG"));
 }
 
 TEST_F(Frames, WhatCannotBeACameraIsRefusedBeforeTheRun) {
@@ -254,7 +262,7 @@ TEST_F(Frames, WhatCannotBeACameraIsRefusedBeforeTheRun) {
   }
   EXPECT_THAT(early_complaint(folder + "?speed=2"),
               HasSubstr("'speed', expected end, fps or pick"));
-  EXPECT_THAT(early_complaint(files_.recording(1) + "?fps=5"), HasSubstr("for a folder only"));
+  EXPECT_THAT(early_complaint(files_.recording(1) + "?fps=5"), HasSubstr("has times of its own"));
 }
 
 TEST_F(Frames, ARecordingWithoutFramesIsRefused) {

@@ -13,6 +13,7 @@
 
 #include "eyebridge/base/random.hpp"
 #include "eyebridge/camera/picture.hpp"
+#include "pictures/turn.hpp"
 
 namespace eyebridge::camera::testing {
 namespace {
@@ -58,6 +59,13 @@ TEST(Jpeg, GreyPicturesComeAsRgb) {
   EXPECT_THAT(differences(frame, back), Each(Le(1)));
 }
 
+TEST(Png, SixteenBitsAreAsBrightAsOtherDecodersMakeThem) {
+  const Frame frame = read_picture(EYEBRIDGE_SHARED_DIR "/cases/pictures/16-bit.png");
+  double red = 0.0;
+  for (std::size_t i = 0; i < frame.bytes.size(); i += 3) red += frame.bytes[i];
+  EXPECT_NEAR(red / static_cast<double>(frame.bytes.size() / 3), 125.0, 1.0);
+}
+
 TEST(Jpeg, ACutOrDamagedFileIsAnError) {
   const Bytes whole = jpeg_of(halves(64, 64), TJSAMP_420, 0);
   for (std::size_t size = 3; size + 2 < whole.size(); size += 7) {
@@ -66,6 +74,31 @@ TEST(Jpeg, ACutOrDamagedFileIsAnError) {
         << size;
   }
   EXPECT_EQ(decode_error(whole), "");
+}
+
+TEST(Jpeg, WithoutItsEndIsThePicture) {
+  const Frame frame = read_picture(EYEBRIDGE_SHARED_DIR "/cases/pictures/noeoi.jpg");
+  EXPECT_GT(frame.width, 0);
+}
+
+TEST(Jpeg, LiesAsExifSays) {
+  const std::string turned = EYEBRIDGE_SHARED_DIR "/cases/pictures/exif-turned.jpg";
+  const Frame frame = read_picture(turned);
+  EXPECT_GT(frame.height, frame.width) << "orientation 6: it stands";
+  EXPECT_EQ(picture_size(turned), (Size{frame.width, frame.height}));
+  // The eight ways: the same picture again when it is turned back.
+  const Frame small = halves(5, 3);
+  constexpr int kBack[] = {0, 1, 2, 3, 4, 5, 8, 7, 6};
+  for (int way = 1; way <= 8; ++way) {
+    EXPECT_EQ(upright(upright(small, way), kBack[way]).bytes, small.bytes) << way;
+  }
+  // 6: what was the first row is the right column.
+  const Frame right = upright(small, 6);
+  for (int x = 0; x < 5; ++x) {
+    const auto from = small.row(0).subspan(static_cast<std::size_t>(3 * x), 3);
+    const auto to = right.row(x).subspan(6, 3);
+    EXPECT_TRUE(std::ranges::equal(from, to)) << x;
+  }
 }
 
 TEST(Jpeg, MorePixelsThanAllowedAreRefused) {

@@ -31,6 +31,7 @@ struct Target {
 
 constexpr Target kTargets[] = {{"world", world},
                                {"maze", maze},
+                               {"encoding", encoding},
                                {"robi", robi},
                                {"object", object},
                                {"keys", keys},

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -30,6 +31,7 @@
 #include "pnm.hpp"
 #include "replay/ebrec.hpp"
 #include "terminal/input_decoder.hpp"
+#include "text_encoding.hpp"
 
 // What the fuzz targets and the test over their corpus do with one input. Anything but a model or
 // a ConfigError (of an image: an Error, of a picture: a runtime_error) ends the process: that is a
@@ -61,18 +63,51 @@ inline void world(std::string_view text) {
   world_read(text, files::Reading::Tolerant);
 }
 
-inline void maze(std::string_view text) {
+/// What a format can say of the maze survives, and always its walls.
+inline void maze_as(files::MazeFormat format, const world::WorldModel& model) {
+  files::MazeText written;
+  try {
+    written = files::write_maze_as(format, model);
+  } catch (const ConfigError&) {
+    return;  // two things in one cell, rows too long for a line
+  }
   std::vector<Warning> warnings;
   try {
-    const auto model = files::read_maze(text, "fuzz.maz", warnings);
-    std::string written;
+    const auto again = files::read_maze(written.text, "again", warnings);
+    if (written.losses.empty() && again != model) found();
+    if (again.maze->south != model.maze->south || again.maze->west != model.maze->west) found();
+  } catch (const ConfigError&) {
+    found();  // we wrote it
+  }
+}
+
+inline void maze(std::string_view bytes) {
+  std::vector<Warning> warnings;
+  std::optional<world::WorldModel> model;
+  try {
+    model = files::read_maze(bytes, "fuzz.maz", warnings);
+  } catch (const ConfigError&) {
+    return;  // the input is no maze
+  }
+  if (files::maze_format(bytes).value_or(files::MazeFormat::Drawing) == files::MazeFormat::Drawing) {
     try {
-      written = files::write_maze(model);
+      if (files::read_maze(files::write_maze(*model), "again.maz", warnings) != *model) found();
     } catch (const ConfigError&) {
       found();
     }
-    if (files::read_maze(written, "again.maz", warnings) != model) found();
-  } catch (const ConfigError&) {  // the input is no maze
+  }
+  for (const auto format : {files::MazeFormat::Drawing, files::MazeFormat::Posts, files::MazeFormat::List}) {
+    maze_as(format, *model);
+  }
+}
+
+/// Text of other systems becomes text, or an error.
+inline void encoding(std::string_view bytes) {
+  try {
+    const std::string text = files::as_utf8(std::string(bytes), "fuzz");
+    if (text.find('\r') != std::string::npos) found();
+    if (files::as_utf8(text, "again") != text && text.find('\0') == std::string::npos) found();
+  } catch (const ConfigError&) {
   }
 }
 

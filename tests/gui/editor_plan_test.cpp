@@ -260,7 +260,7 @@ QImage paper(int width, int height) {
 TEST(EditorFloorPlan, OutlinesAreThoseOfThePixels) {
   QImage image = paper(40, 30);
   QPainter(&image).fillRect(10, 5, 20, 10, Qt::black);
-  const FloorPlan plan = read_floor_plan(image, {0.01, {}, 1.0});
+  const files::FloorPlan plan = read_floor_plan(image, {0.01, {}, 1.0});
   EXPECT_EQ(plan.width, 0.4);
   EXPECT_EQ(plan.height, 0.3);
   ASSERT_EQ(plan.walls.size(), 4U);
@@ -285,7 +285,7 @@ TEST(EditorFloorPlan, SlantedEdgesBecomeOneWall) {
   painter.setPen(Qt::NoPen);
   painter.drawPolygon(QPolygon({QPoint(20, 20), QPoint(180, 60), QPoint(60, 180)}));
   painter.end();
-  const FloorPlan plan = read_floor_plan(image, {0.01, 128, 1.5});
+  const files::FloorPlan plan = read_floor_plan(image, {0.01, 128, 1.5});
   EXPECT_GE(plan.walls.size(), 3U);
   EXPECT_LE(plan.walls.size(), 5U);
 }

@@ -245,7 +245,7 @@ TEST(Uncertainty, IsAnEllipseAlongTheDoubt) {
 TEST(Uncertainty, IsDrawnRoundThePose) {
   Viewport view;
   view.resize({400, 400});
-  view.fit({2.0, 2.0});
+  view.fit({}, {2.0, 2.0});
   QImage picture(400, 400, QImage::Format_RGB32);
   picture.fill(Qt::white);
   QPainter painter(&picture);

@@ -161,7 +161,7 @@ TEST(Mirror, KnowsHowDeepASubmarineIs) {
 TEST(PaintWorld, AGaugeBesideASubmarineSaysHowDeepItIs) {
   Viewport view;
   view.resize({400, 400});
-  view.fit({4.0, 4.0});
+  view.fit({}, {4.0, 4.0});
   // Rows of the bar's column in the colour of the water above the mark.
   const auto blue = [&](double depth) {
     QImage picture(400, 400, QImage::Format_RGB32);

@@ -8,7 +8,7 @@ namespace {
 Viewport fitted() {
   Viewport view;
   view.resize({800, 600});
-  view.fit({4.0, 2.0});
+  view.fit({}, {4.0, 2.0});
   return view;
 }
 
@@ -53,7 +53,7 @@ TEST(Viewport, PansWithTheMouse) {
 
 TEST(Viewport, AWorldWithoutExtentCanBeSeen) {
   Viewport view = fitted();
-  view.fit({0.0, 0.0});
+  view.fit({}, {});
   EXPECT_EQ(view.to_pixel({0.0, 0.0}), QPointF(400, 300));
 }
 

@@ -8,10 +8,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <pty.h>
+#include <sys/file.h>
 #include <sys/wait.h>
 #include <termios.h>
 #include <unistd.h>
 
+#include "eyebridge/base/unique_fd.hpp"
 #include "named_program.hpp"
 
 namespace eyebridge {
@@ -149,6 +151,18 @@ TEST(ProgramEnd, ResultsReplaceNothingButResults) {
                                                    {"EYEBRIDGE_REPORT", folder.path() + "/r"}});
     EXPECT_EQ(again.exit_code, 0) << again.err;
   }
+}
+
+TEST(ProgramEnd, TwoRunsDoNotWriteOneFolderOfResults) {
+  const ScratchFolder folder;
+  UniqueFd other(open(folder.path().c_str(), O_RDONLY | O_DIRECTORY));  // as a run has it
+  ASSERT_EQ(flock(other.get(), LOCK_EX), 0);
+  const ProgramRun refused = run_named("driving", {{"EYEBRIDGE_OUT", folder.path()}});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err, HasSubstr("another run writes its results there now"));
+  EXPECT_FALSE(std::filesystem::exists(folder.path() + "/trace.csv"));
+  other.reset();
+  EXPECT_EQ(run_named("driving", {{"EYEBRIDGE_OUT", folder.path()}}).exit_code, 0);
 }
 
 /// A program at a terminal of its own; the test is the person.

@@ -17,35 +17,32 @@ namespace {
 
 constexpr double kRoom = 2.0;  // metres, EyeSim's default
 
-enum class Kind { World, Maze, Sim, Robot, Parameters, Object, Unknown };
+enum class Kind { Ground, Sim, Robot, Parameters, Object };
 
 Kind kind_of(const std::filesystem::path& path) {
   const std::string extension = lower(path.extension().string());
-  if (extension == ".wld") return Kind::World;
-  if (extension == ".maz") return Kind::Maze;
   if (extension == ".sim") return Kind::Sim;
   if (extension == ".robi") return Kind::Robot;
   if (extension == ".p") return Kind::Parameters;
   if (extension == ".esobj") return Kind::Object;
-  return Kind::Unknown;
+  return Kind::Ground;
 }
 
-void load_parameters(const std::filesystem::path& path, const SearchPlaces& places,
-                     Scenario& scenario, Reading reading) {
+void load_parameters(const std::filesystem::path& path, Scenario& scenario,
+                     const LoadOptions& options) {
   const std::string name = path.string();
   const ParameterFile file = read_parameter_file(read_text_file(path), name, scenario.warnings);
   scenario.start_paused = file.pause;
   if (file.world || file.maze) {
     const std::string& written = file.world ? *file.world : *file.maze;
-    const auto found = find_file_of_others(written, scenario.directory, places, file.world_where,
-                                           scenario.warnings, reading);
-    load_ground(found, file.world ? GroundKind::World : GroundKind::Maze, places, scenario,
-                reading);
+    const auto found = find_file_of_others(written, scenario.directory, options.places,
+                                           file.world_where, scenario.warnings, options.reading);
+    load_ground(found, file.world ? GroundKind::World : GroundKind::Maze, scenario, options);
   } else {
     scenario.world = empty_room();
     scenario.warnings.push_back({{name, 0, 0}, "no world or maze named: an empty room, 2 m x 2 m"});
   }
-  Placer(scenario, reading).place_at_start(file.robot, {name, 0, 0});
+  Placer(scenario, options.reading).place_at_start(file.robot, {name, 0, 0});
 }
 
 /// Whether `robot` could be the only one in `scenario`.
@@ -61,12 +58,13 @@ bool has_room_for(const robot::RobotModel& robot, const Scenario& scenario) {
   }
 }
 
-/// Places the robot that the settings name; where it is too big for a maze, the message says which
-/// one is not.
-void place_default(Scenario& scenario, const robot::RobotModel& robot, const SourceLocation& where,
-                   Reading reading) {
+/// Places the robot that the settings name, if there is none yet; where it is too big for a maze, the
+/// message says which one is not.
+void place_default(Scenario& scenario, const SourceLocation& where, const LoadOptions& options) {
+  if (options.robot.empty() || !scenario.robots.empty()) return;
+  const robot::RobotModel& robot = named_robot(options.robot, options.robot_where);
   try {
-    Placer(scenario, reading).place_at_start(robot, where);
+    Placer(scenario, options.reading).place_at_start(robot, where);
   } catch (const ConfigError& error) {
     if (!scenario.world.maze || !has_room_for(*builtin_robot("Mouse"), scenario)) throw;
     throw ConfigError(error.where(), error.text() + "; a smaller robot fits: --robot Mouse");
@@ -97,48 +95,61 @@ void apply_rules_of_file(const std::vector<ErrorRule>& rules, Scenario& scenario
 
 world::WorldModel empty_room() { return room_of(kRoom); }
 
-Scenario load_scenario(const std::filesystem::path& written, const std::string& default_robot,
-                       const SearchPlaces& places, const SourceLocation& robot_where,
-                       Reading reading) {
+namespace {
+
+void load(const std::filesystem::path& path, Scenario& scenario, const LoadOptions& options) {
+  const std::string name = path.string();
+  const SourceLocation where{name, 0, 0};
+  const Reading reading = options.reading;
+  switch (kind_of(path)) {
+    case Kind::Parameters:
+      return load_parameters(path, scenario, options);
+    case Kind::Sim: {
+      const auto errors = load_sim(read_text_file(path), name, scenario, options);
+      place_default(scenario, where, options);
+      return apply_rules_of_file(errors, scenario, reading);
+    }
+    case Kind::Robot: {
+      scenario.world = empty_room();
+      const auto robot = read_robi(read_text_file(path), name, scenario.warnings, reading);
+      return Placer(scenario, reading).place_at_start(robot, where);
+    }
+    case Kind::Object: {
+      const world::ObjectSpec object =
+          read_object(read_text_file(path), name, path.stem().string(), scenario.warnings, reading);
+      scenario.world = room_of(std::max(kRoom, 4 * object.radius));
+      scenario.world.objects.push_back(object);
+      scenario.world.objects.back().pose = {scenario.world.middle().x, scenario.world.middle().y, 0};
+      break;
+    }
+    case Kind::Ground: {
+      const auto kind = ground_kind(path);
+      if (!kind) {
+        throw ConfigError(where,
+                          "unknown kind of file: expected .wld, .maz, .sim, .robi, .esObj or .p, "
+                          "or a maze of a contest");
+      }
+      load_ground(path, *kind, scenario, options);
+      break;
+    }
+  }
+  place_default(scenario, where, options);
+}
+
+}  // namespace
+
+Scenario load_scenario(const std::filesystem::path& written, const LoadOptions& options) {
   std::error_code error;
   const std::filesystem::path path = std::filesystem::exists(written, error)
                                          ? written
-                                         : find_file(written.string(), {}, places, {"world"});
-  const std::string name = path.string();
+                                         : find_file(written.string(), {}, options.places, {"world"});
   Scenario scenario;
   scenario.directory = path.parent_path();
-  const Kind kind = kind_of(path);
-  if (kind == Kind::Unknown) {
-    throw ConfigError({name, 0, 0},
-                      "unknown kind of file: expected .wld, .maz, .sim, .robi, .esObj or .p");
+  load(path, scenario, options);
+  if (options.cell && !scenario.world.maze) {
+    throw ConfigError(options.cell_where,
+                      in_quotes(path.string(), 200) + " is no maze: only a maze has cells");
   }
-  if (kind == Kind::Parameters) {
-    load_parameters(path, places, scenario, reading);
-    return scenario;
-  }
-  if (kind == Kind::Sim) {
-    const auto errors = load_sim(read_text_file(path), name, places, scenario, reading);
-    if (scenario.robots.empty()) {
-      place_default(scenario, named_robot(default_robot, robot_where), {name, 0, 0}, reading);
-    }
-    apply_rules_of_file(errors, scenario, reading);
-    return scenario;
-  } else if (kind == Kind::Object) {
-    const world::ObjectSpec object =
-        read_object(read_text_file(path), name, path.stem().string(), scenario.warnings, reading);
-    scenario.world = room_of(std::max(kRoom, 4 * object.radius));
-    scenario.world.objects.push_back(object);
-    scenario.world.objects.back().pose = {scenario.world.width / 2, scenario.world.height / 2, 0};
-  } else if (kind == Kind::Robot) {
-    scenario.world = empty_room();
-    const auto robot = read_robi(read_text_file(path), name, scenario.warnings, reading);
-    Placer(scenario, reading).place_at_start(robot, {name, 0, 0});
-    return scenario;
-  } else {
-    load_ground(path, kind == Kind::World ? GroundKind::World : GroundKind::Maze, places, scenario,
-                reading);
-  }
-  place_default(scenario, named_robot(default_robot, robot_where), {name, 0, 0}, reading);
   return scenario;
 }
 

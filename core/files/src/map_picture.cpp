@@ -1,12 +1,14 @@
+#include <algorithm>
 #include <utility>
 
 #include "eyebridge/base/pnm.hpp"
 #include "eyebridge/files/map_files.hpp"
+#include "stb_picture.hpp"
 
 namespace eyebridge::files {
+namespace {
 
-GreyPicture read_map_picture(std::string_view bytes, const std::string& file) {
-  PnmPicture picture = read_pnm(bytes, file, mapping::kMostMapCells);
+GreyPicture grey_of(PnmPicture picture) {
   GreyPicture grey{picture.columns, picture.rows, {}};
   switch (picture.kind) {
     case PnmKind::Grey:
@@ -25,6 +27,18 @@ GreyPicture read_map_picture(std::string_view bytes, const std::string& file) {
       break;
   }
   return grey;
+}
+
+}  // namespace
+
+GreyPicture read_map_picture(std::string_view bytes, const std::string& file) {
+  if (bytes.starts_with("\x89PNG") || bytes.starts_with("BM")) {
+    return read_stb_picture(bytes, file, mapping::kMostMapCells);
+  }
+  if (bytes.size() < 2 || bytes[0] != 'P' || bytes[1] < '1' || bytes[1] > '6') {
+    throw ConfigError({file, 0, 0}, "no picture that a map can have: expected PGM, PNG or BMP");
+  }
+  return grey_of(read_pnm(bytes, file, mapping::kMostMapCells));
 }
 
 }  // namespace eyebridge::files

@@ -1,13 +1,19 @@
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <yaml-cpp/yaml.h>
+
 #include "eyebridge/files/map_files.hpp"
 #include "eyebridge/files/readers.hpp"
 #include "file_bytes.hpp"
+#include "map_frame.hpp"
 #include "map_limits.hpp"
 #include "text.hpp"
 
@@ -17,49 +23,41 @@ namespace {
 constexpr std::array<std::string_view, 7> kMapKeys = {
     "image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh", "mode"};
 constexpr std::array<std::string_view, 3> kMapModes = {"trinary", "scale", "raw"};
+/// A description is a few lines; the library takes a hundred times its size.
+constexpr std::size_t kLargestDescription = 1U << 20U;
 
-/// `text` with blanks for what YAML puts around and between the numbers of a list.
-std::string without_brackets(std::string_view text) {
-  std::string out(text);
-  bool in_origin = false;
-  for (std::size_t line = 0; line < out.size();) {
-    const std::size_t end = std::min(out.find('\n', line), out.size());
-    const std::string_view row = std::string_view(out).substr(line, end - line);
-    const std::size_t word = row.find_first_not_of(" \t");
-    const bool is_key = word != std::string_view::npos && row[word] >= 'a' && row[word] <= 'z';
-    if (is_key) in_origin = row.substr(word).starts_with("origin:");
-    for (std::size_t i = line; in_origin && i < end && out[i] != '#'; ++i) {
-      if (out[i] == '[' || out[i] == ']' || out[i] == ',') out[i] = ' ';
-    }
-    line = end + 1;
-  }
-  return out;
+/// Without an exponent where a person would write none.
+std::string plain_number(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.10g", value);
+  return text;
 }
 
-/// Reads one `.yaml`.
+/// Reads one `.yaml`, by yaml-cpp.
 class DescriptionReader {
  public:
-  DescriptionReader(std::string_view text, const std::string& file, std::vector<Warning>& warnings)
-      : text_(without_brackets(text)), file_(file), warnings_(file, warnings) {}
+  DescriptionReader(const std::string& file, std::vector<Warning>& warnings)
+      : file_(file), warnings_(file, warnings) {}
 
-  MapDescription read() {
-    StatementReader reader(text_, file_);
-    Statement line;
-    while (reader.next(line)) {
-      if (line.size() == 1 && (line.text(0) == "---" || line.text(0) == "...")) continue;
-      if (goes_on(line)) {
-        take_origin(line, 0);
-      } else {
-        take(line);
-      }
+  MapDescription read(const std::string& text) {
+    if (text.size() > kLargestDescription) {
+      throw ConfigError({file_, 0, 0}, "more than 1 MiB: expected the few lines of a map");
     }
-    const SourceLocation end{file_, reader.line() + 1, 1};
+    YAML::Node root;
+    try {
+      root = YAML::Load(text);
+    } catch (const YAML::Exception& error) {
+      throw ConfigError(where(error.mark), error.msg);
+    }
+    if (!root.IsMap()) {
+      throw ConfigError({file_, 1, 1}, "no map: expected lines 'key: value', image the first");
+    }
+    for (const auto& entry : root) take(entry.first, entry.second);
     for (const std::string_view key : {"image", "resolution", "origin"}) {
-      if (!seen(key)) throw ConfigError(end, "file ends without '" + std::string(key) + "'");
-    }
-    if (origin_.size() < 3) {
-      throw ConfigError(end, "origin has " + std::to_string(origin_.size()) +
-                                 " numbers: expected 3, x, y and yaw");
+      if (!seen(key)) {
+        throw ConfigError({file_, static_cast<int>(std::ranges::count(text, '\n')) + 1, 1},
+                          "file ends without '" + std::string(key) + "'");
+      }
     }
     if (map_.free_thresh > map_.occupied_thresh) {
       throw ConfigError(thresh_where_, "free_thresh is above occupied_thresh");
@@ -68,101 +66,103 @@ class DescriptionReader {
   }
 
  private:
-  /// Whether the line is one more of the list of the origin's numbers.
-  bool goes_on(const Statement& line) const {
-    return seen("origin") && origin_.size() < 3 && (line.text(0) == "-" || line.is_number(0));
+  [[nodiscard]] SourceLocation where(const YAML::Mark& mark) const {
+    return {file_, mark.line + 1, mark.column + 1};
+  }
+  [[nodiscard]] SourceLocation where(const YAML::Node& node) const { return where(node.Mark()); }
+  [[noreturn]] void refuse(const YAML::Node& node, const std::string& what) const {
+    throw ConfigError(where(node), what);
   }
 
-  bool seen(std::string_view key) const {
-    for (std::size_t i = 0; i < kMapKeys.size(); ++i) {
-      if (kMapKeys[i] == key) return seen_[i];
-    }
-    return false;
+  [[nodiscard]] bool seen(std::string_view key) const {
+    return seen_[static_cast<std::size_t>(std::ranges::find(kMapKeys, key) - kMapKeys.begin())];
   }
 
-  /// The place of the line's key in kMapKeys; nothing for one that we do not know.
-  std::optional<std::size_t> key_of(const Statement& line) {
-    std::string_view key = line.text(0);
-    if (!key.ends_with(':') || key.size() == 1) {
-      line.fail(0, in_quotes(key) + " found: expected 'key: value'");
-    }
-    key.remove_suffix(1);
-    for (std::size_t i = 0; i < kMapKeys.size(); ++i) {
-      if (kMapKeys[i] == key) return i;
-    }
-    const std::string_view near = nearest(key, kMapKeys);
-    warnings_.add(line.line(), line.token(0).column,
-                  "key " + in_quotes(key) + " is ignored" +
-                      (near.empty() ? "" : ": did you mean '" + std::string(near) + "'?"));
-    return std::nullopt;
-  }
-
-  void take(const Statement& line) {
-    const auto key = key_of(line);
-    if (!key) return;
-    const std::string_view name = kMapKeys[*key];
-    if (seen_[*key]) line.fail(0, in_quotes(name) + " is said twice");
-    seen_[*key] = true;
-    if (name == "origin") return take_origin(line, 1);
-    if (line.size() < 2) line.fail(1, "line ends: expected a value of '" + std::string(name) + "'");
-    if (name == "image") {
-      map_.image = line.rest(1);
-      map_.image_where = line.where(1);
+  void take(const YAML::Node& name, const YAML::Node& value) {
+    if (!name.IsScalar()) refuse(name, "a key that is no word: expected " + one_of(kMapKeys));
+    const std::string& key = name.Scalar();
+    const auto found = std::ranges::find(kMapKeys, key);
+    if (found == kMapKeys.end()) {
+      const std::string_view near = nearest(key, kMapKeys);
+      const SourceLocation at = where(name);
+      warnings_.add(at.line, at.column,
+                    "key " + in_quotes(key) + " is ignored" +
+                        (near.empty() ? "" : ": did you mean '" + std::string(near) + "'?"));
       return;
     }
-    line.expect_arguments(1, std::string(name) + ": value");
-    if (name == "resolution") {
-      map_.resolution = line.number(1, "resolution", kLeastResolution, kMostResolution);
-    } else if (name == "negate") {
-      map_.negate = flag(line);
-    } else if (name == "mode") {
-      map_.mode = mode(line);
+    bool& is_seen = seen_[static_cast<std::size_t>(found - kMapKeys.begin())];
+    if (is_seen) refuse(name, in_quotes(key) + " is said twice");
+    is_seen = true;
+    if (key == "origin") return take_origin(value);
+    if (!value.IsScalar() || value.Scalar().empty()) {
+      refuse(value.IsDefined() ? value : name, "expected a value of '" + key + "'");
+    }
+    if (key == "image") {
+      map_.image = value.Scalar();
+      map_.image_where = where(value);
+    } else if (key == "resolution") {
+      map_.resolution = number(value, "resolution", kLeastResolution, kMostResolution);
+    } else if (key == "negate") {
+      map_.negate = flag(value);
+    } else if (key == "mode") {
+      map_.mode = mode(value);
     } else {
-      thresh_where_ = line.where(1);
-      double& thresh = name == "free_thresh" ? map_.free_thresh : map_.occupied_thresh;
-      thresh = line.number(1, name, 0.0, 1.0);
+      thresh_where_ = where(value);
+      double& thresh = key == "free_thresh" ? map_.free_thresh : map_.occupied_thresh;
+      thresh = number(value, key, 0.0, 1.0);
       if (thresh == 0.0 || thresh == 1.0) {
-        line.fail(1, std::string(name) + " is " + std::string(line.text(1)) +
-                         ": expected more than 0 and less than 1");
+        refuse(value, key + " is " + value.Scalar() + ": expected more than 0 and less than 1");
       }
     }
   }
 
-  void take_origin(const Statement& line, std::size_t first) {
-    constexpr const char* kNames[] = {"origin's x", "origin's y", "origin's yaw"};
-    for (std::size_t i = first; i < line.size(); ++i) {
-      if (line.text(i) == "-") continue;  // of a list with a line for each item
-      if (origin_.size() == 3) line.fail(i, "origin has more than 3 numbers");
-      origin_.push_back(line.number(i, kNames[origin_.size()], -kMostOrigin, kMostOrigin));
-      if (origin_.size() == 3 && origin_[2] != 0.0) {
-        line.fail(i, "origin's yaw is " + std::string(line.text(i)) +
-                         ": expected 0, the map along the axes");
-      }
+  void take_origin(const YAML::Node& list) {
+    if (!list.IsSequence() || list.size() != 3) {
+      refuse(list, "origin has " +
+                       (list.IsSequence() ? std::to_string(list.size()) : std::string("no")) +
+                       " numbers: expected 3, [x, y, yaw]");
     }
-    if (origin_.size() >= 2) map_.origin = {origin_[0], origin_[1]};
+    map_.origin.x = number(list[0], "origin's x", -kMostOrigin, kMostOrigin);
+    map_.origin.y = number(list[1], "origin's y", -kMostOrigin, kMostOrigin);
+    map_.yaw = number(list[2], "origin's yaw", -kMostYaw, kMostYaw);
   }
 
-  static bool flag(const Statement& line) {
-    const std::string word = lower(line.text(1));
+  [[nodiscard]] double number(const YAML::Node& node, const std::string& what, double low,
+                              double high) const {
+    const std::string text = node.IsScalar() ? node.Scalar() : std::string();
+    const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
+    const char* const end = text.data() + text.size();
+    double value = 0.0;
+    const auto [stop, error] = std::from_chars(begin, end, value);
+    if (error != std::errc{} || stop != end || !std::isfinite(value)) {
+      refuse(node, in_quotes(text) + " found: expected " + what + ", a number");
+    }
+    if (value < low || value > high) {
+      refuse(node, what + " is " + text + ": expected " + plain_number(low) + " to " +
+                       plain_number(high));
+    }
+    return value;
+  }
+
+  [[nodiscard]] bool flag(const YAML::Node& node) const {
+    const std::string word = lower(node.Scalar());
     if (word == "0" || word == "false" || word == "no" || word == "off") return false;
     if (word == "1" || word == "true" || word == "yes" || word == "on") return true;
-    line.fail(1, in_quotes(line.text(1)) + " found: expected 0, 1, false or true");
+    refuse(node, in_quotes(node.Scalar()) + " found: expected 0, 1, false or true");
   }
 
-  static MapMode mode(const Statement& line) {
-    const std::string word = lower(line.text(1));
+  [[nodiscard]] MapMode mode(const YAML::Node& node) const {
+    const std::string word = lower(node.Scalar());
     if (word == "trinary") return MapMode::Trinary;
     if (word == "scale") return MapMode::Scale;
     if (word == "raw") return MapMode::Raw;
-    line.fail(1, "mode " + in_quotes(line.text(1)) + " found: expected " + one_of(kMapModes));
+    refuse(node, "mode " + in_quotes(node.Scalar()) + " found: expected " + one_of(kMapModes));
   }
 
-  std::string text_;
   const std::string& file_;
   Warnings warnings_;
   MapDescription map_;
   std::array<bool, kMapKeys.size()> seen_{};
-  std::vector<double> origin_;
   SourceLocation thresh_where_;
 };
 
@@ -181,9 +181,19 @@ std::optional<double> probability_of_grey(const MapDescription& map, std::uint8_
 
 }  // namespace
 
+bool is_occupied(const MapDescription& description, std::uint8_t grey) {
+  const auto p = probability_of_grey(description, grey);
+  return p && (description.mode == MapMode::Trinary ? *p == 1.0 : *p > description.occupied_thresh);
+}
+
+bool is_free(const MapDescription& description, std::uint8_t grey) {
+  const auto p = probability_of_grey(description, grey);
+  return p && (description.mode == MapMode::Trinary ? *p == 0.0 : *p < description.free_thresh);
+}
+
 MapDescription read_map_description(std::string_view text, const std::string& file,
                                     std::vector<Warning>& warnings) {
-  return DescriptionReader(without_bom(text), file, warnings).read();
+  return DescriptionReader(file, warnings).read(std::string(without_bom(text)));
 }
 
 mapping::OccupancyGrid map_of(const MapDescription& description, const GreyPicture& picture) {
@@ -192,27 +202,36 @@ mapping::OccupancyGrid map_of(const MapDescription& description, const GreyPictu
   settings.occupied_above = std::max(description.occupied_thresh, settings.prior);
   settings.free_below = std::min(description.free_thresh, settings.prior);
   settings.max_cells = mapping::kMostMapCells;
-  mapping::OccupancyGrid grid(
-      {description.origin, description.resolution, picture.columns, picture.rows}, settings);
-  std::size_t i = 0;
-  for (int row = picture.rows - 1; row >= 0; --row) {
-    for (int column = 0; column < picture.columns; ++column, ++i) {
-      const auto p = probability_of_grey(description, picture.greys[i]);
+  const MapFrame frame(description, picture.columns, picture.rows);
+  const mapping::GridGeometry geometry = frame.covering();
+  need_readable(geometry);
+  mapping::OccupancyGrid grid(geometry, settings);
+  for (int row = 0; row < geometry.rows; ++row) {
+    for (int column = 0; column < geometry.columns; ++column) {
+      const auto pixel = frame.pixel_at(geometry, {column, row});
+      if (!pixel) continue;  // beside a map that is turned
+      const auto p = probability_of_grey(description, picture.greys[*pixel]);
       if (p) grid.set_probability({column, row}, *p);
     }
   }
   return grid;
 }
 
-mapping::OccupancyGrid load_map(const std::filesystem::path& path, std::vector<Warning>& warnings) {
-  const MapDescription description =
-      read_map_description(read_text_file(path), path.string(), warnings);
-  const std::filesystem::path image = path.parent_path() / description.image;
+MapFiles read_map_files(const std::filesystem::path& path, std::vector<Warning>& warnings) {
+  MapFiles map{read_map_description(read_text_file(path), path.string(), warnings), {}};
+  const std::filesystem::path image = path.parent_path() / map.description.image;
   std::error_code error;
   if (!std::filesystem::exists(image, error)) {
-    throw ConfigError(description.image_where, "no such file: " + in_quotes(image.string(), 200));
+    throw ConfigError(map.description.image_where,
+                      "no such file: " + in_quotes(image.string(), 200));
   }
-  return map_of(description, read_map_picture(read_bytes(image, "a picture"), image.string()));
+  map.picture = read_map_picture(read_bytes(image, "a picture"), image.string());
+  return map;
+}
+
+mapping::OccupancyGrid load_map(const std::filesystem::path& path, std::vector<Warning>& warnings) {
+  const MapFiles map = read_map_files(path, warnings);
+  return map_of(map.description, map.picture);
 }
 
 }  // namespace eyebridge::files

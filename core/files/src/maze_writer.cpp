@@ -77,6 +77,9 @@ std::string write_maze(const world::WorldModel& model) {
   for (const world::StartPose& start : model.starts) {
     drawing.put(start.pose, start.letter, start.letter);
   }
+  for (const world::MazeCell goal : grid.goals) {
+    drawing.put({(goal.column + 0.5) * grid.cell, (goal.row + 0.5) * grid.cell, 0}, 'g', 'G');
+  }
   for (const world::ObjectSpec& object : model.objects) {
     if (object.name == "golf") {
       drawing.put(object.pose, 'o', 'O');

@@ -33,7 +33,7 @@ namespace {
 /// Places to try: the centres of a maze's cells, or a raster of at most about 10,000 points.
 std::vector<Vec2> candidates(const world::WorldModel& world, double radius) {
   std::vector<Vec2> out;
-  const Vec2 middle{world.width / 2, world.height / 2};
+  const Vec2 middle = world.middle();
   if (world.maze) {
     const double cell = world.maze->cell;
     for (int row = 0; row < world.maze->rows; ++row) {
@@ -48,10 +48,8 @@ std::vector<Vec2> candidates(const world::WorldModel& world, double radius) {
     for (int j = -along; j <= along; ++j) {
       for (int i = -across; i <= across; ++i) {
         const Vec2 p{middle.x + i * step, middle.y + j * step};
-        if (p.x >= radius && p.y >= radius && p.x <= world.width - radius &&
-            p.y <= world.height - radius) {
-          out.push_back(p);
-        }
+        const Vec2 margin{radius, radius};
+        if (world.has_floor_at(p - margin) && world.has_floor_at(p + margin)) out.push_back(p);
       }
     }
   }
@@ -119,7 +117,7 @@ std::string Placer::wall_at(Vec2 centre) const {
 
 void Placer::warn_outside(std::size_t model, const Pose& pose, const SourceLocation& where) {
   const world::WorldModel& world = scenario_.world;
-  if (pose.x < 0 || pose.y < 0 || pose.x > world.width || pose.y > world.height) {
+  if (!world.has_floor_at(pose.position())) {
     scenario_.warnings.push_back(
         {where, scenario_.models[model].name + " stands outside the floor"});
   }
@@ -149,7 +147,7 @@ std::string Placer::in_the_way(std::size_t model, const Pose& pose,
 std::optional<Vec2> Placer::add_near(Vec2 wanted, const robot::RobotModel& robot) {
   const world::WorldModel& world = scenario_.world;
   const auto try_at = [&](Vec2 p) {
-    return p.x >= 0 && p.y >= 0 && p.x <= world.width && p.y <= world.height && add(p, robot);
+    return world.has_floor_at(p) && add(p, robot);
   };
   // Near it in rings, then at the places where robots are put otherwise.
   constexpr double kRing = 0.005;  // metres

@@ -40,6 +40,12 @@ class RobiReader {
                         "no keyword of a robot description in the file: expected 'drive', 'name', "
                         "'psd', ...");
     }
+    if (comments_ > 0) {
+      warnings_.add(first_comment_.line, first_comment_.column,
+                    std::to_string(comments_) +
+                        " lines that begin with no keyword are left out, this is the first: '#' "
+                        "begins a comment");
+    }
     drive_.finish(model());
     finish_body();
     if (fisheye_) {
@@ -105,7 +111,10 @@ class RobiReader {
     if (const std::string_view near = nearest(keyword, kRobiKeywords); !near.empty()) {
       s.fail(0, "unknown keyword " + in_quotes(s.text(0)) + ": expected " + in_quotes(near) + "?");
     }
-    if (!new_dialect_) return;  // the old dialect calls such lines comments
+    if (!new_dialect_) {  // the old dialect calls such lines comments
+      if (comments_++ == 0) first_comment_ = s.where(0);
+      return;
+    }
     warnings_.add(s.line(), s.token(0).column,
                   "unknown keyword " + in_quotes(s.text(0)) + " is ignored");
   }
@@ -289,6 +298,8 @@ class RobiReader {
   DriveLines drive_;
   bool known_ = false;
   bool new_dialect_ = false;
+  int comments_ = 0;  ///< Lines of the old dialect that begin with no keyword.
+  SourceLocation first_comment_;
   std::optional<double> diameter_;
   std::optional<double> fisheye_;
   SourceLocation fisheye_where_;

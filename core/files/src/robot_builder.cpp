@@ -167,7 +167,7 @@ void RobotBuilder::read_table(const Statement& s) {
   if (s.size() < 3) s.fail(s.size(), "line ends: expected 'psd_table MM MM ...', by raw value");
   std::vector<double> metres;
   for (std::size_t i = 1; i < s.size(); ++i) {
-    metres.push_back(s.millimetres(i, "a range of the table", 0, 1e5));
+    metres.push_back(s.millimetres(i, "a range of the table", 0, 9999));
   }
   psd_table_ = robot::RangeTable(metres);
   if (psd_table_.empty()) s.fail(1, "no range below 9999 in the table: expected one");

@@ -18,9 +18,14 @@ namespace {
 
 class SimLoader {
  public:
-  SimLoader(const SimFile& sim, const std::string& name, const SearchPlaces& places,
-            Scenario& scenario, Reading reading)
-      : sim_(sim), name_(name), places_(places), scenario_(scenario), reading_(reading) {}
+  SimLoader(const SimFile& sim, const std::string& name, Scenario& scenario,
+            const LoadOptions& options)
+      : sim_(sim),
+        name_(name),
+        options_(options),
+        places_(options.places),
+        scenario_(scenario),
+        reading_(options.reading) {}
 
   void load() {
     load_world();
@@ -79,14 +84,13 @@ class SimLoader {
     }
     const auto path = find_file_of_others(*sim_.world, scenario_.directory, places_,
                                           sim_.world_where, scenario_.warnings, reading_);
-    const std::string extension = lower(path.extension().string());
-    if (extension != ".wld" && extension != ".maz") {
+    const auto kind = ground_kind(path);
+    if (!kind) {
       throw ConfigError(sim_.world_where, in_quotes(*sim_.world) +
                                               " is neither world nor maze: expected a .wld or "
-                                              ".maz file");
+                                              ".maz file, or a maze of a contest");
     }
-    load_ground(path, extension == ".wld" ? GroundKind::World : GroundKind::Maze, places_,
-                scenario_, reading_);
+    load_ground(path, *kind, scenario_, options_);
   }
 
   void load_robot_files() {
@@ -263,6 +267,7 @@ class SimLoader {
 
   const SimFile& sim_;
   const std::string& name_;
+  const LoadOptions& options_;
   const SearchPlaces& places_;
   Scenario& scenario_;
   Reading reading_;
@@ -275,10 +280,10 @@ class SimLoader {
 
 }  // namespace
 
-std::vector<ErrorRule> load_sim(std::string_view text, const std::string& name,
-                                const SearchPlaces& places, Scenario& scenario, Reading reading) {
-  SimFile sim = read_sim(text, name, scenario.warnings, reading);
-  SimLoader(sim, name, places, scenario, reading).load();
+std::vector<ErrorRule> load_sim(std::string_view text, const std::string& name, Scenario& scenario,
+                                const LoadOptions& options) {
+  SimFile sim = read_sim(text, name, scenario.warnings, options.reading);
+  SimLoader(sim, name, scenario, options).load();
   return std::move(sim.errors);
 }
 

@@ -13,7 +13,7 @@ world::WorldModel empty_room();
 
 /// Fills `scenario` from the `.sim` file `name` with content `text`. Returns its rules about
 /// errors, for when all robots are placed. Throws ConfigError.
-std::vector<ErrorRule> load_sim(std::string_view text, const std::string& name,
-                                const SearchPlaces& places, Scenario& scenario, Reading reading);
+std::vector<ErrorRule> load_sim(std::string_view text, const std::string& name, Scenario& scenario,
+                                const LoadOptions& options);
 
 }  // namespace eyebridge::files

@@ -1,11 +1,14 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "eyebridge/base/read_file.hpp"
 #include "eyebridge/base/write_file.hpp"
 #include "eyebridge/files/readers.hpp"
 #include "file_bytes.hpp"
+#include "maze_formats.hpp"
+#include "text_encoding.hpp"
 #include "text.hpp"
 
 namespace eyebridge::files {
@@ -33,7 +36,15 @@ std::string description_in(std::string_view text) {
 }
 
 std::string read_text_file(const std::filesystem::path& path) {
-  std::string text = read_bytes(path, "a text file");
+  std::string text = as_utf8(read_bytes(path, "a text file"), path.string());
+  check_text(text, path.string());
+  return text;
+}
+
+std::string read_maze_file(const std::filesystem::path& path) {
+  std::string bytes = read_bytes(path, "a maze");
+  if (maze_format(bytes) == MazeFormat::Binary) return bytes;
+  std::string text = as_utf8(std::move(bytes), path.string());
   check_text(text, path.string());
   return text;
 }

@@ -147,7 +147,8 @@ OccupancyGrid truth_of(const world::WorldModel& model, const TruthSettings& sett
   GridGeometry g = GridGeometry::covering({0, 0}, model.width, model.height, settings.resolution);
   g.columns += 2 * settings.margin;
   g.rows += 2 * settings.margin;
-  g.origin = {-settings.margin * settings.resolution, -settings.margin * settings.resolution};
+  const double around = settings.margin * settings.resolution;
+  g.origin = model.corner - Vec2{around, around};
   OccupancySettings certain;
   certain.max_cells = settings.max_cells;
   OccupancyGrid grid(g, certain);

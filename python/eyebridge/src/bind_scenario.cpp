@@ -1,4 +1,5 @@
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,7 +8,9 @@
 
 #include "arrays.hpp"
 #include "bindings.hpp"
+#include "checks.hpp"
 #include "eyebridge/files/load.hpp"
+#include "eyebridge/files/maze_limits.hpp"
 
 namespace eyebridge::python {
 namespace {
@@ -22,12 +25,17 @@ std::filesystem::path script() {
 }
 
 std::shared_ptr<Scenario> load(const std::filesystem::path& path, const std::string& robot,
-                               bool strict) {
-  const auto places = files::SearchPlaces::of_process(script());
+                               bool strict, std::optional<double> cell) {
+  files::LoadOptions options;
+  options.robot = robot;
+  options.places = files::SearchPlaces::of_process(script());
+  options.reading = strict ? files::Reading::Strict : files::Reading::Tolerant;
+  options.cell = cell;
+  if (cell && !(*cell >= files::kLeastMazeCell && *cell <= files::kMostMazeCell)) {
+    refuse("cell", std::to_string(*cell), "0.01 to 100 m");
+  }
   const py::gil_scoped_release others_run;
-  return std::make_shared<Scenario>(
-      files::load_scenario(path, robot, places, {"default robot"},
-                           strict ? files::Reading::Strict : files::Reading::Tolerant));
+  return std::make_shared<Scenario>(files::load_scenario(path, options));
 }
 
 std::vector<std::string> warnings(const Scenario& scenario) {
@@ -43,6 +51,18 @@ py::array_t<double> walls(const Scenario& scenario) {
     ends.insert(ends.end(), {wall.a.x, wall.a.y, wall.b.x, wall.b.y});
   }
   return array_of(std::move(ends)).reshape({-1, 4});
+}
+
+/// One row a goal: the middle of its cell.
+py::array_t<double> goals(const Scenario& scenario) {
+  std::vector<double> places;
+  if (scenario.world.maze) {
+    const double cell = scenario.world.maze->cell;
+    for (const world::MazeCell goal : scenario.world.maze->goals) {
+      places.insert(places.end(), {(goal.column + 0.5) * cell, (goal.row + 0.5) * cell});
+    }
+  }
+  return array_of(std::move(places)).reshape({-1, 2});
 }
 
 std::vector<std::string> robot_names(const Scenario& scenario) {
@@ -61,13 +81,14 @@ void bind_scenario(py::module_& module) {
           "size", [](const Scenario& s) { return py::make_tuple(s.world.width, s.world.height); })
       .def_property_readonly("robots", &robot_names)
       .def_property_readonly("walls", &walls)
+      .def_property_readonly("goals", &goals)
       .def_property_readonly("warnings", &warnings)
       .def("__repr__", [](const Scenario& s) {
         return "<eyebridge.Scenario: " + std::to_string(s.world.walls.size()) + " walls, " +
                std::to_string(s.robots.size()) + " robots>";
       });
   module.def("load_scenario", &load, py::arg("path"), py::arg("robot") = "S4", py::kw_only(),
-             py::arg("strict") = true);
+             py::arg("strict") = true, py::arg("cell") = py::none());
   module.def("default_scenario",
              [] { return std::make_shared<Scenario>(files::default_scenario()); });
 }

@@ -116,6 +116,23 @@ TEST_F(Io7NoiseTest, ABoardThatAnswersVeryLateAtTimesIsWaitedForAsLongAsItTakes)
   EXPECT_EQ(client.statistics().timeouts, timeouts);
 }
 
+TEST_F(Io7NoiseTest, ABoardIsToldMoreOftenToStand) {
+  // No answer says that it has heard: of 30 programs that ended on such a line one left its motors
+  // running.
+  const auto stops = [&] {
+    const std::string sent = sent_by([&] { EXPECT_TRUE(client.confirm_stop()); });
+    int count = 0;
+    for (std::size_t at = sent.find("m 1 0\r"); at != std::string::npos;
+         at = sent.find("m 1 0\r", at + 1)) {
+      ++count;
+    }
+    return count;
+  };
+  EXPECT_EQ(stops(), 3);
+  make_noisy();
+  EXPECT_EQ(stops(), 12) << "each twice";
+}
+
 TEST_F(Io7NoiseTest, ACleanLineRepeatsNothing) {
   EXPECT_TRUE(client.exchange(io7::motor(1, 50)));
   clock.spend(50ms);

@@ -158,11 +158,12 @@ TEST(Mjpeg, IsDecodedSmallerWhereThatIsEnough) {
     EXPECT_EQ(small.height, size.height);
     EXPECT_GE(psnr(small.bytes, fit(whole, size.width, size.height).bytes), 40.0);
   }
-  MjpegDecoder decoder;
   FramePool pool;
-  EXPECT_EQ(decoder.decode(jpeg, {640, 480}, {300, 200}, pool)->width, 320);
-  EXPECT_EQ(decoder.decode(jpeg, {640, 480}, {321, 200}, pool)->width, 400);
-  EXPECT_EQ(decoder.decode(jpeg, {640, 480}, {2000, 2000}, pool)->width, 640);
+  JpegOddities odd;
+  EXPECT_EQ(decode_mjpeg(jpeg, {640, 480}, {300, 200}, pool, odd)->width, 320);
+  EXPECT_EQ(decode_mjpeg(jpeg, {640, 480}, {321, 200}, pool, odd)->width, 400);
+  EXPECT_EQ(decode_mjpeg(jpeg, {640, 480}, {2000, 2000}, pool, odd)->width, 640);
+  EXPECT_FALSE(odd.any());
 }
 
 TEST(Pixels, NothingOfAnEarlierFrameIsLeftInItsMemory) {
@@ -225,6 +226,39 @@ TEST(Mjpeg, AFrameWithoutHuffmanTablesIsRead) {
     }
   }
   EXPECT_GE(psnr(decoded(RawFormat::Mjpeg, {64, 48}, jpeg, {64, 48}).bytes, picture), 40.0);
+}
+
+TEST(Mjpeg, WhatWebcamsAddAndLeaveOutIsReadAndNamed) {
+  const Bytes picture = smooth_picture(64, 48);
+  const Bytes jpeg = jpeg_of(picture, 64, 48);
+  const Bytes plain = decoded(RawFormat::Mjpeg, {64, 48}, jpeg, {64, 48}).bytes;
+  const auto read = [&](const Bytes& bytes) {
+    PixelDecoder decoder;
+    const auto frame = decoder.decode({RawFormat::Mjpeg, {64, 48}, 0, bytes}, {64, 48});
+    EXPECT_TRUE(frame) << frame.error().what;
+    if (frame) {
+      EXPECT_EQ(frame->bytes, plain);
+    }
+    return decoder.oddities();
+  };
+  EXPECT_FALSE(read(jpeg).any());
+  Bytes padded = jpeg;
+  padded.resize(jpeg.size() + 100);
+  EXPECT_FALSE(read(padded).any()) << "buffers are filled up with zeros";
+  Bytes trailing = jpeg;
+  trailing.insert(trailing.end(), {1, 2, 3});
+  EXPECT_TRUE(read(trailing).trailing_bytes);
+  const Bytes no_end(jpeg.begin(), jpeg.end() - 2);
+  EXPECT_TRUE(read(no_end).no_end);
+  Bytes before = jpeg;
+  before.insert(before.begin(), {0x00, 0x12, 0xFF});
+  EXPECT_TRUE(read(before).stray_bytes);
+  Bytes between = jpeg;
+  between.insert(between.begin() + 2, {0x00, 0x12, 0x34});
+  EXPECT_TRUE(read(between).stray_bytes);
+  Bytes late = jpeg;
+  late.insert(late.end() - 2, {0x12, 0x34});
+  read(late);  // the decoder has taken them with the picture's last bits
 }
 
 TEST(Mjpeg, CutAnywhereItIsCorruptAndTheNextOneIsFine) {

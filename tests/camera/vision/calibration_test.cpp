@@ -141,6 +141,19 @@ TEST(CalibrationText, SurvivesBeingWrittenAndRead) {
             pinhole({640, 480}, 1.0));
 }
 
+TEST(CalibrationText, OfRosIsRead) {
+  const Calibration lens =
+      read_calibration(EYEBRIDGE_SHARED_DIR "/cases/calibration/ost.yaml");
+  Calibration expected;
+  expected.size = {640, 480};
+  expected.fx = 543.2;
+  expected.cx = 321.0;
+  expected.fy = 543.1;
+  expected.cy = 241.0;
+  expected.distortion = {-0.48, 0.18, -0.0019, 0.0028, 0.0};
+  EXPECT_EQ(lens, expected);
+}
+
 struct BadText {
   const char* name;
   const char* text;
@@ -175,6 +188,18 @@ INSTANTIATE_TEST_SUITE_P(
                               "cam.toml:2:17", "-3"},
                       BadText{"NotANumber", "size = [640, 480]\nfocal_length = [nan, 500]",
                               "cam.toml:2:17", "nan"},
+                      BadText{"Fisheye",
+                              "image_width: 640\nimage_height: 480\ncamera_matrix: [500, 0, 320, "
+                              "0, 500, 240, 0, 0, 1]\ndistortion_model: equidistant\n"
+                              "distortion_coefficients: [0, 0, 0, 0]\n",
+                              "cam.toml:4:19", "expected plumb_bob"},
+                      BadText{"NoMatrix", "image_width: 640\nimage_height: 480\ncamera_matrix: 3\n",
+                              "cam.toml:3:16", "a matrix with its 'data'"},
+                      BadText{"EightCoefficients",
+                              "image_width: 640\nimage_height: 480\ncamera_matrix: [500, 0, 320, "
+                              "0, 500, 240, 0, 0, 1]\n"
+                              "distortion_coefficients: [0, 0, 0, 0, 0, 0.1, 0, 0]\n",
+                              "cam.toml:4:26", "found 8 distortion coefficients"},
                       BadText{"Umlaut", "# \xC3\xA4\n", "cam.toml:1:3", "ASCII"}),
     [](const auto& test) { return std::string(test.param.name); });
 

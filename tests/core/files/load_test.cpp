@@ -19,13 +19,13 @@ constexpr const char* kRoom =
     "0 2000 0 0\n";
 
 std::string load_error(const std::filesystem::path& path, const std::string& robot = "S4") {
-  return error_of([&] { load_scenario(path, robot); });
+  return error_of([&] { load_scenario(path, {.robot = robot}); });
 }
 
 TEST(Load, AWorldGetsOneRobotAtItsFirstPosition) {
   const Folder folder;
   const auto path = folder.write("a.wld", std::string(kRoom) + "position 400 500 90\n");
-  const auto scenario = load_scenario(path, "labbot");
+  const auto scenario = load_scenario(path, {.robot = "labbot"});
   ASSERT_EQ(scenario.robots.size(), 1u);
   EXPECT_EQ(scenario.models.at(0).name, "LabBot");
   EXPECT_EQ(scenario.robots[0].pose.position(), (Vec2{0.4, 0.5}));
@@ -294,9 +294,9 @@ TEST(Load, FilesAreSearchedBesideInTheHomeAndAmongOurWorlds) {
               HasSubstr("a.sim:1:7: '%SIM%\\worlds\\room.wld' found, but EYESIM_HOME"));
   SearchPlaces places;
   places.eyesim_home = folder.path() / "sim";
-  EXPECT_EQ(load_scenario(path, "S4", places).world.walls.size(), 4u);
+  EXPECT_EQ(load_scenario(path, {.places = places}).world.walls.size(), 4u);
   const auto relative = folder.write("b.sim", "world worlds/room.wld\n");
-  EXPECT_EQ(load_scenario(relative, "S4", places).robots.size(), 1u);
+  EXPECT_EQ(load_scenario(relative, {.places = places}).robots.size(), 1u);
   EXPECT_EQ(load_scenario(folder.write("c.sim", "world empty-room.wld\n")).robots.size(), 1u);
 }
 
@@ -331,7 +331,7 @@ TEST(Load, MissingFilesAndNamesAreErrorsAtTheirLine) {
   EXPECT_EQ(load_error(folder.write("f.wld", kRoom), "R2D2"),
             "default robot: no robot 'R2D2': expected S4, S4-2015, LabBot, Mouse, Car, Omni, "
             "ServoBot, ServoBot-11, Mako or USAL");
-  EXPECT_EQ(error_of([&] { load_scenario(folder.path() / "f.wld", "R2D2", {}, {"--robot"}); }),
+  EXPECT_EQ(error_of([&] { load_scenario(folder.path() / "f.wld", {.robot = "R2D2", .robot_where = {"--robot"}}); }),
             "--robot: no robot 'R2D2': expected S4, S4-2015, LabBot, Mouse, Car, Omni, "
             "ServoBot, ServoBot-11, Mako or USAL");
   EXPECT_THAT(load_error(folder.write("g.p", "diameter 100\n maze no.maz\n")),

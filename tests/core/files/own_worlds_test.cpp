@@ -17,7 +17,7 @@ TEST(OwnWorlds, AllLoadWithoutWarnings) {
     // Only the robot that was made for it fits the cells of the contest.
     const bool contest = entry.path().filename() == "micromouse-16.maz";
     try {
-      const auto scenario = load_scenario(entry.path(), contest ? "Mouse" : "S4");
+      const auto scenario = load_scenario(entry.path(), {.robot = contest ? "Mouse" : "S4"});
       EXPECT_FALSE(scenario.robots.empty()) << entry.path();
       for (const Warning& warning : scenario.warnings) ADD_FAILURE() << warning.str();
     } catch (const ConfigError& error) {

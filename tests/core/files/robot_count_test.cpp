@@ -9,7 +9,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-Scenario own(const std::string& name) { return load_scenario(own_worlds() / name, "S4"); }
+Scenario own(const std::string& name) { return load_scenario(own_worlds() / name); }
 
 TEST(RobotCount, FewerAreTheFirstOnes) {
   Scenario scenario = own("two-robots.sim");

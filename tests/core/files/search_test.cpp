@@ -162,8 +162,8 @@ TEST_F(Search, PlacesOfAProcessFollowItsVariables) {
 
 TEST_F(Search, ScenariosAreLoadedByName) {
   EXPECT_FALSE(own_worlds().empty());
-  EXPECT_EQ(load_scenario("maze-5.maz", "Mouse").directory, own_worlds());
-  const std::string error = error_of([&] { load_scenario("Maze-5.maz", "Mouse"); });
+  EXPECT_EQ(load_scenario("maze-5.maz", {.robot = "Mouse"}).directory, own_worlds());
+  const std::string error = error_of([&] { load_scenario("Maze-5.maz", {.robot = "Mouse"}); });
   EXPECT_THAT(error, HasSubstr("no file 'Maze-5.maz': expected 'maze-5.maz' (only the case"));
 }
 

@@ -29,7 +29,7 @@ std::map<std::string, std::string> table() {
 
 std::string outcome(const std::filesystem::path& path) {
   try {
-    const Scenario scenario = load_scenario(path, "S4", kPlaces);
+    const Scenario scenario = load_scenario(path, {.places = kPlaces});
     std::ostringstream out;
     out << "walls " << scenario.world.walls.size() << ", objects " << scenario.world.objects.size()
         << ", starts " << scenario.world.starts.size() << ", robots " << scenario.robots.size()

@@ -13,7 +13,7 @@ std::string text_error(const std::filesystem::path& path) {
 
 TEST(TextFile, IsReadWhole) {
   const Folder folder;
-  EXPECT_EQ(read_text_file(folder.write("a", "x\r\ny")), "x\r\ny");
+  EXPECT_EQ(read_text_file(folder.write("a", "x\r\ny")), "x\ny");
   EXPECT_EQ(read_text_file(folder.write("b", "")), "");
 }
 

@@ -15,7 +15,7 @@ constexpr const char* kFourWalls =
 
 Scenario load_tolerant(const std::filesystem::path& path,
                        const SearchPlaces& places = SearchPlaces::of_process()) {
-  return load_scenario(path, "S4", places, {}, Reading::Tolerant);
+  return load_scenario(path, {.places = places, .reading = Reading::Tolerant});
 }
 
 std::string warnings_of(const Scenario& scenario) {
@@ -123,7 +123,7 @@ TEST(TolerantLoad, AFileOfAnotherComputerIsLookedForByItsLastName) {
     const auto path = folder.write("a.sim", std::string("world ") + written + "\nS4 500 500 0\n");
     const Scenario scenario = load_tolerant(path, places);
     EXPECT_EQ(scenario.world.walls.size(), 4u) << written;
-    EXPECT_THROW(load_scenario(path, "S4", places), ConfigError) << written;
+    EXPECT_THROW(load_scenario(path, {.places = places}), ConfigError) << written;
     ASSERT_EQ(scenario.warnings.size(), 1u);
     EXPECT_THAT(scenario.warnings[0].str(), AllOf(HasSubstr("a.sim:1:7: warning: no file '" +
                                                             std::string(written) + "' here: "),

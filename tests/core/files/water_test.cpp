@@ -43,16 +43,16 @@ TEST(Water, IsAsDeepAsASimulationSays) {
 
 TEST(Water, SubmarinesNeedItDeepEnough) {
   const auto load_error = [](const std::filesystem::path& path) {
-    return error_of([&] { load_scenario(path, "S4"); });
+    return error_of([&] { load_scenario(path); });
   };
   const Folder folder;
   const std::string pool = "floor 6000 6000\nwater 3000\n";
-  const auto deep = load_scenario(folder.write("a.wld", pool), "Mako");
+  const auto deep = load_scenario(folder.write("a.wld", pool), {.robot = "Mako"});
   EXPECT_EQ(deep.world.water, 3.0);
   EXPECT_EQ(deep.models.at(0).height, 0.46);
   EXPECT_EQ(deep.models.at(0).range_sensors.at(5).kind, robot::RangeKind::Down);
   const auto other = load_scenario(
-      folder.write("b.sim", "world a.wld\nwater 500\nUSAL 2000 2000 0\nMako 4000 2000 0\n"), "S4");
+      folder.write("b.sim", "world a.wld\nwater 500\nUSAL 2000 2000 0\nMako 4000 2000 0\n"));
   EXPECT_EQ(other.world.water, 0.5) << "the simulation's overrides it";
   EXPECT_THAT(load_error(folder.write("c.sim", "world a.wld\nwater 300\nMako 4000 2000 0\n")),
               testing::HasSubstr(
@@ -60,8 +60,8 @@ TEST(Water, SubmarinesNeedItDeepEnough) {
                   "('water MM')"));
   // One that is left out takes no place.
   const auto tolerant = load_scenario(
-      folder.write("d.sim", "world a.wld\nwater 300\nMako 2000 2000 0\nS4 2100 2000 0\n"), "S4",
-      SearchPlaces::of_process(), {}, Reading::Tolerant);
+      folder.write("d.sim", "world a.wld\nwater 300\nMako 2000 2000 0\nS4 2100 2000 0\n"),
+      {.reading = Reading::Tolerant});
   ASSERT_EQ(tolerant.robots.size(), 1u);
   EXPECT_EQ(tolerant.robots[0].pose.x, 2.1);
 }

@@ -30,13 +30,14 @@ Calibration pinhole(Size size, double horizontal_field_of_view);
 /// another aspect as fit() does it. Throws std::invalid_argument for an empty size.
 Calibration scaled(const Calibration& calibration, Size size);
 
-/// Reads to_toml()'s text, named `file` in messages. Throws ConfigError with line and column.
+/// Reads to_toml()'s text, or a calibration as ROS (`ost.yaml`) or OpenCV writes it in YAML, named
+/// `file` in messages. Throws ConfigError with line and column.
 Calibration parse_calibration(std::string_view text, const std::string& file);
 
 /// `calibration` as TOML; parse_calibration() gives the same back.
 std::string to_toml(const Calibration& calibration);
 
-/// Reads what write_calibration() wrote. Throws ConfigError with line and column.
+/// The same of a file. Throws ConfigError with line and column.
 Calibration read_calibration(const std::filesystem::path& path);
 
 /// Throws std::runtime_error naming the file and the reason.

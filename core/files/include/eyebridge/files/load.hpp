@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,21 +29,30 @@ struct SearchPlaces {
 /// it. Empty if there is none.
 std::filesystem::path own_worlds();
 
-/// Loads a `.wld`, `.maz`, `.sim`, `.robi` or `.esObj` (in an empty room), or EyeSim parameter file
-/// (`.p`) and everything it names. A world or maze without robots gets one robot of `default_robot`
-/// (a built-in one) at its first start pose, or at the free place nearest to its centre. A floor
-/// texture that exists becomes an absolute path; it is looked for beside the world's file first.
-/// A `path` that does not exist is looked for by name in `places` (find_file()).
+/// How load_scenario() reads.
+struct LoadOptions {
+  /// A built-in robot, which a world or maze without robots gets; empty: it stays without.
+  std::string robot = "S4";
+  SourceLocation robot_where{"default robot"};  ///< Where that was said.
+  SearchPlaces places = SearchPlaces::of_process();
+  Reading reading = Reading::Strict;
+  /// Edge length of a maze's cells, metres, whatever its file says.
+  std::optional<double> cell = std::nullopt;
+  SourceLocation cell_where{"cell"};
+};
+
+/// Loads a `.wld`, `.sim`, `.robi` or `.esObj` (in an empty room), EyeSim parameter file (`.p`) or
+/// maze (`.maz`, or any other name: read_maze() knows it by its content) and everything it names. A
+/// world or maze without robots gets one at its first start pose, or at the free place nearest to
+/// its centre. A floor texture that exists becomes an absolute path; it is looked for beside the
+/// world's file first. A `path` that does not exist is looked for by name in the places
+/// (find_file()).
 ///
 /// Throws ConfigError. Robots that would stand in a wall, an object or another robot are an error
-/// at the line that places them: of a `.sim`, or the start position or letter. `robot_where` is
-/// where `default_robot` was said, for the message when there is no such robot.
-/// With Reading::Tolerant what a line breaks is a warning, robots that would stand in something are
-/// put to the nearest free place, and objects whose files cannot be read are boxes.
-Scenario load_scenario(const std::filesystem::path& path, const std::string& default_robot = "S4",
-                       const SearchPlaces& places = SearchPlaces::of_process(),
-                       const SourceLocation& robot_where = {"default robot"},
-                       Reading reading = Reading::Strict);
+/// at the line that places them: of a `.sim`, or the start position or letter. With
+/// Reading::Tolerant what a line breaks is a warning, robots that would stand in something are put
+/// to the nearest free place, and objects whose files cannot be read are boxes.
+Scenario load_scenario(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// A built-in robot by name, case ignored ("S4", "LabBot", "Mouse"); null when there is none.
 /// Parsed on first use; any thread.

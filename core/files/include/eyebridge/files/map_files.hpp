@@ -29,6 +29,7 @@ struct MapDescription {
   SourceLocation image_where{};
   double resolution = 0.05;  ///< Metres a pixel.
   Vec2 origin{};             ///< Lower left corner of the lower left pixel, metres.
+  double yaw = 0.0;          ///< The picture is turned about it by so much, radians.
   bool negate = false;
   double occupied_thresh = 0.65;
   double free_thresh = 0.196;
@@ -45,18 +46,33 @@ struct GreyPicture {
 };
 
 /// Reads the text of a `.yaml`: `image`, `resolution` and `origin` must be there, `negate`,
-/// `occupied_thresh`, `free_thresh` and `mode` may be, other keys are ignored with a warning. An
-/// origin that is turned is an error: grids lie along the axes. Throws ConfigError.
+/// `occupied_thresh`, `free_thresh` and `mode` may be, other keys are ignored with a warning. Throws
+/// ConfigError.
 MapDescription read_map_description(std::string_view text, const std::string& file,
                                     std::vector<Warning>& warnings);
-/// Reads a PNM picture by read_pnm(), of at most mapping::kMostMapCells pixels. Throws ConfigError.
+/// Reads a PNM, PNG or BMP picture, of at most mapping::kMostMapCells pixels: colours as the mean of
+/// red, green and blue, 16 bits as the upper 8. Throws ConfigError.
 GreyPicture read_map_picture(std::string_view bytes, const std::string& file);
-/// The grid that a map stands for; thresholds become those of its settings.
+/// The grid that a map stands for; thresholds become those of its settings. It lies along the axes:
+/// of a map that is turned, a cell is as the pixel under its centre.
 mapping::OccupancyGrid map_of(const MapDescription& description, const GreyPicture& picture);
+/// Whether a map's pixel of this grey is occupied: a wall.
+bool is_occupied(const MapDescription& description, std::uint8_t grey);
+
+/// Whether it is free: known to have no wall.
+bool is_free(const MapDescription& description, std::uint8_t grey);
+
+/// The two files of a map.
+struct MapFiles {
+  MapDescription description;
+  GreyPicture picture;
+};
+/// Reads the .yaml at `path`, and the picture that it names. Throws ConfigError.
+MapFiles read_map_files(const std::filesystem::path& path, std::vector<Warning>& warnings);
 /// Reads the map at `path`, a .yaml, with its picture. Throws ConfigError.
 mapping::OccupancyGrid load_map(const std::filesystem::path& path, std::vector<Warning>& warnings);
 
-/// The two files of a map.
+/// The texts of the two files of a map.
 struct MapTexts {
   std::string yaml;
   std::string pgm;

@@ -36,6 +36,9 @@ enum class MazeFormat {
   Binary,   ///< a byte for each cell of 16 x 16 or 32 x 32.
 };
 
+/// The format that `bytes` have; nothing where they are no maze at all.
+std::optional<MazeFormat> maze_format(std::string_view bytes);
+
 /// A maze in any of these formats; its content says which. `cell` is the edge length of a cell,
 /// metres, whatever the file says of it.
 ///
@@ -141,17 +144,34 @@ SimFile read_sim(std::string_view text, const std::string& file, std::vector<War
 std::string description_in(std::string_view text);
 
 /// The whole file at `path`, at most `kMaxFileSize` bytes. Throws ConfigError when it is missing,
-/// unreadable, too big or not text.
+/// unreadable, too big or not text. What other systems write is as if written here: UTF-16 and
+/// Latin-1 become UTF-8, the ends of lines "\n", no-break blanks blanks.
 inline constexpr std::size_t kMaxFileSize = 64U << 20U;
 std::string read_text_file(const std::filesystem::path& path);
+/// The same of a maze, whose bytes may be no text.
+std::string read_maze_file(const std::filesystem::path& path);
 /// The same, whatever bytes they are. `what` it should be is for messages: "a DBC file".
 std::string read_bytes(const std::filesystem::path& path, const std::string& what);
+
+/// What a file with a floor and walls is.
+enum class GroundKind { World, Maze, Map };
+/// What the file at `path` is by its ending, or where that says nothing by its content; nothing:
+/// neither. Throws ConfigError when it cannot be read.
+std::optional<GroundKind> ground_kind(const std::filesystem::path& path);
 
 /// Writes `model` so that read_world() gives an equal model back.
 std::string write_world(const world::WorldModel& model);
 /// Writes `model` so that read_maze() gives an equal model back. Throws ConfigError when the model
 /// is no maze or has objects a maze cannot draw.
 std::string write_maze(const world::WorldModel& model);
+/// A maze as text, and what of it the format cannot say, in words.
+struct MazeText {
+  std::string text;
+  std::vector<std::string> losses;
+};
+/// Writes `model` in a format of text; what read_maze() then gives differs by the losses alone.
+/// Throws ConfigError when the model is no maze, and for one that the format cannot draw at all.
+MazeText write_maze_as(MazeFormat format, const world::WorldModel& model);
 /// Whether two lines of robots say the same, wherever in their files.
 bool same_meaning(const SimRobot& a, const SimRobot& b);
 /// Whether two simulations say the same, wherever in their files they say it.

@@ -158,8 +158,8 @@ struct WorldModel {
   /// Depth of the water where a submarine is and no file says how deep it is, metres.
   static constexpr double kDefaultWater = 2.0;
 
-  double width = 0.0;   ///< Floor from x = 0 to `width`, metres.
-  double height = 0.0;  ///< Floor from y = 0 to `height`, metres.
+  double width = 0.0;   ///< Of the floor, along x, metres.
+  double height = 0.0;  ///< Of the floor, along y, metres.
   std::vector<Wall> walls;
   std::optional<std::string> floor_texture;  ///< As written in the file, not yet searched for.
   std::vector<StartPose> starts;             ///< In the order of the file.
@@ -167,6 +167,17 @@ struct WorldModel {
   std::vector<Marker> markers;
   std::optional<MazeGrid> maze;  ///< Set when the world was drawn as a maze; `walls` has its walls.
   std::optional<double> water{};  ///< How deep water stands on the floor, metres, as a file says.
+  Vec2 corner{};  ///< The lower left one of the floor, metres: the origin, but for maps.
+
+  /// The upper right corner of the floor, metres.
+  [[nodiscard]] Vec2 far_corner() const { return corner + Vec2{width, height}; }
+  /// The middle of the floor, metres.
+  [[nodiscard]] Vec2 middle() const { return corner + Vec2{width / 2, height / 2}; }
+  /// Whether a place lies on the floor or on its edge.
+  [[nodiscard]] bool has_floor_at(Vec2 place) const {
+    const Vec2 far = far_corner();
+    return place.x >= corner.x && place.y >= corner.y && place.x <= far.x && place.y <= far.y;
+  }
 
   /// How deep the water is for a submarine, metres, > 0.
   [[nodiscard]] double water_depth() const { return water.value_or(kDefaultWater); }
