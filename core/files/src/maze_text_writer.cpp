@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -17,7 +18,9 @@ const std::string kWritten = "maze to write";
 constexpr double kSame = 1e-9;  ///< Metres, radians.
 
 std::string place_text(const Pose& pose) {
-  return write_millimetres(pose.x) + " " + write_millimetres(pose.y) + " mm";
+  char text[80];
+  std::snprintf(text, sizeof text, "%.7g %.7g mm", m_to_mm(pose.x), m_to_mm(pose.y));
+  return text;
 }
 
 std::string cell_name(MazeCell cell) {
@@ -85,6 +88,17 @@ MazeText drawing_of(const world::WorldModel& model) {
                          std::string(1, *facing) + "' now, as it faces that way");
     start.letter = *facing;
     return false;
+  });
+  // A character draws one thing: starts and objects go before goals.
+  const auto is_taken = [&](MazeCell goal) {
+    const auto stands_there = [&](const Pose& pose) { return cell_of(*model.maze, pose) == goal; };
+    return std::ranges::any_of(drawn.starts, stands_there, &world::StartPose::pose) ||
+           std::ranges::any_of(drawn.objects, stands_there, &world::ObjectSpec::pose);
+  };
+  std::erase_if(drawn.maze->goals, [&](MazeCell goal) {
+    if (!is_taken(goal)) return false;
+    out.losses.push_back("the goal in cell " + cell_name(goal));
+    return true;
   });
   out.text = write_maze(drawn);
   return out;

@@ -268,7 +268,7 @@ TEST(MazeFormats, WhatAFormatCannotSayIsListed) {
   const auto drawing = write_maze_as(MazeFormat::Drawing, right.model);
   EXPECT_THAT(drawing.losses,
               testing::ElementsAre("the start 'S', which is 'R' now, as it faces that way"));
-  EXPECT_EQ(drawing.text, " _ _ \n|R G|\n180\n");
+  EXPECT_EQ(drawing.text, " _ _.\n|R G|\n180\n");
 }
 
 }  // namespace
