@@ -74,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "--size: found 'big'"},
         BadCall{"TooLarge",
                 {"markers", "--world", "small.maz", "--out", "a.pdf", "--size", "1m"},
-                "--size: found 1m"},
+                "--size: found '1m'"},
         BadCall{"NoCamera", {"calibrate", "--out", "a.toml"}, "--camera"},
         BadCall{"NoOutput", {"calibrate", "--camera", "pattern"}, "--out"},
         BadCall{"NoBoard",

@@ -23,7 +23,7 @@ TEST(WorldCheck, SaysWhatIsInAWorld) {
   folder.write("room.wld", kRoom);
   const ProgramRun r = run_command({"world", "check", "room.wld"}, folder.path());
   EXPECT_EQ(r.exit_code, 0) << r.err;
-  EXPECT_THAT(r.out, HasSubstr("room.wld: 2 m x 1 m, 4 walls, 1 robot, 0 objects, 0 warnings\n"));
+  EXPECT_THAT(r.out, HasSubstr("room.wld: 2 m x 1 m, 4 walls, 0 objects, 0 warnings\n"));
 }
 
 TEST(WorldCheck, SaysHowManyCellsAMazeHas) {

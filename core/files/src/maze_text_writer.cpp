@@ -115,7 +115,8 @@ class PostsDrawing {
     lines_.assign(static_cast<std::size_t>(2 * grid.rows + 1), std::string(wide, ' '));
     for (int row = 0; row <= grid.rows; ++row) {
       for (int column = 0; column <= grid.columns; ++column) {
-        at(2 * row, 4 * column) = 'o';
+        // Two "o" far apart could be two balls of EyeSim's.
+        at(2 * row, 4 * column) = grid.columns == 1 ? '+' : 'o';
         if (column < grid.columns && wall(column, row, Side::South)) {
           for (int i = 1; i < 4; ++i) at(2 * row, 4 * column + i) = '-';
         }

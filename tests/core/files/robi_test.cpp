@@ -37,7 +37,7 @@ TEST(Robi, ReadsTheOldDialect) {
   ASSERT_TRUE(robot.camera);
   EXPECT_EQ(robot.camera->tilt, deg_to_rad(-5));
   EXPECT_EQ(robot.camera->max_pan, deg_to_rad(90));  // 80 x 60 is the size of a picture
-  EXPECT_TRUE(robi_warnings.empty());
+  EXPECT_EQ(robi_warnings.size(), 1u) << "of the prose";
 }
 
 TEST(Robi, ReadsRangeMatrices) {
@@ -286,8 +286,11 @@ TEST(Robi, ALikelyTypoOfAKeywordIsAnErrorInBothDialects) {
 }
 
 TEST(Robi, OtherUnknownLinesAreCommentsOrWarnedOf) {
-  robi_of("diameter 99\nanything else\n");
-  EXPECT_TRUE(robi_warnings.empty());
+  robi_of("diameter 99\nanything else\nand more\n");
+  ASSERT_EQ(robi_warnings.size(), 1u);
+  EXPECT_EQ(robi_warnings[0].str(),
+            "r.robi:2:1: warning: 2 lines that begin with no keyword are left out, this is the "
+            "first: '#' begins a comment");
   robi_of("drive DIFFERENTIAL_DRIVE\nanything else\n");
   ASSERT_FALSE(robi_warnings.empty());
   EXPECT_EQ(robi_warnings[0].str(), "r.robi:2:1: warning: unknown keyword 'anything' is ignored");
