@@ -104,11 +104,12 @@ void ProgramProcess::start() {
     setsockopt(ends[0], SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
     const UniqueFd theirs(ends[1]);
     process_ = std::make_unique<ChildProcess>(words_to_start(program_.file, program_.arguments),
-                                              environment_of(config_, index_, theirs.get(), out_),
+                                              environment_of(*config_, index_, theirs.get(), out_),
                                               theirs.get());
   } catch (const std::system_error& error) {
     throw ConfigError({program_.file.string()}, error.what());
   }
+  config_.reset();
   is_started_ = true;
 }
 

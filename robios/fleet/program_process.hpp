@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "child_process.hpp"
@@ -68,7 +69,7 @@ class ProgramProcess {
                     AwaitedProcess* awaited);
 
   const RobotProgram program_;
-  const hal::Config config_;
+  std::optional<hal::Config> config_;  ///< Until it is started: robots may come and go all day long.
   const std::size_t index_;
   const std::filesystem::path out_;
   StderrLog log_;

@@ -1,6 +1,7 @@
 #include "thread_robot.hpp"
 
 #include <chrono>
+#include <optional>
 #include <system_error>
 
 #include <pthread.h>
@@ -43,8 +44,10 @@ void ThreadRobot::start() {
   const int error = pthread_create(
       &thread, &attributes,
       [](void* robot) -> void* {
-        const CrashStack stack;
         auto& me = *static_cast<ThreadRobot*>(robot);
+        // Where the program is another process no crash of it comes here.
+        std::optional<CrashStack> stack;
+        if (!me.has_process()) stack.emplace();
         me.tid_ = gettid();
         me.run();
       },

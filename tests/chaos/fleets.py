@@ -139,7 +139,7 @@ def wrong_end(folder, what, code, count):
 
 
 class Long:
-    """A run that lives as long as the test; `memory` is a sample of each moment that somebody looked."""
+    """A run that lives as long as the test; `memory` is a sample of each moment that somebody looked, with how many robots had come."""
 
     def __init__(self, place, words, **environment):
         self.place, self.folder = place, place.fresh_folder()
@@ -147,6 +147,7 @@ class Long:
         self.own = {"PATH": "/usr/bin:/bin", "HOME": str(self.folder / "home"), "XDG_RUNTIME_DIR": str(self.folder / "home")}
         self.lasting = [self.process.pid]  # whose memory is looked at: robots that come and go make it more and less
         self.memory = []
+        self.came = 0
 
     def command(self, *words):
         done = subprocess.run([self.place.programs / "eyebridge", *map(str, words)], cwd=self.folder, env=self.own, text=True,
@@ -160,6 +161,7 @@ class Long:
             at = [self.place.dice.randrange(300, 1700) for _ in range(2)]
             code, text = self.command("add", "S4", *at, self.place.dice.randrange(360), self.place.programs / "chaos_roamer")
             if code == 0 and re.fullmatch(r"\d+\n", text):
+                self.came += 1
                 return int(text)
             if "found no run" in text:
                 time.sleep(0.05)  # it has only just begun
@@ -168,7 +170,7 @@ class Long:
         return f"add: {code}, {text}"
 
     def look(self):
-        self.memory.append(oracle.resident_kb(self.lasting))
+        self.memory.append((oracle.resident_kb(self.lasting), self.came))
 
     def end(self):
         self.process.terminate()

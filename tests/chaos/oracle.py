@@ -13,6 +13,7 @@ import tomllib
 import zlib
 
 GROWTH = 1.10  # of resident memory, from a third of the run on
+LEFT_BY_ROBOT_KB = 12  # its place in the world, its sensors, its results
 GROWTH_KB = 4096
 
 
@@ -111,13 +112,14 @@ def children_of(process):
 
 
 def grew(samples):
-    """`samples`: resident memory, kB, in time. None: it did not grow from a third of the run on."""
+    """`samples`: resident memory, kB, and how many robots had come, in time. None: it did not grow from a third of the run on, but by
+    the little that each robot leaves which has gone."""
     if len(samples) < 9:
         return None
     third = len(samples) // 3
-    before, after = sorted(samples[third : 2 * third])[third // 2], sorted(samples[-third:])[third // 2]
-    if after > before * GROWTH + GROWTH_KB:
-        return f"resident memory grew from {before} kB to {after} kB"
+    (before, some), (after, all_of_them) = (sorted(part)[third // 2] for part in (samples[third : 2 * third], samples[-third:]))
+    if after > before * GROWTH + GROWTH_KB + LEFT_BY_ROBOT_KB * max(all_of_them - some, 0):
+        return f"resident memory grew from {before} kB to {after} kB, while {all_of_them - some} robots came"
     return None
 
 
