@@ -44,6 +44,8 @@ class Io7Session {
   Result<void> stop_motors();
   /// The same, and waits until the board has answered what was asked after it.
   Result<void> confirm_stop();
+  /// Whether the encoders do not change for a tenth of a second.
+  bool wheels_stand();
 
   [[nodiscard]] const io7::ProbeReport& report() const { return report_; }
   [[nodiscard]] ByteStream& stream() { return *stream_; }

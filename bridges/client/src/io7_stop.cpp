@@ -2,6 +2,8 @@
 #include "io7_stop.hpp"
 
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <vector>
 
 #include "eyebridge/bridges/guard/line_guard.hpp"
@@ -11,10 +13,12 @@
 namespace eyebridge::bridges {
 namespace {
 
-// Nothing answers a command: on a line that spoils one the next one counts. One that loses and flips
-// a byte in a hundred spoils every tenth.
-constexpr int kStops = 3;
-constexpr int kNoisyStops = 6;
+// Nothing answers a command: on a line that spoils one the next one counts.
+constexpr int kStops = 2;
+// One that is known to flip bits may turn the last 0 into a 1: then the encoders have the last word.
+constexpr int kNoisyStops = 10;
+constexpr Time kBetweenLooks = std::chrono::milliseconds(100);
+constexpr int kWheels = 2;  // that encoders are at
 
 bool has_non_zero(const io7::Request& request, std::size_t first) {
   return std::any_of(request.arguments.begin() + static_cast<std::ptrdiff_t>(first),
@@ -98,12 +102,29 @@ Result<void> Io7Session::stop_motors() {
   return {};
 }
 
+bool Io7Session::wheels_stand() {
+  if (!report_.profile.letters.has(IO7_ENCODER)) return false;
+  std::array<int, kWheels> before{};
+  for (int look = 0; look < 2; ++look) {
+    if (look > 0) clock_.wait_until(clock_.now() + kBetweenLooks);
+    for (int wheel = 0; wheel < kWheels; ++wheel) {
+      const auto count = exchange(io7::encoder(wheel + 1));
+      if (!count) return false;
+      const auto i = static_cast<std::size_t>(wheel);
+      if (look > 0 && count->values[0] != before[i]) return false;
+      before[i] = count->values[0];
+    }
+  }
+  return true;
+}
+
 Result<void> Io7Session::confirm_stop() {
   for (int i = 0; i < (noisy() ? kNoisyStops : kStops); ++i) {
     if (auto stopped = stop_motors(); !stopped) return stopped;
     if (const auto heard = exchange(io7::request(IO7_VERSION)); !heard) {
       return tl::unexpected(heard.error());
     }
+    if (i + 1 >= kStops && noisy() && wheels_stand()) break;
   }
   turning_ = false;
   if (guard_ != nullptr && !guard_->still()) guard_ = nullptr;
