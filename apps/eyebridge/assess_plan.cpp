@@ -110,10 +110,11 @@ void check_in_world(const Goal& goal, const std::string& path, const std::string
   const Vec2 at = goal.centre;
   if (scenario.world.has_floor_at(at)) return;
   throw ConfigError(
-      {"--goal"}, fmt::format("found ({:g}, {:g}) mm, expected a place in {}: {:g} ... {:g} by {:g} "
-                              "... {:g} mm",
-                              m_to_mm(at.x), m_to_mm(at.y), path, m_to_mm(near.x), m_to_mm(far.x),
-                              m_to_mm(near.y), m_to_mm(far.y)));
+      {"--goal"},
+      fmt::format("found ({:g}, {:g}) mm, expected a place in {}: {:g} ... {:g} by {:g} "
+                  "... {:g} mm",
+                  m_to_mm(at.x), m_to_mm(at.y), path, m_to_mm(near.x), m_to_mm(far.x),
+                  m_to_mm(near.y), m_to_mm(far.y)));
 }
 
 void read_goals(Assessment& out, const AssessFlags& flags, const std::vector<AxisValue>& worlds,

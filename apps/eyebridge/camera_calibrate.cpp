@@ -10,6 +10,7 @@
 #include "camera_commands.hpp"
 #include "command.hpp"
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/length.hpp"
 #include "eyebridge/base/log.hpp"
 #include "eyebridge/base/units.hpp"
 #include "eyebridge/camera/calibration.hpp"
@@ -17,7 +18,6 @@
 #include "eyebridge/camera/png.hpp"
 #include "eyebridge/camera/sheet.hpp"
 #include "eyebridge/camera/source.hpp"
-#include "eyebridge/base/length.hpp"
 #include "source_clock.hpp"
 
 namespace eyebridge::apps {

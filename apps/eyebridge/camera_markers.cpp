@@ -9,6 +9,7 @@
 #include "camera_commands.hpp"
 #include "command.hpp"
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/length.hpp"
 #include "eyebridge/base/log.hpp"
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/base/units.hpp"
@@ -16,7 +17,6 @@
 #include "eyebridge/camera/png.hpp"
 #include "eyebridge/camera/sheet.hpp"
 #include "eyebridge/files/load.hpp"
-#include "eyebridge/base/length.hpp"
 
 namespace eyebridge::apps {
 namespace {
@@ -41,7 +41,8 @@ int write_sheet(const MarkerOptions& options) {
   layout.size =
       parse_length(options.size, {"--size"}, camera::kSmallestFiducial, camera::kLargestPrinted);
   layout.spacing = parse_length(options.spacing, {"--spacing"}, 0.02, 100.0);
-  if (!options.height.empty()) layout.height = parse_length(options.height, {"--height"}, 0.01, 10.0);
+  if (!options.height.empty())
+    layout.height = parse_length(options.height, {"--height"}, 0.01, 10.0);
   // Only the walls count: the smallest robot, so that none is too large for a start.
   const files::Scenario scenario = files::load_scenario(options.world, {.robot = ""});
   for (const Warning& warning : scenario.warnings) {

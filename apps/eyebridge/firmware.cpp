@@ -126,8 +126,8 @@ int run_boards(const FirmwareOptions& options, const files::Scenario& scenario,
 }
 
 int run_firmware(const CLI::App& command, const FirmwareOptions& options) {
-  const files::Scenario scenario = files::load_scenario(
-      options.world, {.robot = options.robot, .robot_where = {"--robot"}});
+  const files::Scenario scenario =
+      files::load_scenario(options.world, {.robot = options.robot, .robot_where = {"--robot"}});
   for (const Warning& warning : scenario.warnings) {
     tell(warning.str());
   }

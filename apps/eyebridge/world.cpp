@@ -109,9 +109,8 @@ void add_world(CLI::App& root, int& code) {
   drawing->add_option("--size", *side, "Longest side of the picture, pixels [1000]")
       ->check(CLI::Range(50, 8000));
   const auto draw_flags = add_reading_flags(*drawing);
-  drawing->callback([path, output, side, draw_flags, &code] {
-    code = draw(*path, *output, *side, *draw_flags);
-  });
+  drawing->callback(
+      [path, output, side, draw_flags, &code] { code = draw(*path, *output, *side, *draw_flags); });
   add_world_convert(*world, code);
 }
 

@@ -107,9 +107,10 @@ void add_world_convert(CLI::App& world, int& code) {
   auto overwrites = std::make_shared<bool>(false);
   command->add_option("FILE", *from, "World, maze or scenario")->required()->type_name("WORLD");
   command
-      ->add_option("OUTPUT", *to,
-                   "Its ending says the format: .maz, as EyeSim draws mazes; .txt, with posts; .num, "
-                   "a list of cells; .wld, walls")
+      ->add_option(
+          "OUTPUT", *to,
+          "Its ending says the format: .maz, as EyeSim draws mazes; .txt, with posts; .num, "
+          "a list of cells; .wld, walls")
       ->required()
       ->type_name("FILE");
   command->add_flag("--overwrite", *overwrites, "Replaces a file that is there");

@@ -20,7 +20,8 @@ files::LoadOptions ReadingFlags::options() const {
 
 std::shared_ptr<ReadingFlags> add_cell_flag(CLI::App& command) {
   auto flags = std::make_shared<ReadingFlags>();
-  command.add_option("--cell", flags->cell, "Size of a maze's cells, such as 180mm [as its file says]")
+  command
+      .add_option("--cell", flags->cell, "Size of a maze's cells, such as 180mm [as its file says]")
       ->type_name("LENGTH");
   return flags;
 }

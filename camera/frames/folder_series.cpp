@@ -49,8 +49,7 @@ class FolderSeries final : public FrameSeries {
       if (Size{frame.width, frame.height} == size_) return frame;
       return fail(Errc::Corrupt, "camera: " + files_[at_].string() + " has " +
                                      text_of({frame.width, frame.height}) + " pixels, expected " +
-                                     text_of(size_) +
-                                     ": pictures of one camera are of one size");
+                                     text_of(size_) + ": pictures of one camera are of one size");
     } catch (const std::runtime_error& error) {
       return fail(Errc::Corrupt, std::string("camera: ") + error.what());
     }

@@ -53,8 +53,8 @@ class FrameSeries {
 std::unique_ptr<FrameSeries> open_folder_series(const std::filesystem::path& folder, double rate);
 /// The frames of a recording, at the times when they were given.
 std::unique_ptr<FrameSeries> open_recorded_series(const std::filesystem::path& file);
-/// A video file of any kind that OpenCV (FFmpeg) reads, at its own times; with a `rate` > 0, so many
-/// frames a second: for files that have no times (has_no_times()).
+/// A video file of any kind that OpenCV (FFmpeg) reads, at its own times; with a `rate` > 0, so
+/// many frames a second: for files that have no times (has_no_times()).
 std::unique_ptr<FrameSeries> open_video_series(const std::filesystem::path& file, double rate = 0);
 /// Whether a file is frames alone, without a container that says when each is due: JPEGs one after
 /// another, or H.264.

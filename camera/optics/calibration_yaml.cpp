@@ -41,8 +41,8 @@ class YamlReader {
     lens.cx = matrix[2];
     lens.fy = matrix[4];
     lens.cy = matrix[5];
-    const bool is_plain = matrix[1] == 0 && matrix[3] == 0 && matrix[6] == 0 && matrix[7] == 0 &&
-                          matrix[8] == 1;
+    const bool is_plain =
+        matrix[1] == 0 && matrix[3] == 0 && matrix[6] == 0 && matrix[7] == 0 && matrix[8] == 1;
     if (!is_plain || !(lens.fx >= 1 && lens.fy >= 1)) {
       refuse(at, "expected camera_matrix as fx 0 cx, 0 fy cy, 0 0 1, in pixels");
     }
@@ -84,7 +84,8 @@ class YamlReader {
   [[nodiscard]] int side(const char* key) const {
     const YAML::Node node = node_of(key);
     const double pixels = number(node, key, 1.0, kWidest);
-    if (pixels != std::floor(pixels)) refuse(node, fmt::format("expected '{}' in whole pixels", key));
+    if (pixels != std::floor(pixels))
+      refuse(node, fmt::format("expected '{}' in whole pixels", key));
     return static_cast<int>(pixels);
   }
 
@@ -106,9 +107,10 @@ class YamlReader {
     if (const YAML::Node model = root_["distortion_model"]) {
       const std::string name = model.IsScalar() ? model.Scalar() : std::string();
       if (name != "plumb_bob" && name != "rational_polynomial") {
-        refuse(model, fmt::format("found the distortion model {}, expected plumb_bob: calibrate the "
-                                  "camera with it",
-                                  in_quotes(name)));
+        refuse(model,
+               fmt::format("found the distortion model {}, expected plumb_bob: calibrate the "
+                           "camera with it",
+                           in_quotes(name)));
       }
     }
     const auto beyond = values.begin() + static_cast<long>(std::min<std::size_t>(values.size(), 5));

@@ -103,7 +103,8 @@ void draw_map(Paper& paper, const FiducialSheet& sheet, int pages) {
     const Vec2 from_corner = p - model.corner;
     return Vec2{origin.x + scale * from_corner.x, origin.y - scale * from_corner.y};
   };
-  paper.fill(at({model.corner.x, model.far_corner().y}), {scale * model.width, scale * model.height}, kFloor);
+  paper.fill(at({model.corner.x, model.far_corner().y}),
+             {scale * model.width, scale * model.height}, kFloor);
   for (const world::Wall& wall : model.walls) {
     paper.line(at(wall.a), at(wall.b), std::max(0.5, scale * wall.thickness), kInk);
   }

@@ -24,8 +24,9 @@ Size jpeg_size(std::span<const std::uint8_t> bytes) {
 Frame decode_jpeg(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels) {
   JpegOptions options;
   options.most_pixels = most_pixels;
-  const Frame frame = value_or_throw(decode_jpeg(
-      bytes, options, [&](int width, int height) { return frame_to_decode(width, height, most_pixels); }));
+  const Frame frame = value_or_throw(decode_jpeg(bytes, options, [&](int width, int height) {
+    return frame_to_decode(width, height, most_pixels);
+  }));
   return upright(frame, value_or_throw(read_jpeg_header(bytes)).orientation);
 }
 

@@ -34,7 +34,9 @@ struct Decoder {
 
 Decoder& decoder_of(j_common_ptr info) { return *static_cast<Decoder*>(info->client_data); }
 
-void keep_message(j_common_ptr info) { info->err->format_message(info, decoder_of(info).message.data()); }
+void keep_message(j_common_ptr info) {
+  info->err->format_message(info, decoder_of(info).message.data());
+}
 
 [[noreturn]] void on_error(j_common_ptr info) {
   keep_message(info);
@@ -71,8 +73,9 @@ void on_progress(j_common_ptr info) {
 /// Where the picture begins: some cameras send a few bytes before it.
 std::span<const std::uint8_t> from_beginning(std::span<const std::uint8_t> bytes) {
   constexpr std::array<std::uint8_t, 3> kBeginning = {0xFF, 0xD8, 0xFF};
-  const auto found = std::ranges::search(bytes, kBeginning);
-  return found.empty() ? bytes : bytes.subspan(static_cast<std::size_t>(found.begin() - bytes.begin()));
+  const auto found = std::search(bytes.begin(), bytes.end(), kBeginning.begin(), kBeginning.end());
+  return found == bytes.end() ? bytes
+                              : bytes.subspan(static_cast<std::size_t>(found - bytes.begin()));
 }
 
 void begin(Decoder& decoder, std::span<const std::uint8_t> bytes) {
@@ -85,7 +88,8 @@ void begin(Decoder& decoder, std::span<const std::uint8_t> bytes) {
   decoder.progress.progress_monitor = on_progress;
   decoder.info.progress = &decoder.progress;
   jpeg_save_markers(&decoder.info, kExif, kLongestMarker);
-  jpeg_mem_src(&decoder.info, bytes.data(), static_cast<unsigned long>(bytes.size()));  // NOLINT(google-runtime-int)
+  jpeg_mem_src(&decoder.info, bytes.data(),
+               static_cast<unsigned long>(bytes.size()));  // NOLINT(google-runtime-int)
 }
 
 /// False: it failed, and the message says why.

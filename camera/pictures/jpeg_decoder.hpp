@@ -24,7 +24,7 @@ struct JpegOddities {
 struct JpegOptions {
   std::uint64_t most_pixels = 0;  ///< Larger ones are refused.
   std::optional<Size> size = {};  ///< It must be of this size.
-  Size least = {};  ///< Decoded to the smallest of the eighths that is as large; {}: in full.
+  Size least = {};       ///< Decoded to the smallest of the eighths that is as large; {}: in full.
   bool is_fast = false;  ///< Colours by copies, not interpolated.
 };
 

@@ -24,10 +24,13 @@ Frame upright(const Frame& frame, int orientation) {
   out.sequence = frame.sequence;
   const auto pixel = static_cast<std::size_t>(bytes_per_pixel(frame.format));
   // Which row and column of the picture are its top and its left, as Exif has them.
-  const bool from_bottom = orientation == 3 || orientation == 4 || orientation == 7 || orientation == 8;
-  const bool from_right = orientation == 2 || orientation == 3 || orientation == 6 || orientation == 7;
+  const bool from_bottom =
+      orientation == 3 || orientation == 4 || orientation == 7 || orientation == 8;
+  const bool from_right =
+      orientation == 2 || orientation == 3 || orientation == 6 || orientation == 7;
   for (int y = 0; y < size.height; ++y) {
-    std::uint8_t* to = out.bytes.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(out.stride);
+    std::uint8_t* to =
+        out.bytes.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(out.stride);
     for (int x = 0; x < size.width; ++x, to += pixel) {
       int row = y;
       int column = x;
@@ -38,7 +41,8 @@ Frame upright(const Frame& frame, int orientation) {
         row = from_bottom ? size.height - 1 - y : y;
         column = from_right ? size.width - 1 - x : x;
       }
-      const std::uint8_t* const from = frame.row(row).data() + static_cast<std::size_t>(column) * pixel;
+      const std::uint8_t* const from =
+          frame.row(row).data() + static_cast<std::size_t>(column) * pixel;
       std::copy_n(from, pixel, to);
     }
   }

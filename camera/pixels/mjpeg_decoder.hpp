@@ -10,9 +10,9 @@
 
 namespace eyebridge::camera {
 
-/// The JPEG `bytes` of an MJPEG stream as Rgb24, in the smallest of eighths that is at least `least`
-/// pixels in both directions, at most full size. Fails with Corrupt: cut, damaged, or not of `size`,
-/// the size of the stream. The frame is made by `pool`; `odd` gets what was odd in it.
+/// The JPEG `bytes` of an MJPEG stream as Rgb24, in the smallest of eighths that is at least
+/// `least` pixels in both directions, at most full size. Fails with Corrupt: cut, damaged, or not
+/// of `size`, the size of the stream. The frame is made by `pool`; `odd` gets what was odd in it.
 Result<Frame> decode_mjpeg(std::span<const std::uint8_t> bytes, Size size, Size least,
                            FramePool& pool, JpegOddities& odd);
 

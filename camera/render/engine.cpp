@@ -64,8 +64,8 @@ struct RenderEngine::Impl {
     model = shot.scene.model;
     texture_directory = shot.texture_directory;
     const Vec2 far = model->far_corner();
-    extent = std::max({std::abs(far.x), std::abs(far.y), std::abs(model->corner.x),
-                       std::abs(model->corner.y)});
+    extent = std::max(
+        {std::abs(far.x), std::abs(far.y), std::abs(model->corner.x), std::abs(model->corner.y)});
     for (const world::Wall& wall : model->walls) {
       for (const Vec2 end : {wall.a, wall.b}) {
         extent = std::max({extent, std::abs(end.x), std::abs(end.y)});

@@ -45,12 +45,11 @@ V4l2Source::V4l2Source(VideoCalls& calls, CameraUrl wanted, const SourceContext&
 }
 
 V4l2Source::~V4l2Source() {
-  say(Severity::Debug, std::to_string(counts_.given) + " frames given, " +
-                           std::to_string(counts_.dropped) + " dropped, " +
-                           std::to_string(counts_.corrupt) + " corrupt, " +
-                           std::to_string(counts_.odd) + " odd, " +
-                           std::to_string(counts_.restarts) + " restarts, " +
-                           std::to_string(counts_.losses) + " times unplugged");
+  say(Severity::Debug,
+      std::to_string(counts_.given) + " frames given, " + std::to_string(counts_.dropped) +
+          " dropped, " + std::to_string(counts_.corrupt) + " corrupt, " +
+          std::to_string(counts_.odd) + " odd, " + std::to_string(counts_.restarts) +
+          " restarts, " + std::to_string(counts_.losses) + " times unplugged");
 }
 
 Result<void> V4l2Source::set_size(int width, int height) {

@@ -2,10 +2,10 @@
 // centre.
 //
 // It knows nothing of the maze but the contest's rules: square cells, and a start in the middle of
-// one that has a wall, from which it measures how big a cell is. It goes to the nearest cell that it
-// has not visited until there is none, returns to the start and runs to the centre: of as many cells
-// as it is told, the start in a corner, else of those that it could reach. A maze that is open to
-// the outside has no end: it gives up there.
+// one that has a wall, from which it measures how big a cell is. It goes to the nearest cell that
+// it has not visited until there is none, returns to the start and runs to the centre: of as many
+// cells as it is told, the start in a corner, else of those that it could reach. A maze that is
+// open to the outside has no end: it gives up there.
 //
 // Usage: maze_explorer [distance of the PSDs from the robot's centre in mm, 20 by default
 //                       [columns and rows of the maze]]
@@ -48,7 +48,8 @@ class Explorer {
   /// Range from the robot's centre, `turns` quarter turns to the left of its front.
   int range(int turns) const { return PSDGet(kPsdOf[turns]) + psd_offset_; }
 
-  /// The nearest wall is half a cell away; opposite walls, some cells from each other, say it better.
+  /// The nearest wall is half a cell away; opposite walls, some cells from each other, say it
+  /// better.
   bool measure_cell() {
     const int ranges[4] = {range(0), range(1), range(2), range(3)};
     const int nearest = *std::min_element(ranges, ranges + 4);

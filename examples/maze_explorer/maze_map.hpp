@@ -46,8 +46,8 @@ class MazeMap {
     return {};
   }
 
-  /// The one to four cells in the middle of a maze of `columns` x `rows` cells, one of whose corners
-  /// is the start; 0: of what was visited.
+  /// The one to four cells in the middle of a maze of `columns` x `rows` cells, one of whose
+  /// corners is the start; 0: of what was visited.
   [[nodiscard]] std::vector<Cell> centre(int columns, int rows) const;
   /// Lower left and upper right corner of what was visited.
   [[nodiscard]] std::array<Cell, 2> extent() const { return {low_, high_}; }

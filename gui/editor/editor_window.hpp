@@ -53,7 +53,8 @@ class EditorWindow final : public QMainWindow {
   /// The ending says the kind.
   bool save_as(const QString& path);
   /// Adds the walls of a picture, or puts them in the place of those there are.
-  bool import_floor_plan(const QString& picture, const files::FloorPlanOptions& options, bool replaces);
+  bool import_floor_plan(const QString& picture, const files::FloorPlanOptions& options,
+                         bool replaces);
   /// Robots of a .robi file, or objects of an .esObj file, can be placed then.
   bool add_description(const QString& path);
   /// Takes the files as they are on the disk now, as a step that can be undone.

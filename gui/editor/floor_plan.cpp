@@ -31,9 +31,8 @@ files::GreyPicture greys_of(const QImage& picture) {
 
 files::FloorPlan read_floor_plan(const QImage& picture, const files::FloorPlanOptions& options) {
   if (picture.isNull()) {
-    throw ConfigError(
-        {kName, 0, 0},
-        FloorPlanText::tr("no picture: expected PNG, JPEG or BMP").toStdString());
+    throw ConfigError({kName, 0, 0},
+                      FloorPlanText::tr("no picture: expected PNG, JPEG or BMP").toStdString());
   }
   return files::read_floor_plan(greys_of(picture), options, kName);
 }

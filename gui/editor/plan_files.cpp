@@ -60,7 +60,8 @@ std::string header_of(std::string_view text, int& others) {
 
 void take_ground(const std::filesystem::path& path, PlanFiles& files) {
   const auto kind = files::ground_kind(path);
-  if (!kind) refuse(path, PlanFilesText::tr("it is neither world nor maze: expected .wld, .maz or .sim"));
+  if (!kind)
+    refuse(path, PlanFilesText::tr("it is neither world nor maze: expected .wld, .maz or .sim"));
   const bool is_maze = *kind == files::GroundKind::Maze;
   const std::string text = is_maze ? files::read_maze_file(path) : files::read_text_file(path);
   const auto ground = is_maze ? files::read_maze(text, path.string(), files.warnings)

@@ -30,8 +30,7 @@ files::Scenario named_scenario(const Config& config) {
   if (config.is_set("cell")) {
     const ConfigValue& cell = config.value("cell");
     options.cell_where = cell.where;
-    options.cell =
-        parse_length(cell.text, cell.where, files::kLeastMazeCell, files::kMostMazeCell);
+    options.cell = parse_length(cell.text, cell.where, files::kLeastMazeCell, files::kMostMazeCell);
   }
   return files::load_scenario(find_world(config.value("world"), config.program()), options);
 }

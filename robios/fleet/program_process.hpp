@@ -69,7 +69,8 @@ class ProgramProcess {
                     AwaitedProcess* awaited);
 
   const RobotProgram program_;
-  std::optional<hal::Config> config_;  ///< Until it is started: robots may come and go all day long.
+  std::optional<hal::Config>
+      config_;  ///< Until it is started: robots may come and go all day long.
   const std::size_t index_;
   const std::filesystem::path out_;
   StderrLog log_;

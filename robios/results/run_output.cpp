@@ -5,9 +5,8 @@
 #include <stdexcept>
 
 #include <fcntl.h>
-#include <sys/file.h>
-
 #include <fmt/format.h>
+#include <sys/file.h>
 
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/base/own_results.hpp"
@@ -60,7 +59,8 @@ const std::filesystem::path& claimed(const std::filesystem::path& folder) {
   return folder;
 }
 
-/// Keeps other runs out of the folder while this lives. Where a file system has no locks, nobody is.
+/// Keeps other runs out of the folder while this lives. Where a file system has no locks, nobody
+/// is.
 UniqueFd locked(const std::filesystem::path& folder) {
   UniqueFd file(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (file.valid() && flock(file.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {

@@ -17,8 +17,8 @@ namespace eyebridge::robios {
 /// map, the last LCD and the camera's frames as PNG; the LCD's text. Any thread.
 class RunOutput final : public hal::TraceSink {
  public:
-  /// Makes `directory`, which is this run's alone meanwhile. Throws ConfigError, without a place, when
-  /// it cannot be written or another run writes there.
+  /// Makes `directory`, which is this run's alone meanwhile. Throws ConfigError, without a place,
+  /// when it cannot be written or another run writes there.
   RunOutput(std::filesystem::path directory, long long frames_to_keep);
   ~RunOutput() override;
 

@@ -164,6 +164,44 @@ TEST(OwnMaze, IsSolvedByTheShortestWay) {
                                            Reached(model).way_to_centre().value())));
 }
 
+TEST(ContestMaze, WithAStartThatIsOpenToASideIsExplored) {
+  const testing::ProgramRun r =
+      explore(std::string(EYEBRIDGE_SHARED_DIR) + "/cases/mazes/side-opening.maz");
+  EXPECT_EQ(r.exit_code, 0) << r.out << r.err;
+  EXPECT_THAT(r.out, HasSubstr("cells of 180 mm\n"));
+  EXPECT_THAT(r.out, HasSubstr("cells seen: 14\n"));  // two have walls on all sides
+}
+
+TEST(ContestMaze, EndsAtItsOwnCentreAlsoWhereCellsCannotBeReached) {
+  // The right column is shut: of what can be reached the middle is elsewhere.
+  const testing::ScratchFolder folder;
+  const std::string maze = folder.write("shut.txt",
+                                        "o---o---o---o---o\n"
+                                        "|           |   |\n"
+                                        "o   o---o   o   o\n"
+                                        "|   |       |   |\n"
+                                        "o   o   o---o   o\n"
+                                        "|   |       |   |\n"
+                                        "o   o---o   o   o\n"
+                                        "| S |       |   |\n"
+                                        "o---o---o---o---o\n");
+  const testing::ProgramRun told = testing::run_program(
+      {{EYEBRIDGE_MAZE_EXPLORER, "20", "4"},
+       {{"EYEBRIDGE_FAST", "true"}, {"EYEBRIDGE_ROBOT", "Mouse"}, {"EYEBRIDGE_WORLD", maze}},
+       ""});
+  EXPECT_EQ(told.exit_code, 0) << told.out << told.err;
+  EXPECT_THAT(told.out, HasSubstr("path length: 6 cells"));  // to (2, 2)
+}
+
+TEST(ContestMaze, WithoutAWayOutIsNotSolved) {
+  const testing::ScratchFolder folder;
+  const testing::ProgramRun r =
+      explore(folder.write("cell.txt", "+---+---+\n| S |   |\n+---+---+\n"));
+  EXPECT_EQ(r.exit_code, 1);
+  EXPECT_THAT(r.out, HasSubstr("no way out of the start cell"));
+  EXPECT_THAT(r.out, ::testing::Not(HasSubstr("maze solved")));
+}
+
 TEST(OpenMaze, IsGivenUp) {
   const testing::ScratchFolder folder;
   const testing::ProgramRun r = explore(folder.write("open.maz", "\n| |\n|S|\n180\n"));

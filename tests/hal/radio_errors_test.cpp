@@ -170,8 +170,8 @@ TEST(RadioErrors, ARobotWhoseNumberNobodyCanSendToHasNoRadio) {
   const Config config = rig_config({{"fast", "true"}});
   for (const int id : {255, 256}) {
     auto robot = open_scenario(rig_scenario(0.5), {"room.wld"}, {config, log});
-    const auto whole = with_host_devices(std::make_unique<Numbered>(std::move(robot), id),
-                                         {config, log}, nullptr);
+    const auto whole =
+        with_host_devices(std::make_unique<Numbered>(std::move(robot), id), {config, log}, nullptr);
     EXPECT_EQ(whole->radio() != nullptr, id == 255) << id;
   }
 }

@@ -15,7 +15,8 @@ namespace {
 
 // Nothing answers a command: on a line that spoils one the next one counts.
 constexpr int kStops = 2;
-// One that is known to flip bits may turn the last 0 into a 1: then the encoders have the last word.
+// One that is known to flip bits may turn the last 0 into a 1: then the encoders have the last
+// word.
 constexpr int kNoisyStops = 10;
 constexpr Time kBetweenLooks = std::chrono::milliseconds(100);
 constexpr int kWheels = 2;  // that encoders are at

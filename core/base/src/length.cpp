@@ -24,8 +24,8 @@ double parse_length(std::string_view text, const SourceLocation& where, double l
   const std::string_view unit = text.substr(static_cast<std::size_t>(end - text.data()));
   const double metre = unit == "mm" ? mm_to_m(1.0) : unit == "cm" ? cm_to_m(1.0) : 1.0;
   if (error != std::errc{} || (unit != "mm" && unit != "cm" && unit != "m")) {
-    throw ConfigError(where, "found " + in_quotes(text) +
-                                 ", expected a length such as 80mm, 8cm or 0.08m");
+    throw ConfigError(
+        where, "found " + in_quotes(text) + ", expected a length such as 80mm, 8cm or 0.08m");
   }
   const double metres = value * metre;
   if (!(metres >= least && metres <= most)) {

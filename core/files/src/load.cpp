@@ -58,8 +58,8 @@ bool has_room_for(const robot::RobotModel& robot, const Scenario& scenario) {
   }
 }
 
-/// Places the robot that the settings name, if there is none yet; where it is too big for a maze, the
-/// message says which one is not.
+/// Places the robot that the settings name, if there is none yet; where it is too big for a maze,
+/// the message says which one is not.
 void place_default(Scenario& scenario, const SourceLocation& where, const LoadOptions& options) {
   if (options.robot.empty() || !scenario.robots.empty()) return;
   const robot::RobotModel& robot = named_robot(options.robot, options.robot_where);
@@ -119,7 +119,8 @@ void load(const std::filesystem::path& path, Scenario& scenario, const LoadOptio
           read_object(read_text_file(path), name, path.stem().string(), scenario.warnings, reading);
       scenario.world = room_of(std::max(kRoom, 4 * object.radius));
       scenario.world.objects.push_back(object);
-      scenario.world.objects.back().pose = {scenario.world.middle().x, scenario.world.middle().y, 0};
+      scenario.world.objects.back().pose = {scenario.world.middle().x, scenario.world.middle().y,
+                                            0};
       break;
     }
     case Kind::Ground: {
@@ -140,9 +141,10 @@ void load(const std::filesystem::path& path, Scenario& scenario, const LoadOptio
 
 Scenario load_scenario(const std::filesystem::path& written, const LoadOptions& options) {
   std::error_code error;
-  const std::filesystem::path path = std::filesystem::exists(written, error)
-                                         ? written
-                                         : find_file(written.string(), {}, options.places, {"world"});
+  const std::filesystem::path path =
+      std::filesystem::exists(written, error)
+          ? written
+          : find_file(written.string(), {}, options.places, {"world"});
   Scenario scenario;
   scenario.directory = path.parent_path();
   load(path, scenario, options);

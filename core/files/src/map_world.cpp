@@ -38,8 +38,9 @@ std::vector<int> room_around(const MapFiles& map) {
   for (int y = rows - 1; y >= 0; --y) {
     for (int x = columns - 1; x >= 0; --x) {
       if (room[at(x, y)] == 0) continue;
-      room[at(x, y)] = std::min(room[at(x, y)], 1 + std::min({value(x + 1, y), value(x + 1, y + 1),
-                                                              value(x, y + 1), value(x - 1, y + 1)}));
+      room[at(x, y)] =
+          std::min(room[at(x, y)], 1 + std::min({value(x + 1, y), value(x + 1, y + 1),
+                                                 value(x, y + 1), value(x - 1, y + 1)}));
     }
   }
   return room;

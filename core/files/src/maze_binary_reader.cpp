@@ -66,9 +66,10 @@ class BinaryReader {
     if (misfits > 0) {
       misfits_of(way, &first_misfit_);
       warnings_.add(0, 0,
-                    std::to_string(misfits) + " walls that only one of their two cells has, or that "
-                    "the boundary lacks, the first at cell " + name(*first_misfit_) +
-                        ": where one cell has a wall, there is one");
+                    std::to_string(misfits) +
+                        " walls that only one of their two cells has, or that "
+                        "the boundary lacks, the first at cell " +
+                        name(*first_misfit_) + ": where one cell has a wall, there is one");
     }
     if (!starts_as_contest(grid)) {
       warnings_.add(0, 0,
@@ -115,8 +116,8 @@ class BinaryReader {
   }
 
   [[nodiscard]] bool starts_as_contest(const Way& way) const {
-    return !says(way, {}, Side::North) && says(way, {}, Side::East) &&
-           says(way, {}, Side::South) && says(way, {}, Side::West);
+    return !says(way, {}, Side::North) && says(way, {}, Side::East) && says(way, {}, Side::South) &&
+           says(way, {}, Side::West);
   }
   [[nodiscard]] static bool starts_as_contest(const world::MazeGrid& grid) {
     return !has_wall(grid, {}, Side::North) && has_wall(grid, {}, Side::East) &&
@@ -131,7 +132,8 @@ class BinaryReader {
     do {
       for (int order = 0; order < 8; ++order) {
         for (const bool ones_are_open : {false, true}) {
-          const Way way{bits, {(order & 1) == 0, (order & 2) != 0, (order & 4) != 0}, ones_are_open};
+          const Way way{
+              bits, {(order & 1) == 0, (order & 2) != 0, (order & 4) != 0}, ones_are_open};
           const std::tuple rank{misfits_of(way, nullptr), !starts_as_contest(way),
                                 ones_are_open || bits != kUsualBits, order};
           if (best && rank >= least) continue;
@@ -139,7 +141,7 @@ class BinaryReader {
           least = rank;
         }
       }
-    } while (std::ranges::next_permutation(bits).found);
+    } while (std::next_permutation(bits.begin(), bits.end()));
     return *best;
   }
 

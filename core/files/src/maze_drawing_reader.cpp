@@ -232,7 +232,8 @@ class MazeReader {
         throw ConfigError({file_, rows_[r].line, column(r, i)},
                           "tab found: expected blanks, a tab has no width in a drawing");
       } else if (static_cast<unsigned char>(c) >= 0x80) {
-        if (!told_of_bytes_) odd(r, i, "character outside ASCII: it may shift the columns after it");
+        if (!told_of_bytes_)
+          odd(r, i, "character outside ASCII: it may shift the columns after it");
         told_of_bytes_ = true;
       } else if (c != '.') {  // a dot keeps a column that would be lost at the end of a line
         odd(r, i, "'" + std::string(1, c) + "' means nothing in a maze and is ignored");
@@ -328,10 +329,13 @@ class MazeReader {
 
   /// Where an edge of a cell is drawn.
   [[nodiscard]] SourceLocation place_of(world::MazeCell cell, Side side) const {
-    const auto line = static_cast<std::size_t>(grid_.rows - cell.row - (side == Side::North ? 1 : 0));
-    const auto at = 2 * static_cast<std::size_t>(cell.column) +
-                    (side == Side::West ? 0 : side == Side::East ? 2 : 1);
-    return {file_, rows_[line].line, static_cast<int>(at / kUsualPitch * pitch_ + at % kUsualPitch) + 1};
+    const auto line =
+        static_cast<std::size_t>(grid_.rows - cell.row - (side == Side::North ? 1 : 0));
+    const auto at = 2 * static_cast<std::size_t>(cell.column) + (side == Side::West   ? 0
+                                                                 : side == Side::East ? 2
+                                                                                      : 1);
+    return {file_, rows_[line].line,
+            static_cast<int>(at / kUsualPitch * pitch_ + at % kUsualPitch) + 1};
   }
 
   void odd(std::size_t r, std::size_t i, const std::string& text) {

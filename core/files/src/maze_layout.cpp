@@ -21,8 +21,7 @@ std::vector<char> MazeGrid::*flags_of(Side side) {
 std::size_t index_of(const MazeGrid& grid, MazeCell cell, Side side) {
   const int column = cell.column + (side == Side::East ? 1 : 0);
   const int row = cell.row + (side == Side::North ? 1 : 0);
-  const int width =
-      flags_of(side) == &MazeGrid::south ? grid.columns : grid.columns + 1;
+  const int width = flags_of(side) == &MazeGrid::south ? grid.columns : grid.columns + 1;
   return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
          static_cast<std::size_t>(column);
 }
@@ -88,8 +87,7 @@ std::vector<MazeCell> centre_of(const MazeGrid& grid) {
 
 void sort_goals(MazeGrid& grid) {
   std::ranges::sort(grid.goals, {}, [](MazeCell cell) { return std::pair(cell.row, cell.column); });
-  const auto again = std::ranges::unique(grid.goals);
-  grid.goals.erase(again.begin(), again.end());
+  grid.goals.erase(std::unique(grid.goals.begin(), grid.goals.end()), grid.goals.end());
 }
 
 world::WorldModel contest_maze(MazeGrid grid, std::vector<world::StartPose> starts) {

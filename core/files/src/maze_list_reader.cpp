@@ -50,8 +50,8 @@ class ListReader {
     Statement line;
     while (statements.next(line)) {
       if (line.size() != kWords) {
-        line.fail(std::min(line.size(), kWords), std::to_string(line.size()) +
-                                                     " words on a line: expected '" + kListForm + "'");
+        line.fail(std::min(line.size(), kWords),
+                  std::to_string(line.size()) + " words on a line: expected '" + kListForm + "'");
       }
       ListedCell cell;
       cell.line = line.line();

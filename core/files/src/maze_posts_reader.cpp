@@ -90,9 +90,8 @@ class PostsReader {
       text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
     }
     while (!rows_.empty() && rows_.back().text.empty()) rows_.pop_back();
-    rows_.erase(rows_.begin(), std::ranges::find_if(rows_, [](const PostsLine& row) {
-                  return !row.text.empty();
-                }));
+    rows_.erase(rows_.begin(), std::ranges::find_if(
+                                   rows_, [](const PostsLine& row) { return !row.text.empty(); }));
   }
 
   world::WorldModel read() {
@@ -160,8 +159,9 @@ class PostsReader {
     for (int column = 0; column <= grid_.columns; ++column) {
       const std::size_t post = left_ + static_cast<std::size_t>(column) * wide_;
       if (!is_post(at(r, post))) {
-        odd(r, post, is_space(at(r, post)) ? std::string("no post here: expected 'o' or '+'")
-                                           : told(r, post) + " where a post belongs");
+        odd(r, post,
+            is_space(at(r, post)) ? std::string("no post here: expected 'o' or '+'")
+                                  : told(r, post) + " where a post belongs");
       }
       if (column == grid_.columns) continue;
       int drawn = 0;

@@ -38,8 +38,7 @@ std::optional<MazeFormat> maze_format(std::string_view bytes) {
 
 world::WorldModel read_maze(std::string_view bytes, const std::string& file,
                             std::vector<Warning>& warnings,
-                            std::vector<SourceLocation>* start_places,
-                            std::optional<double> cell) {
+                            std::vector<SourceLocation>* start_places, std::optional<double> cell) {
   const MazeSource source{bytes, file, warnings, start_places, cell};
   switch (maze_format(bytes).value_or(MazeFormat::Drawing)) {
     case MazeFormat::Posts:

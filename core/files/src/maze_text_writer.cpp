@@ -80,9 +80,8 @@ MazeText drawing_of(const world::WorldModel& model) {
       out.losses.push_back("the start at " + place_text(start.pose));
       return true;
     }
-    const bool means_it =
-        letter_facing(start.pose.theta) == capital(start.letter) ||
-        (*facing == 'U' && capital(start.letter) == 'S');
+    const bool means_it = letter_facing(start.pose.theta) == capital(start.letter) ||
+                          (*facing == 'U' && capital(start.letter) == 'S');
     if (means_it) return false;
     out.losses.push_back("the start '" + std::string(1, start.letter) + "', which is '" +
                          std::string(1, *facing) + "' now, as it faces that way");
@@ -110,7 +109,7 @@ class PostsDrawing {
     const auto wide = static_cast<std::size_t>(4 * grid.columns + 1);
     if (wide > kMaxLine) {
       throw ConfigError({kWritten, 0, 0}, std::to_string(grid.columns) +
-                                           " cells in a row: a line has no room for so many");
+                                              " cells in a row: a line has no room for so many");
     }
     lines_.assign(static_cast<std::size_t>(2 * grid.rows + 1), std::string(wide, ' '));
     for (int row = 0; row <= grid.rows; ++row) {
@@ -176,18 +175,21 @@ MazeText posts_of(const world::WorldModel& model) {
       out.losses.push_back("the start at " + place_text(start.pose));
       continue;
     }
-    const bool by_walls = capital(start.letter) == 'S' &&
-                          std::fabs(wrap_angle(start_in(grid, *cell).theta - start.pose.theta)) < kSame;
+    const bool by_walls =
+        capital(start.letter) == 'S' &&
+        std::fabs(wrap_angle(start_in(grid, *cell).theta - start.pose.theta)) < kSame;
     const char letter = by_walls || *facing == capital(start.letter) ? start.letter : *facing;
     if (!drawing.put(*cell, letter)) {
       out.losses.push_back("one of several starts in cell " + cell_name(*cell));
     } else if (letter != start.letter) {
-      out.losses.push_back("the start " + (start.letter == 0 ? "at " + place_text(start.pose)
-                                                             : "'" + std::string(1, start.letter) + "'") +
+      out.losses.push_back("the start " +
+                           (start.letter == 0 ? "at " + place_text(start.pose)
+                                              : "'" + std::string(1, start.letter) + "'") +
                            ", which is '" + std::string(1, letter) + "' now");
     }
   }
-  if (model.starts.empty()) out.losses.push_back("that there is no start: it is the lower left cell");
+  if (model.starts.empty())
+    out.losses.push_back("that there is no start: it is the lower left cell");
   for (const MazeCell goal : grid.goals) {
     if (!drawing.put(goal, 'G')) out.losses.push_back("the goal in cell " + cell_name(goal));
   }
@@ -232,7 +234,8 @@ MazeText list_of(const world::WorldModel& model) {
 
 MazeText write_maze_as(MazeFormat format, const world::WorldModel& model) {
   if (!model.maze) {
-    throw ConfigError({kWritten, 0, 0}, "it is no maze: expected a world whose walls lie on a grid");
+    throw ConfigError({kWritten, 0, 0},
+                      "it is no maze: expected a world whose walls lie on a grid");
   }
   switch (format) {
     case MazeFormat::Posts:

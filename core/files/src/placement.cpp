@@ -146,9 +146,7 @@ std::string Placer::in_the_way(std::size_t model, const Pose& pose,
 
 std::optional<Vec2> Placer::add_near(Vec2 wanted, const robot::RobotModel& robot) {
   const world::WorldModel& world = scenario_.world;
-  const auto try_at = [&](Vec2 p) {
-    return world.has_floor_at(p) && add(p, robot);
-  };
+  const auto try_at = [&](Vec2 p) { return world.has_floor_at(p) && add(p, robot); };
   // Near it in rings, then at the places where robots are put otherwise.
   constexpr double kRing = 0.005;  // metres
   constexpr int kDirections = 36;

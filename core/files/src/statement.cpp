@@ -79,12 +79,11 @@ void Statement::expect_arguments(std::initializer_list<std::size_t> counts,
   if (std::find(counts.begin(), counts.end(), given) != counts.end()) return;
   const std::size_t most = std::max(counts);
   const bool is_torn_name = form.ends_with(" FILE") && given > most;
-  fail(given > most ? most + 1 : size(), in_quotes(text(0)) + " with " + std::to_string(given) +
-                                             (given == 1 ? " argument" : " arguments") +
-                                             ": expected '" + std::string(form) + "'" +
-                                             (is_torn_name ? "; a name with blanks needs quotes: \"" +
-                                                                 rest(1) + '"'
-                                                           : std::string()));
+  fail(
+      given > most ? most + 1 : size(),
+      in_quotes(text(0)) + " with " + std::to_string(given) +
+          (given == 1 ? " argument" : " arguments") + ": expected '" + std::string(form) + "'" +
+          (is_torn_name ? "; a name with blanks needs quotes: \"" + rest(1) + '"' : std::string()));
 }
 
 bool Statement::is_number(std::size_t i) const { return i < size() && parse(text(i)).has_value(); }

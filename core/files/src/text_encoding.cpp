@@ -37,7 +37,10 @@ void put(std::string& out, std::uint32_t code) {
 /// Bytes of the character at `i` of UTF-8; 0: it is none.
 std::size_t length_at(std::string_view bytes, std::size_t i) {
   const unsigned first = byte_of(bytes, i);
-  const std::size_t length = first < 0x80 ? 1 : first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3
+  const std::size_t length = first < 0x80   ? 1
+                             : first < 0xC2 ? 0
+                             : first < 0xE0 ? 2
+                             : first < 0xF0 ? 3
                              : first < 0xF5 ? 4
                                             : 0;
   if (i + length > bytes.size()) return 0;

@@ -8,8 +8,8 @@
 #include "eyebridge/files/readers.hpp"
 #include "file_bytes.hpp"
 #include "maze_formats.hpp"
-#include "text_encoding.hpp"
 #include "text.hpp"
+#include "text_encoding.hpp"
 
 namespace eyebridge::files {
 

@@ -142,8 +142,7 @@ TEST(CalibrationText, SurvivesBeingWrittenAndRead) {
 }
 
 TEST(CalibrationText, OfRosIsRead) {
-  const Calibration lens =
-      read_calibration(EYEBRIDGE_SHARED_DIR "/cases/calibration/ost.yaml");
+  const Calibration lens = read_calibration(EYEBRIDGE_SHARED_DIR "/cases/calibration/ost.yaml");
   Calibration expected;
   expected.size = {640, 480};
   expected.fx = 543.2;

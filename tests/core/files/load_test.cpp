@@ -331,7 +331,9 @@ TEST(Load, MissingFilesAndNamesAreErrorsAtTheirLine) {
   EXPECT_EQ(load_error(folder.write("f.wld", kRoom), "R2D2"),
             "default robot: no robot 'R2D2': expected S4, S4-2015, LabBot, Mouse, Car, Omni, "
             "ServoBot, ServoBot-11, Mako or USAL");
-  EXPECT_EQ(error_of([&] { load_scenario(folder.path() / "f.wld", {.robot = "R2D2", .robot_where = {"--robot"}}); }),
+  EXPECT_EQ(error_of([&] {
+              load_scenario(folder.path() / "f.wld", {.robot = "R2D2", .robot_where = {"--robot"}});
+            }),
             "--robot: no robot 'R2D2': expected S4, S4-2015, LabBot, Mouse, Car, Omni, "
             "ServoBot, ServoBot-11, Mako or USAL");
   EXPECT_THAT(load_error(folder.write("g.p", "diameter 100\n maze no.maz\n")),

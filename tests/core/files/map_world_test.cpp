@@ -22,8 +22,7 @@ std::string yaml(const std::string& image, const std::string& origin) {
 }
 
 std::string pgm(int columns, int rows, const std::string& pixels) {
-  std::string text =
-      "P5\n" + std::to_string(columns) + " " + std::to_string(rows) + "\n255\n";
+  std::string text = "P5\n" + std::to_string(columns) + " " + std::to_string(rows) + "\n255\n";
   for (const char c : pixels) text += c == '#' ? '\0' : c == '.' ? '\xFE' : '\xCD';
   return text;
 }

@@ -1,5 +1,5 @@
-// Mazes as contests and other simulators keep them: the same maze in each format, and what is odd in
-// one.
+// Mazes as contests and other simulators keep them: the same maze in each format, and what is odd
+// in one.
 #include <algorithm>
 #include <array>
 #include <random>
@@ -60,9 +60,11 @@ TEST(MazeFormats, TheSameMazeInEachHasTheSameWalls) {
 TEST(MazeFormats, PostsAreDrawnInManyWays) {
   const auto walls = read_it(kPlus).model.walls;
   for (const std::string& text : {
-           std::string("o---o---o---o\n|       |   |\no   o   o   o\n|   |       |\no---o---o---o\n"),
+           std::string(
+               "o---o---o---o\n|       |   |\no   o   o   o\n|   |       |\no---o---o---o\n"),
            std::string("+-+-+-+\n|   | |\n+ + + +\n| |   |\n+-+-+-+\n"),
-           std::string("\n  o--o--o--o\n  |     |  |\n  o  o  o  o\n  |  |     |\n  o--o--o--o\n\n"),
+           std::string(
+               "\n  o--o--o--o\n  |     |  |\n  o  o  o  o\n  |  |     |\n  o--o--o--o\n\n"),
            std::string("+---+---+---+\n|       |   |\n|       |   |\n+   +   +   +\n|   |       |\n"
                        "|   |       |\n+---+---+---+\n"),
            std::string("+---+---+---+\r\n|       |   |\r\n+   +   +   +\r\n|   |       |\r\n"
@@ -75,8 +77,8 @@ TEST(MazeFormats, PostsAreDrawnInManyWays) {
 }
 
 TEST(MazeFormats, MarksAreStartsAndGoals) {
-  const auto maze = read_it(
-      "o---o---o---o\n| G   R |   |\no   o   o   o\n| S |    GS |\no---o---o---o\n250\n");
+  const auto maze =
+      read_it("o---o---o---o\n| G   R |   |\no   o   o   o\n| S |    GS |\no---o---o---o\n250\n");
   EXPECT_EQ(maze.model.maze->cell, 0.25);
   EXPECT_EQ(maze.model.maze->goals, (std::vector<MazeCell>{{2, 0}, {0, 1}}));
   ASSERT_EQ(maze.model.starts.size(), 3u);
@@ -101,7 +103,8 @@ TEST(MazeFormats, WhatIsOddIsSaidWithItsPlace) {
             "m:2:5: warning: '?' is taken for a wall: expected '|'");
   EXPECT_EQ(warning("+---+---+\n|   | x |\n+---+---+\n"),
             "m:2:7: warning: 'x' means nothing in a maze and is ignored: expected S or G");
-  EXPECT_EQ(warning("+---+---+\n|       |\n+---*---+\n"), "m:3:5: warning: '*' where a post belongs");
+  EXPECT_EQ(warning("+---+---+\n|       |\n+---*---+\n"),
+            "m:3:5: warning: '*' where a post belongs");
   EXPECT_EQ(warning("+---+---+\n|       |\n+---+- -+\n"),
             "m:3:6: warning: a wall that is drawn in part is taken for a whole one");
   EXPECT_EQ(warning("+---+---+\n|       |\n+---+===+\n"),
@@ -110,15 +113,17 @@ TEST(MazeFormats, WhatIsOddIsSaidWithItsPlace) {
             "m:2:12: warning: 'a' outside of the drawing is ignored");
   EXPECT_EQ(warning("+---+---+\n|        \n+---+---+\n"),
             "m:2:9: warning: the outer boundary is open here: a robot can leave the maze");
-  EXPECT_EQ(warning("+---+---+\n|        \n+---+   +\n"),
-            "m:2:9: warning: the outer boundary is open here and at 1 more places: a robot can leave "
-            "the maze");
+  EXPECT_EQ(
+      warning("+---+---+\n|        \n+---+   +\n"),
+      "m:2:9: warning: the outer boundary is open here and at 1 more places: a robot can leave "
+      "the maze");
   EXPECT_EQ(warning("o   o   o\n         \no   o   o\n"), "m:1:2: warning: a maze without walls");
   EXPECT_EQ(warning(" _ _\n|    \n|_ _|\n"),
             "m:2:5: warning: the outer boundary is open here: a robot can leave the maze");
-  EXPECT_EQ(warning("0 0 1 1 1 1\n1 0 1 1 1 0\n"),
-            "m:2:11: warning: no wall on this side of cell 1 0, but its neighbour has one: there is "
-            "a wall");
+  EXPECT_EQ(
+      warning("0 0 1 1 1 1\n1 0 1 1 1 0\n"),
+      "m:2:11: warning: no wall on this side of cell 1 0, but its neighbour has one: there is "
+      "a wall");
 }
 
 TEST(MazeFormats, EveryMistakeIsNamed) {
@@ -199,7 +204,8 @@ TEST(MazeFormats, BinaryIsReadWhateverTheOrderOfBitsAndCells) {
         const int line = from_top ? side - 1 - row : row;
         unsigned byte = 0;
         for (int at = 0; at < 4; ++at) {
-          if (has(grid, column, row, at) != ones_are_open) byte |= bits[static_cast<std::size_t>(at)];
+          if (has(grid, column, row, at) != ones_are_open)
+            byte |= bits[static_cast<std::size_t>(at)];
         }
         bytes[static_cast<std::size_t>(by_rows ? line * side + column : column * side + line)] =
             static_cast<char>(byte);
@@ -216,14 +222,16 @@ TEST(MazeFormats, BytesThatAreNoMazeAreRefused) {
   std::mt19937 dice(7);
   std::string bytes(256, '\0');
   for (char& c : bytes) c = static_cast<char>(dice() % 256);
-  EXPECT_THAT(refusal(bytes), testing::HasSubstr("256 bytes that are no maze: for no order of bits"));
+  EXPECT_THAT(refusal(bytes),
+              testing::HasSubstr("256 bytes that are no maze: for no order of bits"));
   // A wall that one byte lacks is said, and is there.
   std::mt19937 other(8);
   const world::MazeGrid grid = contest(16, other);
   std::string good(256, '\0');
   for (int i = 0; i < 256; ++i) {
     for (int at = 0; at < 4; ++at) {
-      if (has(grid, i / 16, i % 16, at)) good[static_cast<std::size_t>(i)] |= static_cast<char>(1 << at);
+      if (has(grid, i / 16, i % 16, at))
+        good[static_cast<std::size_t>(i)] |= static_cast<char>(1 << at);
     }
   }
   good[0] = static_cast<char>(good[0] & ~2);
@@ -236,11 +244,15 @@ TEST(MazeFormats, BytesThatAreNoMazeAreRefused) {
 TEST(MazeFormats, WhatIsWrittenIsReadAgain) {
   std::mt19937 dice(9);
   for (int trial = 0; trial < 60; ++trial) {
-    const auto model = read_it(write_maze_as(MazeFormat::List, [&] {
-                         world::WorldModel plain;
-                         plain.maze = contest(1 + static_cast<int>(dice() % 20), dice);
-                         return plain;
-                       }()).text).model;
+    const auto model = read_it(write_maze_as(MazeFormat::List,
+                                             [&] {
+                                               world::WorldModel plain;
+                                               plain.maze =
+                                                   contest(1 + static_cast<int>(dice() % 20), dice);
+                                               return plain;
+                                             }())
+                                   .text)
+                           .model;
     for (const MazeFormat format : {MazeFormat::Posts, MazeFormat::List, MazeFormat::Drawing}) {
       const MazeText written = write_maze_as(format, model);
       const auto again = read_it(written.text);
@@ -258,9 +270,9 @@ TEST(MazeFormats, WhatIsWrittenIsReadAgain) {
 TEST(MazeFormats, WhatAFormatCannotSayIsListed) {
   const auto drawn = read_it(" _ _ _\n|S  |x|\n|_|_ _|\n");
   const auto posts = write_maze_as(MazeFormat::Posts, drawn.model);
-  EXPECT_THAT(posts.losses, testing::ElementsAre("the crate at 900 540 mm",
-                                                 "the start 'S', which is 'U' now",
-                                                 "that there is no goal: it is the middle"));
+  EXPECT_THAT(posts.losses,
+              testing::ElementsAre("the crate at 900 540 mm", "the start 'S', which is 'U' now",
+                                   "that there is no goal: it is the middle"));
   EXPECT_THAT(posts.text, testing::HasSubstr("\n360\n"));
   EXPECT_THAT(write_maze_as(MazeFormat::List, drawn.model).losses,
               testing::Contains("the size of its cells: --cell 360mm"));

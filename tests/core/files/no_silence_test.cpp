@@ -99,18 +99,23 @@ std::vector<std::vector<std::string>> words_of(const std::string& text,
 /// around it. Where EyeSim's walls end, an underscore beside one only draws it on.
 std::string drawing_of(const std::string& text) {
   const bool has_posts = text.find("---") != std::string::npos;
-  const auto goes_on = [](char c) { return c == '_' || std::isupper(static_cast<unsigned char>(c)); };
+  const auto goes_on = [](char c) {
+    return c == '_' || std::isupper(static_cast<unsigned char>(c));
+  };
   std::string out;
   std::string line;
   for (const char c : text + "\n") {
     if (c != '\n') {
-      line += c == '.' || c == '\r' ? ' ' : has_posts && c == '_' ? '-' : has_posts && c == '+' ? 'o' : c;
+      line += c == '.' || c == '\r'   ? ' '
+              : has_posts && c == '_' ? '-'
+              : has_posts && c == '+' ? 'o'
+                                      : c;
       continue;
     }
     const std::string drawn = line;
     for (std::size_t i = 0; !has_posts && i < line.size(); i += 2) {
-      const bool is_joint = (i > 0 && goes_on(drawn[i - 1])) ||
-                            (i + 1 < drawn.size() && goes_on(drawn[i + 1]));
+      const bool is_joint =
+          (i > 0 && goes_on(drawn[i - 1])) || (i + 1 < drawn.size() && goes_on(drawn[i + 1]));
       if (line[i] == '_' && is_joint) line[i] = ' ';
     }
     line.erase(line.find_last_not_of(' ') + 1);
@@ -128,7 +133,8 @@ std::string drawing_of(const std::string& text) {
   // The size of a cell: a number, and a comment may follow it.
   const std::size_t last = out.rfind('\n', out.size() - 2) + 1;
   const auto size = words_of(out.substr(last), {});
-  if (size.size() == 1 && size[0].size() == 1 && std::isdigit(static_cast<unsigned char>(size[0][0][0]))) {
+  if (size.size() == 1 && size[0].size() == 1 &&
+      std::isdigit(static_cast<unsigned char>(size[0][0][0]))) {
     out.erase(last);
     if (size[0][0] != meaning_of("360")) out += size[0][0] + "\n";  // EyeSim's without a word
   }
@@ -174,8 +180,8 @@ void look(const std::vector<std::filesystem::path>& files, int mutations, Read r
       const std::string other = changed(text, dice);
       if (meaning(text) == meaning(other) || reader.tells(text, other)) continue;
       if (++silent > 5) return;
-      const std::size_t at = static_cast<std::size_t>(
-          std::ranges::mismatch(text, other).in1 - text.begin());
+      const std::size_t at =
+          static_cast<std::size_t>(std::ranges::mismatch(text, other).in1 - text.begin());
       const std::size_t from = at < 60 ? 0 : at - 60;
       ADD_FAILURE() << file << ": no word about\n"
                     << other.substr(from, 120) << "\ninstead of\n"
@@ -186,7 +192,8 @@ void look(const std::vector<std::filesystem::path>& files, int mutations, Read r
 
 std::vector<std::filesystem::path> own(const std::string& folder, const std::string& ending) {
   std::vector<std::filesystem::path> out;
-  for (const auto& entry : std::filesystem::directory_iterator(std::string(EYEBRIDGE_SOURCE_DIR) + folder)) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(EYEBRIDGE_SOURCE_DIR) + folder)) {
     if (entry.path().extension() == ending) out.push_back(entry.path());
   }
   std::ranges::sort(out);
@@ -213,7 +220,8 @@ TEST(NoSilence, InMazes) {
   look(
       {cases / "list.num"}, kMutations / 20,
       [](const std::string& text, std::vector<Warning>& w) { return read_maze(text, "f", w); },
-      kEqual, [](const std::string& text) {
+      kEqual,
+      [](const std::string& text) {
         auto lines = words_of(text, {});
         std::ranges::sort(lines);  // in any order
         return lines;
@@ -232,7 +240,10 @@ TEST(NoSilence, InRobots) {
   look(
       own("/worlds/robots", ".robi"), kMutations / 5,
       [](const std::string& text, std::vector<Warning>& w) { return read_robi(text, "f", w); },
-      kEqual, [](const std::string& text) { return words_of(text, {"model", "mass", "axis", "axel", "collider"}); });
+      kEqual,
+      [](const std::string& text) {
+        return words_of(text, {"model", "mass", "axis", "axel", "collider"});
+      });
 }
 
 TEST(NoSilence, InParameters) {
@@ -271,7 +282,8 @@ TEST(NoSilence, InMaps) {
           for (const std::string& word : line) words += word + " ";
         }
         // What counts without a word.
-        for (const auto& [key, value] : {std::pair{"negate : ", "0"}, {"occupied_thresh : ", "0.65"},
+        for (const auto& [key, value] : {std::pair{"negate : ", "0"},
+                                         {"occupied_thresh : ", "0.65"},
                                          {"free_thresh : ", "0.196"}}) {
           const std::string usual = key + meaning_of(value) + " ";
           if (const std::size_t at = words.find(usual); at != std::string::npos) {

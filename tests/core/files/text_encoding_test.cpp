@@ -19,12 +19,22 @@ TEST(TextEncoding, BecomesUtf8WithPlainLines) {
   EXPECT_EQ(text_of("a\rb\rc"), "a\nb\nc");
   EXPECT_EQ(text_of("a\r\nb\r\n"), "a\nb\n");
   EXPECT_EQ(text_of("a\r\r\nb"), "a\n\nb");
-  EXPECT_EQ(text_of("\xEF\xBB\xBF" "a b"), "a b");
-  EXPECT_EQ(text_of("a\xC2\xA0" "b\xE2\x80\xAF" "c"), "a b c");
+  EXPECT_EQ(text_of("\xEF\xBB\xBF"
+                    "a b"),
+            "a b");
+  EXPECT_EQ(text_of("a\xC2\xA0"
+                    "b\xE2\x80\xAF"
+                    "c"),
+            "a b c");
   EXPECT_EQ(text_of("caf\xE9\n"), "caf\xC3\xA9\n") << "Latin-1";
-  EXPECT_EQ(text_of("a\xA0" "1\n"), "a 1\n") << "Latin-1";
+  EXPECT_EQ(text_of("a\xA0"
+                    "1\n"),
+            "a 1\n")
+      << "Latin-1";
   EXPECT_EQ(text_of("caf\xC3\xA9 \xF0\x9F\x90\xAD\n"), "caf\xC3\xA9 \xF0\x9F\x90\xAD\n");
-  EXPECT_EQ(text_of("\xFF\xFE" "a\0\n\0"s), "a\n");
+  EXPECT_EQ(text_of("\xFF\xFE"
+                    "a\0\n\0"s),
+            "a\n");
   EXPECT_EQ(text_of("\xFE\xFF\0a\0\n"s), "a\n");
   EXPECT_EQ(text_of("\xFF\xFE\x3D\xD8\x2D\xDC"s), "\xF0\x9F\x90\xAD") << "a pair";
   EXPECT_EQ(text_of("f\0l\0o\0o\0r\0 \0001\0 \0001\0"s), "floor 1 1") << "without a mark";
@@ -37,7 +47,8 @@ TEST(TextEncoding, WhatIsNoneIsNamed) {
     return without(error_of([&] { read_text_file(path); }), folder.path().string() + "/");
   };
   EXPECT_EQ(refusal("\xFF\xFE\0\0a\0\0\0"s), "a.wld: a text in UTF-32: save it as UTF-8");
-  EXPECT_EQ(refusal("\xFF\xFE" "a"s),
+  EXPECT_EQ(refusal("\xFF\xFE"
+                    "a"s),
             "a.wld: a text in UTF-16 that ends with half a character: expected whole UTF-16; save "
             "the file as UTF-8");
   EXPECT_EQ(refusal("\xFF\xFE\x3D\xD8"s),

@@ -21,13 +21,13 @@ struct PixelCorner {
   friend bool operator==(const PixelCorner&, const PixelCorner&) = default;
 };
 
-/// The outlines of what is dark in a picture of `columns` x `rows`, `dark` from the upper left pixel,
-/// row by row. Each is closed; its last corner is not the first one again. It misses the pixels by
-/// at most `tolerance` of them.
+/// The outlines of what is dark in a picture of `columns` x `rows`, `dark` from the upper left
+/// pixel, row by row. Each is closed; its last corner is not the first one again. It misses the
+/// pixels by at most `tolerance` of them.
 ///
-/// They are followed along the cracks between pixels (Rosenfeld and Kak, Digital Picture Processing,
-/// 1982, chapter 11) and straightened as by Douglas and Peucker (Cartographica 10, 1973). Throws
-/// ConfigError for more than kMostPictureWalls; `file` names the picture.
+/// They are followed along the cracks between pixels (Rosenfeld and Kak, Digital Picture
+/// Processing, 1982, chapter 11) and straightened as by Douglas and Peucker (Cartographica 10,
+/// 1973). Throws ConfigError for more than kMostPictureWalls; `file` names the picture.
 std::vector<std::vector<PixelCorner>> outlines_of(int columns, int rows,
                                                   const std::vector<char>& dark, double tolerance,
                                                   const std::string& file);

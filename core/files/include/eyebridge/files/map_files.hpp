@@ -46,12 +46,12 @@ struct GreyPicture {
 };
 
 /// Reads the text of a `.yaml`: `image`, `resolution` and `origin` must be there, `negate`,
-/// `occupied_thresh`, `free_thresh` and `mode` may be, other keys are ignored with a warning. Throws
-/// ConfigError.
+/// `occupied_thresh`, `free_thresh` and `mode` may be, other keys are ignored with a warning.
+/// Throws ConfigError.
 MapDescription read_map_description(std::string_view text, const std::string& file,
                                     std::vector<Warning>& warnings);
-/// Reads a PNM, PNG or BMP picture, of at most mapping::kMostMapCells pixels: colours as the mean of
-/// red, green and blue, 16 bits as the upper 8. Throws ConfigError.
+/// Reads a PNM, PNG or BMP picture, of at most mapping::kMostMapCells pixels: colours as the mean
+/// of red, green and blue, 16 bits as the upper 8. Throws ConfigError.
 GreyPicture read_map_picture(std::string_view bytes, const std::string& file);
 /// The grid that a map stands for; thresholds become those of its settings. It lies along the axes:
 /// of a map that is turned, a cell is as the pixel under its centre.

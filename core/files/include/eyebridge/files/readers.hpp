@@ -42,13 +42,14 @@ std::optional<MazeFormat> maze_format(std::string_view bytes);
 /// A maze in any of these formats; its content says which. `cell` is the edge length of a cell,
 /// metres, whatever the file says of it.
 ///
-/// Drawing: what stands off the grid is ignored with a warning; `O`, `X` and `G` are a ball, a crate
-/// and a goal with a wall below, as with the letters of starts. A drawing with three columns a cell
-/// ("|__|") instead of two is recognised and read as such, with one warning. A cell is 360 mm unless
-/// the last line says another size.
+/// Drawing: what stands off the grid is ignored with a warning; `O`, `X` and `G` are a ball, a
+/// crate and a goal with a wall below, as with the letters of starts. A drawing with three columns
+/// a cell
+/// ("|__|") instead of two is recognised and read as such, with one warning. A cell is 360 mm
+/// unless the last line says another size.
 ///
-/// The others are those of contests: a cell is 180 mm, the robot starts at `S`, or in the lower left
-/// cell, facing a side that is open; goals are the cells with a `G`, or those in the middle.
+/// The others are those of contests: a cell is 180 mm, the robot starts at `S`, or in the lower
+/// left cell, facing a side that is open; goals are the cells with a `G`, or those in the middle.
 ///
 /// An outer boundary that is open, and a maze without walls, are warnings with a place.
 /// `start_places` as in read_world().
