@@ -25,6 +25,18 @@ class Scenarios(unittest.TestCase):
 
     def test_a_world_is_found_by_its_name(self):
         self.assertEqual(eyebridge.load_scenario("rooms.wld").size, (4, 4))
+        self.assertEqual(len(eyebridge.load_scenario("rooms.wld").goals), 0)
+        cases = SOURCE.parent / "shared" / "cases"
+        contest = eyebridge.load_scenario(cases / "mazes" / "posts.txt", robot="Mouse", cell=0.2)
+        self.assertEqual(contest.size, (0.8, 0.8))
+        np.testing.assert_allclose(contest.goals, [[0.5, 0.5]])
+        with self.assertRaisesRegex(eyebridge.ConfigError, "no maze: only a maze has cells"):
+            eyebridge.load_scenario("rooms.wld", cell=0.2)
+        with self.assertRaisesRegex(ValueError, "cell"):
+            eyebridge.load_scenario(cases / "mazes" / "posts.txt", cell=0.0)
+        for name in sorted((cases / "maps").glob("*.yaml")):
+            self.assertIn(24, eyebridge.OccupancyGrid.load(name).shape)
+            self.assertGreater(len(eyebridge.load_scenario(name).walls), 3)
         with tempfile.TemporaryDirectory() as folder:
             program = pathlib.Path(folder) / "program.py"
             program.write_text("import eyebridge\nprint(eyebridge.load_scenario('rooms.wld').size)\n")
