@@ -7,6 +7,7 @@
 #include "eyebridge/camera/source.hpp"
 #include "sources/erring_source.hpp"
 #include "sources/sources.hpp"
+#include "sources/turned_source.hpp"
 #include "sources/undistorted_source.hpp"
 #include "sources/url_option.hpp"
 
@@ -49,12 +50,14 @@ struct CommonOptions {
   std::string url;
   std::optional<std::string> calibration;  ///< A file.
   std::optional<ImageNoise> noise;
+  int orientation = 1;
 };
 
 CommonOptions take_common(const std::string& url) {
   const TakenOption calibration = take_option(url, "calibration", "calibration=FILE");
-  ErringUrl erring = take_errors(calibration.url);
-  return {std::move(erring.url), calibration.value, erring.noise};
+  const ErringUrl erring = take_errors(calibration.url);
+  MountedUrl mounted = take_mounting(erring.url);
+  return {std::move(mounted.url), calibration.value, erring.noise, mounted.orientation};
 }
 
 }  // namespace
@@ -73,6 +76,8 @@ std::unique_ptr<Source> open_source(const std::string& url, const SourceContext&
   const Found found = find_source(common.url);
   found.factory.check(found.rest, context);
   auto source = found.factory.open(found.rest, context);
+  // First, so that all else, a calibration too, is of pictures as they are looked at.
+  if (common.orientation != 1) source = turned(std::move(source), common.orientation);
   // The lens bends the light before the sensor errs; a calibration is of the pictures as they come.
   if (common.noise) source = with_errors(std::move(source), *common.noise);
   return common.calibration ? undistort(std::move(source), *common.calibration) : std::move(source);

@@ -143,10 +143,8 @@ ROWS = (
     Row("docs/robots.md", "eyebridge run --robots 3 --world worlds/rooms.wld prog.py", before=PROG_PY, prints="3 robots"),
     Row("docs/robots.md", "eyebridge run --robots all --world worlds/two-robots.sim prog", prints="2 robots"),
     Row("docs/formats.md", "eyebridge world convert worlds/micromouse-16.maz mouse.txt", prints="mouse.txt", leaves=("mouse.txt",)),
-    Row("docs/formats.md", "eyebridge world convert mouse.txt mouse.num", before="eyebridge world convert worlds/micromouse-16.maz mouse.txt",
-        prints="mouse.num", leaves=("mouse.num",)),
-    Row("docs/formats.md", "eyebridge world draw mouse.txt", before="eyebridge world convert worlds/micromouse-16.maz mouse.txt",
-        leaves=("mouse.png",)),
+    Row("docs/formats.md", "eyebridge world convert mouse.txt mouse.num", prints="mouse.num", leaves=("mouse.num",)),
+    Row("docs/formats.md", "eyebridge world draw mouse.txt", leaves=("mouse.png",)),
     Row("docs/robots.md", "eyebridge run --world match.sim",
         before="printf '%s\\n' 'world worlds/rooms.wld' 'S4 500 400 90 prog' 'LabBot 700 1000 0 prog' >match.sim", prints="2 robots"),
 

@@ -19,6 +19,7 @@ constexpr int kStops = 2;
 // word.
 constexpr int kNoisyStops = 10;
 constexpr Time kBetweenLooks = std::chrono::milliseconds(100);
+constexpr int kMostQuestions = 30;
 constexpr int kWheels = 2;  // that encoders are at
 
 bool has_non_zero(const io7::Request& request, std::size_t first) {
@@ -107,7 +108,11 @@ bool Io7Session::wheels_stand() {
   if (!report_.profile.letters.has(IO7_ENCODER)) return false;
   std::array<int, kWheels> before{};
   for (int look = 0; look < 2; ++look) {
-    if (look > 0) clock_.wait_until(clock_.now() + kBetweenLooks);
+    // By asking, not by waiting: in virtual time whoever waits steps the world, and that asks us.
+    const Time until = clock_.now() + kBetweenLooks;
+    for (int i = 0; look > 0 && i < kMostQuestions && clock_.now() < until; ++i) {
+      if (!exchange(io7::request(IO7_VERSION))) return false;
+    }
     for (int wheel = 0; wheel < kWheels; ++wheel) {
       const auto count = exchange(io7::encoder(wheel + 1));
       if (!count) return false;

@@ -64,7 +64,9 @@ void check_source(const std::string& url, const SourceContext& context);
 /// with the same focal length; set_size() fails with Unsupported where the camera's pictures get
 /// another aspect than the calibration's. With "?errors=harsh" or "?errors=sigma=4,blur=1" (what
 /// follows `camera` in docs/errors.md) its frames get a camera's errors; "error_seed=N" gives other
-/// ones, what one frame suffers follows from that and its sequence.
+/// ones, what one frame suffers follows from that and its sequence. With "?rotate=90" (180, 270:
+/// clockwise) and "?flip=h" or "v" (after it) pictures of any source are turned, before all else: a
+/// calibration is of turned ones.
 std::unique_ptr<Source> open_source(const std::string& url, const SourceContext& context);
 
 }  // namespace eyebridge::camera
