@@ -17,12 +17,34 @@
 #pragma GCC diagnostic pop
 
 namespace eyebridge::files {
+namespace {
+
+/// Whether all parts of a PNG are there: stb_image takes as much memory as a part says it has.
+bool is_whole_png(std::string_view bytes) {
+  constexpr std::size_t kSignature = 8;
+  constexpr std::size_t kAround = 12;  // length, name, check sum
+  for (std::size_t at = kSignature; at + kAround <= bytes.size();) {
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      length = length << 8U | static_cast<unsigned char>(bytes[at + i]);
+    }
+    if (length > bytes.size() - at - kAround) return false;
+    if (bytes.substr(at + 4, 4) == "IEND") return true;
+    at += length + kAround;
+  }
+  return false;
+}
+
+}  // namespace
 
 GreyPicture read_stb_picture(std::string_view bytes, const std::string& file,
                              std::size_t most_pixels) {
   const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const int size = static_cast<int>(bytes.size());  // at most kMaxFileSize
   const auto refuse = [&file](const std::string& why) { throw ConfigError({file, 0, 0}, why); };
+  if (bytes.starts_with("\x89PNG") && !is_whole_png(bytes)) {
+    refuse("a PNG that ends too early: expected a whole file");
+  }
   int columns = 0;
   int rows = 0;
   int channels = 0;

@@ -150,7 +150,7 @@ TEST(Pgm, ThatIsBadIsAnErrorThatSaysWhatAndWhere) {
     return error_of([&] { read_map_picture(bytes, "p.pgm"); });
   };
   EXPECT_EQ(error(""), "p.pgm: no picture that a map can have: expected PGM, PNG or BMP");
-  EXPECT_EQ(error("\x89PNG\r\n"), "p.pgm: a picture that cannot be decoded: unknown image type");
+  EXPECT_EQ(error("\x89PNG\r\n"), "p.pgm: a PNG that ends too early: expected a whole file");
   EXPECT_EQ(error("P5\n2 x\n255\n"), "p.pgm:2:3: no number: expected the height");
   EXPECT_EQ(error("P5\n2"), "p.pgm:2:2: file ends: expected the height");
   EXPECT_EQ(error("P5\n-2 2\n255\n"), "p.pgm:2:1: no number: expected the width");
