@@ -108,7 +108,7 @@ bool Io7Session::wheels_stand() {
   if (!report_.profile.letters.has(IO7_ENCODER)) return false;
   std::array<int, kWheels> before{};
   for (int look = 0; look < 2; ++look) {
-    // By asking, not by waiting: in virtual time whoever waits steps the world, and that asks us.
+    // By asking, not by waiting: in virtual time a wait steps the world, and that asks us.
     const Time until = clock_.now() + kBetweenLooks;
     for (int i = 0; look > 0 && i < kMostQuestions && clock_.now() < until; ++i) {
       if (!exchange(io7::request(IO7_VERSION))) return false;

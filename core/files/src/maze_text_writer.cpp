@@ -109,7 +109,7 @@ class PostsDrawing {
     const auto wide = static_cast<std::size_t>(4 * grid.columns + 1);
     if (wide > kMaxLine) {
       throw ConfigError({kWritten, 0, 0}, std::to_string(grid.columns) +
-                                              " cells in a row: a line has no room for so many");
+                                              " cells in a row: too many for a line of text");
     }
     lines_.assign(static_cast<std::size_t>(2 * grid.rows + 1), std::string(wide, ' '));
     for (int row = 0; row <= grid.rows; ++row) {

@@ -167,7 +167,7 @@ struct WorldModel {
   std::vector<Marker> markers;
   std::optional<MazeGrid> maze;  ///< Set when the world was drawn as a maze; `walls` has its walls.
   std::optional<double> water{};  ///< How deep water stands on the floor, metres, as a file says.
-  Vec2 corner{};  ///< The lower left one of the floor, metres: the origin, but for maps.
+  Vec2 corner{};  ///< The lower left one of the floor, metres; that of a map may lie anywhere.
 
   /// The upper right corner of the floor, metres.
   [[nodiscard]] Vec2 far_corner() const { return corner + Vec2{width, height}; }
