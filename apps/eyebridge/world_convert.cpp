@@ -13,6 +13,7 @@
 #include "command.hpp"
 #include "eyebridge/base/log.hpp"
 #include "eyebridge/base/text.hpp"
+#include "eyebridge/base/units.hpp"
 #include "eyebridge/base/write_file.hpp"
 #include "eyebridge/files/readers.hpp"
 #include "world_reading.hpp"
@@ -22,25 +23,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A world in a format, and what of it that cannot say.
-struct Converted {
-  std::string text;
-  std::vector<std::string> losses;
-};
-
-Converted as_maze(const files::Scenario& scenario, files::MazeFormat format) {
-  files::MazeText maze = files::write_maze_as(format, scenario.world);
-  return {std::move(maze.text), std::move(maze.losses)};
-}
+/// A world in a format, and what of it that format cannot say.
+using Converted = files::MazeText;
 
 Converted as_drawing(const files::Scenario& scenario) {
-  return as_maze(scenario, files::MazeFormat::Drawing);
+  return files::write_maze_as(files::MazeFormat::Drawing, scenario.world);
 }
 Converted as_posts(const files::Scenario& scenario) {
-  return as_maze(scenario, files::MazeFormat::Posts);
+  return files::write_maze_as(files::MazeFormat::Posts, scenario.world);
 }
 Converted as_list(const files::Scenario& scenario) {
-  return as_maze(scenario, files::MazeFormat::List);
+  return files::write_maze_as(files::MazeFormat::List, scenario.world);
+}
+
+/// The floor of a .wld file begins at the origin.
+void move_to_origin(world::WorldModel& model, std::vector<std::string>& losses) {
+  const Vec2 corner = model.corner;
+  if (corner == Vec2{}) return;
+  losses.push_back(fmt::format("where its floor begins: all is moved by {:g} {:g} mm",
+                               m_to_mm(-corner.x), m_to_mm(-corner.y)));
+  for (world::Wall& wall : model.walls) {
+    wall.a = wall.a - corner;
+    wall.b = wall.b - corner;
+  }
+  for (world::StartPose& start : model.starts) {
+    start.pose.x -= corner.x;
+    start.pose.y -= corner.y;
+  }
+  model.corner = {};
 }
 
 Converted as_world(const files::Scenario& scenario) {
@@ -49,6 +59,7 @@ Converted as_world(const files::Scenario& scenario) {
   for (const world::ObjectSpec& object : model.objects) out.losses.push_back("the " + object.name);
   if (!model.markers.empty()) out.losses.push_back(fmt::format("{} markers", model.markers.size()));
   if (model.maze && !model.maze->goals.empty()) out.losses.push_back("the goals of the maze");
+  move_to_origin(model, out.losses);
   model.objects.clear();
   model.markers.clear();
   model.maze.reset();

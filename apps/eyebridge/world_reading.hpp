@@ -11,7 +11,7 @@ class App;
 
 namespace eyebridge::apps {
 
-/// What the commands about worlds are told of how to read one.
+/// Flags of the commands about worlds: how to read one.
 struct ReadingFlags {
   std::string robot;  ///< Empty: a world without robots has none.
   std::string cell;

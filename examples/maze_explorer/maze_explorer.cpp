@@ -3,9 +3,9 @@
 //
 // It knows nothing of the maze but the contest's rules: square cells, and a start in the middle of
 // one that has a wall, from which it measures how big a cell is. It goes to the nearest cell that
-// it has not visited until there is none, returns to the start and runs to the centre: of as many
-// cells as it is told, the start in a corner, else of those that it could reach. A maze that is
-// open to the outside has no end: it gives up there.
+// it has not visited until there is none, returns to the start and runs to the centre. Told how
+// many cells the maze has, it takes the start for a corner; else the centre is that of the cells
+// that it could reach. A maze that is open to the outside has no end: it gives up there.
 //
 // Usage: maze_explorer [distance of the PSDs from the robot's centre in mm, 20 by default
 //                       [columns and rows of the maze]]

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kMicro = 1e6;    // the grid is looked for in whole micrometres
 constexpr double kOnGrid = 1e-6;  // metres
-constexpr int kFinest = 64;       // so many cells of a trial at most where walls need one
+constexpr int kFinest = 64;       // cells of a trial, at most, where walls need one
 
 struct NoFit {
   QString why;

@@ -60,6 +60,10 @@ std::string header_of(std::string_view text, int& others) {
 
 void take_ground(const std::filesystem::path& path, PlanFiles& files) {
   const auto kind = files::ground_kind(path);
+  if (kind == files::GroundKind::Map) {
+    refuse(path,
+           PlanFilesText::tr("it is a map, which cannot be edited: expected .wld, .maz or .sim"));
+  }
   if (!kind)
     refuse(path, PlanFilesText::tr("it is neither world nor maze: expected .wld, .maz or .sim"));
   const bool is_maze = *kind == files::GroundKind::Maze;

@@ -43,6 +43,31 @@ TEST(WorldCheck, GoesOnAfterABadFile) {
   EXPECT_THAT(r.out, HasSubstr("room.wld: 2 m x 1 m"));
 }
 
+TEST(WorldConvert, WritesFormatsAndListsWhatTheyCannotSay) {
+  const ScratchFolder folder;
+  folder.write("m.maz", " _ _\n|x g|\n|S|_|\n360\n");
+  const ProgramRun posts = run_command({"world", "convert", "m.maz", "m.txt"}, folder.path());
+  EXPECT_EQ(posts.exit_code, 0) << posts.err;
+  EXPECT_EQ(testing::file_text(folder.path() + "/m.txt"),
+            "o---o---o\n|     G |\no   o   o\n| S |   |\no---o---o\n360\n");
+  EXPECT_THAT(posts.err, HasSubstr("m.txt: warning: not carried over: the crate at 180 540 mm"));
+  const ProgramRun again = run_command({"world", "convert", "m.maz", "m.txt"}, folder.path());
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_THAT(again.err, HasSubstr("is there already: expected another name, or --overwrite"));
+  const ProgramRun other = run_command({"world", "convert", "m.maz", "m.pdf"}, folder.path());
+  EXPECT_THAT(other.err, HasSubstr("expected .maz, .txt, .num, .wld"));
+}
+
+TEST(WorldConvert, MovesAMapToWhereAWorldBegins) {
+  const ScratchFolder folder;
+  const ProgramRun r = run_command(
+      {"world", "convert", EYEBRIDGE_SHARED_DIR "/cases/maps/lab.yaml", "lab.wld"}, folder.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.err, HasSubstr("where its floor begins: all is moved by 1200 800 mm"));
+  const ProgramRun check = run_command({"world", "check", "lab.wld"}, folder.path());
+  EXPECT_THAT(check.out, HasSubstr("lab.wld: 2.4 m x 1.6 m, 12 walls, 0 objects, 0 warnings\n"));
+}
+
 struct BadFile {
   const char* name;
   const char* file;

@@ -87,7 +87,7 @@ def main():
             for thread in threads:
                 thread.join()
         except KeyboardInterrupt:
-            # What stays would find the next run's boards: pseudo-terminals get the numbers of those that are gone.
+            # A program that stays would find the boards of the next run: pseudo-terminals get numbers again.
             subprocess.Popen = None  # the threads go on, and must start nothing more
             known = set()
             while new := {*oracle.children_of(os.getpid())} - known:  # children of one that is killed would be nobody's

@@ -228,6 +228,13 @@ TEST_F(EditorFiles, ABadFileIsToldWithItsLineAndIsNotTouched) {
   EXPECT_EQ(plan().walls.size(), 4U);
 }
 
+TEST_F(EditorFiles, AMapIsNoPlan) {
+  folder_.write("map.yaml", "image: map.pgm\n");
+  open(file("map.yaml"));
+  EXPECT_THAT(notice("open"), HasSubstr("it is a map, which cannot be edited: expected .wld"));
+  EXPECT_EQ(window_->path(), "");
+}
+
 TEST_F(EditorFiles, AFileThatChangedIsLoadedAgain) {
   open(file("room.wld"));
   folder_.write("room.wld", "floor 3000 2000\n");

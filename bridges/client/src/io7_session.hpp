@@ -44,8 +44,6 @@ class Io7Session {
   Result<void> stop_motors();
   /// The same, and waits until the board has answered what was asked after it.
   Result<void> confirm_stop();
-  /// Whether the encoders do not change for a tenth of a second.
-  bool wheels_stand();
 
   [[nodiscard]] const io7::ProbeReport& report() const { return report_; }
   [[nodiscard]] ByteStream& stream() { return *stream_; }
@@ -75,6 +73,8 @@ class Io7Session {
   [[nodiscard]] Time longest_patience() const;
 
   // On a noisy line, in noisy_line.cpp.
+  /// Whether the encoders do not change for a tenth of a second.
+  bool wheels_stand();
   [[nodiscard]] bool noisy() const { return quality_.noisy(clock_.now()); }
   /// A reading that another one agrees with; a command that was sent twice.
   Result<io7::Reply> confirmed(const io7::Request& request, const io7::RequestBytes& bytes,

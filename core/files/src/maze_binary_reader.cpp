@@ -29,15 +29,14 @@ constexpr Bits kUsualBits = {1, 2, 4, 8};
 
 /// How the bytes become cells.
 struct Order {
-  bool by_columns = true;  ///< A column after the other, else a row after the other.
+  bool by_columns = true;  ///< Column by column, else row by row.
   bool from_right = false;
   bool from_top = false;
 };
-constexpr Order kUsualOrder{};
 
 struct Way {
   Bits bits = kUsualBits;
-  Order order = kUsualOrder;
+  Order order;
   bool ones_are_open = false;
 };
 
@@ -64,17 +63,18 @@ class BinaryReader {
     }
     world::MazeGrid grid = grid_of(way);
     if (misfits > 0) {
-      misfits_of(way, &first_misfit_);
+      std::optional<MazeCell> first;
+      misfits_of(way, &first);
       warnings_.add(0, 0,
                     std::to_string(misfits) +
                         " walls that only one of their two cells has, or that "
                         "the boundary lacks, the first at cell " +
-                        name(*first_misfit_) + ": where one cell has a wall, there is one");
+                        in_words(*first) + ": where one cell has a wall, there is one");
     }
-    if (!starts_as_contest(grid)) {
+    if (!is_contest_start([&](Side side) { return has_wall(grid, {}, side); })) {
       warnings_.add(0, 0,
-                    "the cell at the lower left has not walls on three sides and its way up, as a "
-                    "contest's start has: the maze may be turned or mirrored");
+                    "expected the cell at the lower left, a contest's start, with walls on three "
+                    "sides and open at the top: the maze may be turned or mirrored");
     }
     if (source_.start_places != nullptr) source_.start_places->push_back({source_.file, 0, 0});
     return contest_maze(std::move(grid), {});
@@ -115,13 +115,10 @@ class BinaryReader {
     return count;
   }
 
-  [[nodiscard]] bool starts_as_contest(const Way& way) const {
-    return !says(way, {}, Side::North) && says(way, {}, Side::East) && says(way, {}, Side::South) &&
-           says(way, {}, Side::West);
-  }
-  [[nodiscard]] static bool starts_as_contest(const world::MazeGrid& grid) {
-    return !has_wall(grid, {}, Side::North) && has_wall(grid, {}, Side::East) &&
-           has_wall(grid, {}, Side::South) && has_wall(grid, {}, Side::West);
+  /// Whether the start is as a contest has it, by what `has` says of its sides.
+  template <class Has>
+  static bool is_contest_start(Has has) {
+    return !has(Side::North) && has(Side::East) && has(Side::South) && has(Side::West);
   }
 
   /// Fewest misfits, then a contest's start, then the usual bits, then the usual order.
@@ -134,7 +131,8 @@ class BinaryReader {
         for (const bool ones_are_open : {false, true}) {
           const Way way{
               bits, {(order & 1) == 0, (order & 2) != 0, (order & 4) != 0}, ones_are_open};
-          const std::tuple rank{misfits_of(way, nullptr), !starts_as_contest(way),
+          const bool starts = is_contest_start([&](Side side) { return says(way, {}, side); });
+          const std::tuple rank{misfits_of(way, nullptr), !starts,
                                 ones_are_open || bits != kUsualBits, order};
           if (best && rank >= least) continue;
           best = way;
@@ -159,14 +157,9 @@ class BinaryReader {
     return grid;
   }
 
-  static std::string name(MazeCell cell) {
-    return std::to_string(cell.column) + " " + std::to_string(cell.row);
-  }
-
   const MazeSource& source_;
   int side_;
   Warnings warnings_;
-  std::optional<MazeCell> first_misfit_;
 };
 
 }  // namespace

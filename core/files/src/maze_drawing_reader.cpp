@@ -11,8 +11,6 @@
 namespace eyebridge::files {
 namespace {
 
-constexpr std::size_t kMaxLines = 100000;
-
 struct Row {
   std::string_view text;   ///< Two columns a cell.
   std::string_view drawn;  ///< As it stands in the file.
@@ -23,37 +21,13 @@ struct Row {
 constexpr std::size_t kUsualPitch = 2;
 constexpr std::size_t kWidePitch = 3;
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\r' || text.back() == 0x1A)) {
-    text.remove_suffix(1);
-  }
-  return text;
-}
-
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 /// Facing of a start letter, radians; nothing for other characters.
 std::optional<double> facing(char letter) {
-  switch (letter) {
-    case 'S':
-    case 's':
-    case 'U':
-    case 'u':
-      return kPi / 2;
-    case 'D':
-    case 'd':
-      return -kPi / 2;
-    case 'L':
-    case 'l':
-      return kPi;
-    case 'R':
-    case 'r':
-      return 0.0;
-    default:
-      return std::nullopt;
-  }
+  return letter == 'S' || letter == 's' ? kPi / 2 : facing_of(letter);
 }
 
 bool is_object(char c) { return c == 'o' || c == 'O' || c == 'x' || c == 'X'; }
@@ -68,21 +42,9 @@ class MazeReader {
         warnings_(source.file, source.warnings),
         start_places_(source.start_places),
         cell_(source.cell) {
-    std::string_view text = without_bom(source.bytes);
-    check_text(text, file_);
-    int line = 0;
-    while (!text.empty()) {
-      if (rows_.size() == kMaxLines) {
-        throw ConfigError({file_, line, 1}, "maze of more than " + std::to_string(kMaxLines) +
-                                                " lines: expected fewer");
-      }
-      const std::size_t end = text.find('\n');
-      const std::string_view row = trimmed(text.substr(0, end));
-      rows_.push_back({row, row, ++line});
-      text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
+    for (const MazeLine& line : maze_lines(source.bytes, file_)) {
+      rows_.push_back({line.text, line.text, line.line});
     }
-    while (!rows_.empty() && rows_.back().text.empty()) rows_.pop_back();
-    drop_empty_front();
   }
 
   world::WorldModel read() {
@@ -112,17 +74,7 @@ class MazeReader {
   }
 
   std::optional<double> size_in(const Row& row) {
-    StatementReader statements(row.text, file_);
-    Statement s;
-    if (row.text.find_first_of("\"'") != std::string_view::npos || !statements.next(s) ||
-        s.size() != 1 || !s.is_number(0)) {
-      return std::nullopt;
-    }
-    try {
-      return s.millimetres(0, "the size of a cell", kLeastCell, kMostCell);
-    } catch (const ConfigError& error) {  // the statement counts its lines from this row
-      throw ConfigError({file_, row.line, error.where().column}, error.text());
-    }
+    return cell_size_in({row.text, row.line}, file_);
   }
 
   void take_size() {

@@ -13,6 +13,14 @@ using world::MazeCell;
 using world::MazeGrid;
 
 constexpr std::size_t kMostInARow = 32768;
+constexpr std::size_t kMostLines = 100000;
+
+std::string_view without_end(std::string_view line) {
+  while (!line.empty() && (line.back() == ' ' || line.back() == '\r' || line.back() == 0x1A)) {
+    line.remove_suffix(1);
+  }
+  return line;
+}
 
 std::vector<char> MazeGrid::*flags_of(Side side) {
   return side == Side::North || side == Side::South ? &MazeGrid::south : &MazeGrid::west;
@@ -41,6 +49,63 @@ double heading_to(Side side) {
 }
 
 }  // namespace
+
+std::vector<MazeLine> maze_lines(std::string_view text, const std::string& file) {
+  text = without_bom(text);
+  check_text(text, file);
+  std::vector<MazeLine> lines;
+  int line = 0;
+  while (!text.empty()) {
+    if (lines.size() == kMostLines) {
+      throw ConfigError({file, line, 1}, "maze of more than " + std::to_string(kMostLines) +
+                                             " lines: expected fewer");
+    }
+    const std::size_t end = text.find('\n');
+    lines.push_back({without_end(text.substr(0, end)), ++line});
+    text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
+  }
+  const auto is_drawn = [](const MazeLine& drawn) { return !drawn.text.empty(); };
+  while (!lines.empty() && !is_drawn(lines.back())) lines.pop_back();
+  lines.erase(lines.begin(), std::find_if(lines.begin(), lines.end(), is_drawn));
+  return lines;
+}
+
+std::optional<double> cell_size_in(const MazeLine& line, const std::string& file) {
+  StatementReader statements(line.text, file);
+  Statement s;
+  if (line.text.find_first_of("\"'") != std::string_view::npos || !statements.next(s) ||
+      s.size() != 1 || !s.is_number(0)) {
+    return std::nullopt;
+  }
+  try {
+    return s.millimetres(0, "the size of a cell", kLeastCell, kMostCell);
+  } catch (const ConfigError& error) {  // the statement counts its lines from this one
+    throw ConfigError({file, line.line, error.where().column}, error.text());
+  }
+}
+
+std::optional<double> facing_of(char letter) {
+  switch (letter) {
+    case 'U':
+    case 'u':
+      return kPi / 2;
+    case 'D':
+    case 'd':
+      return -kPi / 2;
+    case 'L':
+    case 'l':
+      return kPi;
+    case 'R':
+    case 'r':
+      return 0.0;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::string in_words(MazeCell cell) {
+  return std::to_string(cell.column) + " " + std::to_string(cell.row);
+}
 
 MazeGrid empty_maze(std::size_t columns, std::size_t rows, const SourceLocation& where) {
   if (columns == 0 || rows == 0) throw ConfigError(where, "no cell in the maze: expected one");

@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "eyebridge/base/config_error.hpp"
@@ -23,6 +25,24 @@ inline constexpr double kMostCell = 1000 * kMostMazeCell;
 
 enum class Side { North, East, South, West };
 inline constexpr Side kSides[] = {Side::North, Side::East, Side::South, Side::West};
+
+/// A line of a drawing.
+struct MazeLine {
+  std::string_view text;  ///< Without blanks at its end.
+  int line = 0;           ///< From 1.
+};
+/// The lines of a drawing from its first to its last that is not empty; they borrow from `text`.
+/// Throws ConfigError for what is no text, and for more than 100,000 lines.
+std::vector<MazeLine> maze_lines(std::string_view text, const std::string& file);
+/// The edge length of a cell, metres, if that is all that a line says. Throws ConfigError for one
+/// that no cell has.
+std::optional<double> cell_size_in(const MazeLine& line, const std::string& file);
+
+/// Where a robot faces that starts at one of the letters U, D, L, R, in any case; radians.
+std::optional<double> facing_of(char letter);
+
+/// "3 5": column and row.
+std::string in_words(world::MazeCell cell);
 
 /// A grid without walls. Throws ConfigError at `where` when that is no cell or too many.
 world::MazeGrid empty_maze(std::size_t columns, std::size_t rows, const SourceLocation& where);

@@ -74,7 +74,7 @@ class ListReader {
   void put(const ListedCell& cell) {
     int& line = line_of(cell.at);
     if (line != 0) {
-      throw ConfigError({file_, cell.line, 1}, "cell " + name(cell.at) + " again, after line " +
+      throw ConfigError({file_, cell.line, 1}, "cell " + in_words(cell.at) + " again, after line " +
                                                    std::to_string(line) + ": expected it once");
     }
     line = cell.line;
@@ -88,7 +88,7 @@ class ListReader {
       for (int row = 0; row < grid_.rows; ++row) {
         if (line_of({column, row}) != 0) continue;
         throw ConfigError({file_, cells_.back().line + 1, 1},
-                          "file ends without cell " + name({column, row}) + ": expected all " +
+                          "file ends without cell " + in_words({column, row}) + ": expected all " +
                               std::to_string(grid_.columns) + " x " + std::to_string(grid_.rows));
       }
     }
@@ -99,17 +99,13 @@ class ListReader {
     for (std::size_t i = 0; i < cell.walls.size(); ++i) {
       if (cell.walls[i] || !has_wall(grid_, cell.at, kSides[i])) continue;
       warnings_.add(cell.line, column_of(kSides[i]),
-                    "no wall on this side of cell " + name(cell.at) +
+                    "no wall on this side of cell " + in_words(cell.at) +
                         ", but its neighbour has one: there is a wall");
     }
   }
 
   /// Where the flag of a side stands on a line whose words are digits with one blank between them.
   static int column_of(Side side) { return static_cast<int>(2 * (2 + static_cast<int>(side)) + 1); }
-  static std::string name(MazeCell cell) {
-    return std::to_string(cell.column) + " " + std::to_string(cell.row);
-  }
-
   const MazeSource& source_;
   const std::string& file_;
   Warnings warnings_;

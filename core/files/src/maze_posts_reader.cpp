@@ -13,22 +13,8 @@ namespace {
 
 using world::MazeCell;
 
-constexpr std::size_t kMostLines = 100000;
-
 bool is_post(char c) { return c == 'o' || c == '+'; }
 bool is_space(char c) { return c == ' '; }
-
-struct PostsLine {
-  std::string_view text;
-  int line = 0;
-};
-
-std::string_view without_end(std::string_view line) {
-  while (!line.empty() && (line.back() == ' ' || line.back() == '\r' || line.back() == 0x1A)) {
-    line.remove_suffix(1);
-  }
-  return line;
-}
 
 /// Where the posts of `line` stand, if it is the upper edge of a drawing: posts at equal distances,
 /// and nothing but walls and blanks between them.
@@ -53,46 +39,13 @@ std::vector<std::size_t> posts_in(std::string_view line) {
   return pitch < 2 ? std::vector<std::size_t>{} : posts;
 }
 
-/// Facing of a mark that says it; nothing for other characters.
-std::optional<double> facing_of(char mark) {
-  switch (mark) {
-    case 'U':
-    case 'u':
-      return kPi / 2;
-    case 'D':
-    case 'd':
-      return -kPi / 2;
-    case 'L':
-    case 'l':
-      return kPi;
-    case 'R':
-    case 'r':
-      return 0.0;
-    default:
-      return std::nullopt;
-  }
-}
-
 class PostsReader {
  public:
   explicit PostsReader(const MazeSource& source)
-      : source_(source), file_(source.file), warnings_(source.file, source.warnings) {
-    std::string_view text = without_bom(source.bytes);
-    check_text(text, file_);
-    int line = 0;
-    while (!text.empty()) {
-      if (rows_.size() == kMostLines) {
-        throw ConfigError({file_, line, 1}, "maze of more than " + std::to_string(kMostLines) +
-                                                " lines: expected fewer");
-      }
-      const std::size_t end = text.find('\n');
-      rows_.push_back({without_end(text.substr(0, end)), ++line});
-      text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
-    }
-    while (!rows_.empty() && rows_.back().text.empty()) rows_.pop_back();
-    rows_.erase(rows_.begin(), std::ranges::find_if(
-                                   rows_, [](const PostsLine& row) { return !row.text.empty(); }));
-  }
+      : source_(source),
+        file_(source.file),
+        warnings_(source.file, source.warnings),
+        rows_(maze_lines(source.bytes, source.file)) {}
 
   world::WorldModel read() {
     take_size();
@@ -113,14 +66,8 @@ class PostsReader {
  private:
   void take_size() {
     grid_cell_ = kContestCell;
-    StatementReader statements(rows_.back().text, file_);
-    Statement last;
-    if (statements.next(last) && last.size() == 1 && last.is_number(0)) {
-      try {
-        grid_cell_ = last.millimetres(0, "the size of a cell", kLeastCell, kMostCell);
-      } catch (const ConfigError& error) {  // the statement counts its lines from this row
-        throw ConfigError({file_, rows_.back().line, error.where().column}, error.text());
-      }
+    if (const auto size = cell_size_in(rows_.back(), file_)) {
+      grid_cell_ = *size;
       rows_.pop_back();
       while (!rows_.empty() && rows_.back().text.empty()) rows_.pop_back();
     }
@@ -269,7 +216,7 @@ class PostsReader {
   const MazeSource& source_;
   const std::string& file_;
   Warnings warnings_;
-  std::vector<PostsLine> rows_;
+  std::vector<MazeLine> rows_;
   std::size_t left_ = 0;  ///< Column of the left posts.
   std::size_t wide_ = 0;  ///< Columns from post to post.
   std::size_t tall_ = 0;  ///< Lines from post to post.
@@ -285,9 +232,9 @@ bool starts_with_posts(std::string_view text) {
   text = without_bom(text);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return false;
-  const std::size_t line = text.substr(0, first).rfind('\n');
-  text.remove_prefix(line == std::string_view::npos ? 0 : line + 1);
-  return !posts_in(without_end(text.substr(0, text.find('\n')))).empty();
+  text = text.substr(0, text.find('\n', first));
+  text.remove_prefix(text.rfind('\n') + 1);  // npos + 1 is 0
+  return !posts_in(text.substr(0, text.find_last_not_of(" \r\x1A") + 1)).empty();
 }
 
 world::WorldModel read_posts_maze(const MazeSource& source) { return PostsReader(source).read(); }

@@ -23,10 +23,6 @@ std::string place_text(const Pose& pose) {
   return text;
 }
 
-std::string cell_name(MazeCell cell) {
-  return std::to_string(cell.column) + " " + std::to_string(cell.row);
-}
-
 /// The cell in whose middle something stands.
 std::optional<MazeCell> cell_of(const world::MazeGrid& grid, const Pose& pose) {
   const double column = pose.x / grid.cell - 0.5;
@@ -96,7 +92,7 @@ MazeText drawing_of(const world::WorldModel& model) {
   };
   std::erase_if(drawn.maze->goals, [&](MazeCell goal) {
     if (!is_taken(goal)) return false;
-    out.losses.push_back("the goal in cell " + cell_name(goal));
+    out.losses.push_back("the goal in cell " + in_words(goal));
     return true;
   });
   out.text = write_maze(drawn);
@@ -180,7 +176,7 @@ MazeText posts_of(const world::WorldModel& model) {
         std::fabs(wrap_angle(start_in(grid, *cell).theta - start.pose.theta)) < kSame;
     const char letter = by_walls || *facing == capital(start.letter) ? start.letter : *facing;
     if (!drawing.put(*cell, letter)) {
-      out.losses.push_back("one of several starts in cell " + cell_name(*cell));
+      out.losses.push_back("one of several starts in cell " + in_words(*cell));
     } else if (letter != start.letter) {
       out.losses.push_back("the start " +
                            (start.letter == 0 ? "at " + place_text(start.pose)
@@ -191,7 +187,7 @@ MazeText posts_of(const world::WorldModel& model) {
   if (model.starts.empty())
     out.losses.push_back("that there is no start: it is the lower left cell");
   for (const MazeCell goal : grid.goals) {
-    if (!drawing.put(goal, 'G')) out.losses.push_back("the goal in cell " + cell_name(goal));
+    if (!drawing.put(goal, 'G')) out.losses.push_back("the goal in cell " + in_words(goal));
   }
   if (grid.goals.empty()) out.losses.push_back("that there is no goal: it is the middle");
   out.text = drawing.text();
