@@ -12,7 +12,7 @@ need(PkgConfig_FOUND pkg-config)
 find_package(Boost QUIET CONFIG)
 need(Boost_FOUND libboost-dev)
 foreach(row CLI11:libcli11-dev fmt:libfmt-dev Freetype:libfreetype-dev hwy:libhwy-dev PNG:libpng-dev SQLite3:libsqlite3-dev
-            tl-expected:libexpected-dev tomlplusplus:libtomlplusplus-dev ZLIB:zlib1g-dev)
+            pugixml:libpugixml-dev tl-expected:libexpected-dev tomlplusplus:libtomlplusplus-dev ZLIB:zlib1g-dev)
   string(REPLACE ":" ";" row "${row}")
   list(GET row 0 name)
   list(GET row 1 package)

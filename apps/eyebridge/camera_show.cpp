@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <numeric>
 #include <vector>
@@ -36,8 +37,16 @@ struct Look {
   std::vector<Time> times;  ///< Of the frames.
   std::uint64_t dropped = 0;
   std::uint64_t damaged = 0;
+  std::uint64_t odd = 0;  ///< JPEGs of which all rows are there, …
+  std::map<std::string, std::uint64_t> oddities;  ///< … by what was odd.
   camera::FramePtr last;
 };
+
+void count_oddities(const camera::Oddities& odd, Look& look) {
+  if (!odd.any()) return;
+  ++look.odd;
+  ++look.oddities[odd.text()];
+}
 
 Look look_through(CameraInput& input, int frames, std::string& failure) {
   Look look;
@@ -53,6 +62,7 @@ Look look_through(CameraInput& input, int frames, std::string& failure) {
     if (look.last && (*frame)->sequence > look.last->sequence + 1) {
       look.dropped += (*frame)->sequence - look.last->sequence - 1;
     }
+    count_oddities((*frame)->odd, look);
     look.times.push_back((*frame)->time);
     look.last = *frame;
   }
@@ -76,7 +86,9 @@ std::string rate_text(const Look& look) {
                        to_seconds(shortest) * 1e3, to_seconds(longest) * 1e3);
   }
   out += fmt::format(", {} dropped", look.dropped);
-  return look.damaged == 0 ? out : out + fmt::format(", {} damaged", look.damaged);
+  if (look.damaged > 0) out += fmt::format(", {} damaged", look.damaged);
+  if (look.odd > 0) out += fmt::format(", {} odd", look.odd);
+  return out;
 }
 
 /// Mean, and what a twentieth of the pixels are darker and brighter than; 0 to 255.
@@ -107,6 +119,10 @@ int show_camera(const CameraShowOptions& options) {
     std::printf("camera      %s\n", printable(options.camera.url).c_str());
     std::printf("size        %d x %d pixels\n", look.last->width, look.last->height);
     std::printf("frames      %s\n", rate_text(look).c_str());
+    for (const auto& [what, count] : look.oddities) {
+      std::printf("odd         %llu JPEGs %s: all their rows are there\n",
+                  static_cast<unsigned long long>(count), what.c_str());
+    }
     std::printf("brightness  %s\n", brightness_text(*look.last).c_str());
     if (!options.out.empty()) {
       camera::write_png(*look.last, options.out);

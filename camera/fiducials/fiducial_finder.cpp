@@ -8,6 +8,7 @@
 #include "eyebridge/base/config_error.hpp"
 #include "eyebridge/camera/pose_finder.hpp"
 #include "fiducials/localise.hpp"
+#include "fiducials/mounting_watch.hpp"
 #include "fiducials/pose_filter.hpp"
 #include "fiducials/vision.hpp"
 #include "optics/lens_distortion.hpp"
@@ -41,6 +42,9 @@ class FiducialFinder final : public PoseFinder {
       lens_ = scaled(calibration_, {frame.width, frame.height});
     }
     const std::vector<Sighting> sightings = sightings_in(frame);
+    if (const std::string what = mounting_.look(frame, seen_, vision_); !what.empty()) {
+      log_.write(Severity::Warning, what);
+    }
     if (filter_ && frame.time - last_fix_ > kLostAfter) filter_.reset();
     const int used = filter_ ? follow(sightings, frame.time) : find(sightings, frame.time);
     judge(sightings.size(), used);
@@ -155,6 +159,7 @@ class FiducialFinder final : public PoseFinder {
   std::optional<EyePose> last_pose_;  ///< At last_fix_.
   Time last_fix_{0};
   std::vector<SeenFiducial> seen_;  ///< In the last frame.
+  MountingWatch mounting_;
   int strangers_ = 0;               ///< Seen in this frame, not in the map.
   int misfits_ = 0;
   int jumps_ = 0;

@@ -42,6 +42,7 @@ Frame Undistortion::apply(const Frame& frame) const {
   Frame out = make_frame(size_.width, size_.height, frame.format);
   out.time = frame.time;
   out.sequence = frame.sequence;
+  out.odd = frame.odd;
   const auto bytes = static_cast<std::size_t>(bytes_per_pixel(frame.format));
   const auto stride = static_cast<std::size_t>(frame.stride);
   const auto width = static_cast<std::size_t>(size_.width);

@@ -20,6 +20,7 @@ Frame converted(const Frame& from, PixelFormat format, Convert convert) {
   Frame to = make_frame(from.width, from.height, format);
   to.time = from.time;
   to.sequence = from.sequence;
+  to.odd = from.odd;
   const int in_step = bytes_per_pixel(from.format);
   const int out_step = bytes_per_pixel(format);
   for (int y = 0; y < from.height; ++y) {
@@ -192,6 +193,7 @@ Frame fit(const Frame& frame, int width, int height) {
   Frame to = make_frame(width, height, frame.format);
   to.time = frame.time;
   to.sequence = frame.sequence;
+  to.odd = frame.odd;
   const Span columns{left, left + cut_width};
   const Span rows{top, top + cut_height};
   switch (bytes_per_pixel(frame.format)) {

@@ -29,7 +29,7 @@ struct Decoder {
   std::jmp_buf failed{};
   std::array<char, JMSG_LENGTH_MAX> message{};
   bool damaged = false;
-  JpegOddities odd;
+  Oddities odd;
 };
 
 Decoder& decoder_of(j_common_ptr info) { return *static_cast<Decoder*>(info->client_data); }
@@ -181,9 +181,20 @@ std::string text_of(Size size) {
 
 }  // namespace
 
+std::string Oddities::text() const {
+  std::string out;
+  const auto add = [&](bool holds, const char* words) {
+    if (holds) out += (out.empty() ? "" : ", ") + std::string(words);
+  };
+  add(stray_bytes, "with stray bytes");
+  add(no_end, "without an end");
+  add(no_tables, "without tables");
+  add(trailing_bytes, "with bytes after their end");
+  return out;
+}
+
 Result<Frame> decode_jpeg(std::span<const std::uint8_t> bytes, const JpegOptions& options,
-                          const std::function<Frame(int width, int height)>& make,
-                          JpegOddities* odd) {
+                          const std::function<Frame(int width, int height)>& make) {
   Decoder decoder;
   const Destroy destroy(decoder);
   const auto picture = from_beginning(bytes);
@@ -210,7 +221,7 @@ Result<Frame> decode_jpeg(std::span<const std::uint8_t> bytes, const JpegOptions
   }
   if (!read_rows(decoder, frame, row.data()) || decoder.damaged) return corrupt(decoder);
   if (picture.size() != bytes.size()) decoder.odd.stray_bytes = true;
-  if (odd != nullptr) *odd = decoder.odd;
+  frame.odd = decoder.odd;
   return frame;
 }
 

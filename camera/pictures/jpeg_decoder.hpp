@@ -11,16 +11,6 @@
 
 namespace eyebridge::camera {
 
-/// What was odd in a JPEG of which all rows were decoded. Webcams send such, and viewers show them.
-struct JpegOddities {
-  bool stray_bytes = false;     ///< Before its beginning, or between its parts.
-  bool no_end = false;          ///< No end marker.
-  bool no_tables = false;       ///< No Huffman tables: those of the standard were taken.
-  bool trailing_bytes = false;  ///< After its end.
-
-  [[nodiscard]] bool any() const { return stray_bytes || no_end || no_tables || trailing_bytes; }
-};
-
 struct JpegOptions {
   std::uint64_t most_pixels = 0;  ///< Larger ones are refused.
   std::optional<Size> size = {};  ///< It must be of this size.
@@ -32,8 +22,7 @@ struct JpegOptions {
 /// becomes RGB. Fails with Corrupt where rows are missing or wrong: cut, damaged; and for what the
 /// options refuse.
 Result<Frame> decode_jpeg(std::span<const std::uint8_t> bytes, const JpegOptions& options,
-                          const std::function<Frame(int width, int height)>& make,
-                          JpegOddities* odd = nullptr);
+                          const std::function<Frame(int width, int height)>& make);
 
 /// What its header says: the size of the picture, and how it lies (Exif's orientation, 1 ... 8).
 struct JpegHeader {

@@ -22,6 +22,7 @@ Frame upright(const Frame& frame, int orientation) {
   Frame out = make_frame(size.width, size.height, frame.format);
   out.time = frame.time;
   out.sequence = frame.sequence;
+  out.odd = frame.odd;
   const auto pixel = static_cast<std::size_t>(bytes_per_pixel(frame.format));
   // Which row and column of the picture are its top and its left, as Exif has them.
   const bool from_bottom =

@@ -3,7 +3,7 @@
 namespace eyebridge::camera {
 
 Result<Frame> decode_mjpeg(std::span<const std::uint8_t> bytes, Size size, Size least,
-                           FramePool& pool, JpegOddities& odd) {
+                           FramePool& pool) {
   JpegOptions options;
   options.most_pixels =
       static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
@@ -13,7 +13,7 @@ Result<Frame> decode_mjpeg(std::span<const std::uint8_t> bytes, Size size, Size 
   const auto make = [&](int width, int height) {
     return pool.make(width, height, PixelFormat::Rgb24);
   };
-  return decode_jpeg(bytes, options, make, &odd).map_error([](Error error) {
+  return decode_jpeg(bytes, options, make).map_error([](Error error) {
     error.what = "M" + error.what;
     return error;
   });

@@ -64,9 +64,7 @@ std::size_t raw_bytes(RawFormat format, Size size, std::size_t stride) {
 
 Result<Frame> PixelDecoder::decode(const RawPicture& picture, Size size) {
   if (picture.format == RawFormat::Mjpeg) {
-    oddities_ = {};
-    return decode_mjpeg(picture.bytes, picture.size, least_size(picture.size, size), pool_,
-                        oddities_)
+    return decode_mjpeg(picture.bytes, picture.size, least_size(picture.size, size), pool_)
         .map([&](Frame&& frame) { return fit(std::move(frame), size.width, size.height); });
   }
   const std::size_t row = row_bytes(picture.format, picture.size.width);

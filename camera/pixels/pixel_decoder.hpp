@@ -19,8 +19,6 @@ class PixelDecoder {
   /// An MJPEG that is to be smaller is decoded smaller first, to at least the pixels needed. Time
   /// and sequence are left 0. Fails with Corrupt when the bytes are too few or damaged.
   Result<Frame> decode(const RawPicture& picture, Size size);
-  /// What was odd in the last MJPEG picture that decode() gave.
-  [[nodiscard]] const JpegOddities& oddities() const { return oddities_; }
   /// `frame`, as decode() gave it, to be shared; its memory is used again afterwards.
   [[nodiscard]] FramePtr share(Frame&& frame) { return pool_.share(std::move(frame)); }
 
@@ -30,7 +28,6 @@ class PixelDecoder {
   void strips_to_rgb(const RawPicture& picture, std::size_t stride, Frame& frame);
 
   FramePool pool_;
-  JpegOddities oddities_;
   std::vector<std::uint8_t> strip_;  ///< A few rows of BGRA, small enough for the cache.
   std::vector<std::uint8_t> half_strip_;
 };

@@ -131,17 +131,9 @@ Result<void> V4l2Source::watch() {
   return revive({Errc::Timeout, "no frame for " + seconds_text(silent)});
 }
 
-void V4l2Source::note(const JpegOddities& odd) {
+void V4l2Source::note(const Oddities& odd) {
   if (counts_.odd++ > 0) return;
-  std::string what;
-  const auto add = [&](bool holds, const char* text) {
-    if (holds) what += (what.empty() ? "" : ", ") + std::string(text);
-  };
-  add(odd.stray_bytes, "with stray bytes");
-  add(odd.no_end, "without an end");
-  add(odd.no_tables, "without tables");
-  add(odd.trailing_bytes, "with bytes after their end");
-  say(Severity::Info, "sends JPEGs " + what + "; all their rows are there, and they are shown");
+  say(Severity::Info, "sends JPEGs " + odd.text() + "; all their rows are there, and they are shown");
 }
 
 Result<FramePtr> V4l2Source::picture_of(const RawFrame& raw) {
@@ -159,7 +151,7 @@ Result<FramePtr> V4l2Source::picture_of(const RawFrame& raw) {
     ++counts_.corrupt;
     return fail(frame.error().code, "camera " + opener_.name() + ": " + frame.error().what);
   }
-  if (mode_.format == RawFormat::Mjpeg && decoder_.oddities().any()) note(decoder_.oddities());
+  if (frame->odd.any()) note(frame->odd);
   frame->time = last_time_;
   frame->sequence = number;
   ++counts_.given;

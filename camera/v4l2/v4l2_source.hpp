@@ -46,7 +46,7 @@ class V4l2Source final : public Source {
   Result<void> revive(const Error& error);
   Result<void> watch();
   tl::unexpected<Error> lose(const std::string& reason);
-  void note(const JpegOddities& odd);
+  void note(const Oddities& odd);
   Result<FramePtr> picture_of(const RawFrame& raw);
   std::uint64_t number_of(const RawFrame& raw);
   [[nodiscard]] Error timeout(Time deadline) const;

@@ -60,12 +60,12 @@ std::string header_of(std::string_view text, int& others) {
 
 void take_ground(const std::filesystem::path& path, PlanFiles& files) {
   const auto kind = files::ground_kind(path);
-  if (kind == files::GroundKind::Map) {
-    refuse(path,
-           PlanFilesText::tr("it is a map, which cannot be edited: expected .wld, .maz or .sim"));
-  }
   if (!kind)
     refuse(path, PlanFilesText::tr("it is neither world nor maze: expected .wld, .maz or .sim"));
+  if (kind != files::GroundKind::World && kind != files::GroundKind::Maze) {
+    refuse(path, PlanFilesText::tr("it cannot be edited as it is: expected .wld, .maz or .sim; "
+                                   "eyebridge world convert FILE FILE.wld makes one of it"));
+  }
   const bool is_maze = *kind == files::GroundKind::Maze;
   const std::string text = is_maze ? files::read_maze_file(path) : files::read_text_file(path);
   const auto ground = is_maze ? files::read_maze(text, path.string(), files.warnings)

@@ -131,6 +131,16 @@ TEST_F(CameraCommand, ADamagedPictureIsNamedAndTheRestIsRecorded) {
   EXPECT_THAT(r.out, HasSubstr("1 damaged"));
 }
 
+TEST_F(CameraCommand, ShowCountsWhatIsOddInJpegs) {
+  std::filesystem::create_directories(file("odd"));
+  const std::string from = EYEBRIDGE_SHARED_DIR "/cases/pictures/noeoi.jpg";
+  for (const char* name : {"odd/1.jpg", "odd/2.jpg"}) std::filesystem::copy_file(from, file(name));
+  const ProgramRun r = camera({"show", "--camera", "frames:odd?pick=each&rotate=90"});
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, ContainsRegex("frames +2 .*, 2 odd\n"));
+  EXPECT_THAT(r.out, ContainsRegex("odd +2 JPEGs without an end: all their rows are there\n"));
+}
+
 TEST_F(CameraCommand, ACameraWithoutFramesFails) {
   make_pictures(1);
   std::filesystem::resize_file(file("pictures/0.png"), 60);

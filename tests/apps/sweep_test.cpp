@@ -170,10 +170,10 @@ TEST_F(Sweep, TheSameCommandRunsOnlyWhatIsMissing) {
 }
 
 /// A program that says on a pipe that it is at its third run, and goes on when it reads from
-/// another.
+/// another. That run starts before the second one is stored: it waits until that is said.
 constexpr const char* kWaits =
     "#!/bin/sh\necho result n $1\n[ $1 = 3 ] || exit 0\n"
-    "cd ../..\necho here > reached\nread line < go\n";
+    "cd ../..\nuntil grep -q 2/4 first.txt; do :; done\necho here > reached\nread line < go\n";
 
 constexpr const char* kSweepOfFour =
     "mkfifo reached go\n"

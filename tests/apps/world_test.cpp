@@ -55,7 +55,7 @@ TEST(WorldConvert, WritesFormatsAndListsWhatTheyCannotSay) {
   EXPECT_EQ(again.exit_code, 2);
   EXPECT_THAT(again.err, HasSubstr("is there already: expected another name, or --overwrite"));
   const ProgramRun other = run_command({"world", "convert", "m.maz", "m.pdf"}, folder.path());
-  EXPECT_THAT(other.err, HasSubstr("expected .maz, .txt, .num, .wld"));
+  EXPECT_THAT(other.err, HasSubstr("expected .maz, .txt, .num, .wld, .svg, .sdf, .world, .yaml"));
 }
 
 TEST(WorldConvert, MovesAMapToWhereAWorldBegins) {
@@ -66,6 +66,35 @@ TEST(WorldConvert, MovesAMapToWhereAWorldBegins) {
   EXPECT_THAT(r.err, HasSubstr("where its floor begins: all is moved by 1200 800 mm"));
   const ProgramRun check = run_command({"world", "check", "lab.wld"}, folder.path());
   EXPECT_THAT(check.out, HasSubstr("lab.wld: 2.4 m x 1.6 m, 12 walls, 0 objects, 0 warnings\n"));
+}
+
+TEST(WorldConvert, MapsHaveTheirPictureBesideThem) {
+  const ScratchFolder folder;
+  folder.write("room.wld", kRoom);
+  const ProgramRun r = run_command(
+      {"world", "convert", "--resolution", "20mm", "room.wld", "m.yaml"}, folder.path());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.out, "m.pgm\nm.yaml\n");
+  const ProgramRun check = run_command({"world", "check", "m.yaml"}, folder.path());
+  EXPECT_THAT(check.out, HasSubstr("m.yaml: 2.04 m x 1.04 m"));
+  const ProgramRun again = run_command({"world", "convert", "room.wld", "m.yaml"}, folder.path());
+  EXPECT_EQ(again.exit_code, 2);
+  const ProgramRun fine = run_command(
+      {"world", "convert", "--resolution", "1um", "room.wld", "n.yaml"}, folder.path());
+  EXPECT_EQ(fine.exit_code, 2);
+  EXPECT_THAT(fine.err, HasSubstr("--resolution"));
+}
+
+TEST(WorldConvert, FormatsOfOthersCarryOverWalls) {
+  const ScratchFolder folder;
+  folder.write("room.wld", kRoom);
+  for (const std::string to : {"m.svg", "m.world"}) {
+    const ProgramRun r = run_command({"world", "convert", "room.wld", to}, folder.path());
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    const ProgramRun check = run_command({"world", "check", to}, folder.path());
+    EXPECT_EQ(check.exit_code, 0) << check.err;
+    EXPECT_THAT(check.out, HasSubstr(", 4 walls, 0 objects, ")) << to;
+  }
 }
 
 struct BadFile {

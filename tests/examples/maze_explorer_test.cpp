@@ -2,10 +2,8 @@
 // the file finds?
 
 #include <algorithm>
-#include <deque>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -13,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "eyebridge/files/readers.hpp"
+#include "maze_reach.hpp"
 #include "run_program.hpp"
 
 namespace eyebridge {
@@ -20,77 +19,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
-struct Cell {
-  int x = 0;
-  int y = 0;
-};
-
-/// Which cells of a maze can be reached from its first start letter, and how far they are.
-class Reached {
- public:
-  explicit Reached(const world::WorldModel& model)
-      : maze_(*model.maze), distance_(index({0, maze_.rows}), -1) {
-    const Pose start = model.starts.at(0).pose;
-    std::deque<Cell> queue{
-        {static_cast<int>(start.x / maze_.cell), static_cast<int>(start.y / maze_.cell)}};
-    low_ = high_ = queue[0];
-    distance_[index(queue[0])] = 0;
-    for (; !queue.empty(); queue.pop_front()) visit(queue);
-  }
-
-  /// Nothing between the start and the world outside the maze.
-  [[nodiscard]] bool is_open() const { return open_; }
-
-  /// Length in cells of the shortest way to the middle of what can be reached.
-  [[nodiscard]] std::optional<int> way_to_centre() const {
-    std::optional<int> best;
-    for (int y = (low_.y + high_.y) / 2; y <= (low_.y + high_.y + 1) / 2; ++y) {
-      for (int x = (low_.x + high_.x) / 2; x <= (low_.x + high_.x + 1) / 2; ++x) {
-        const int distance = distance_[index({x, y})];
-        if (distance >= 0 && (!best || distance < *best)) best = distance;
-      }
-    }
-    return best;
-  }
-
- private:
-  [[nodiscard]] std::size_t index(Cell c) const {
-    return static_cast<std::size_t>(c.y * maze_.columns + c.x);
-  }
-
-  [[nodiscard]] bool can_pass(Cell c, int dx, int dy) const {
-    const int x = c.x + (dx > 0 ? 1 : 0);
-    const int y = c.y + (dy > 0 ? 1 : 0);
-    return dx != 0 ? maze_.west[static_cast<std::size_t>(y * (maze_.columns + 1) + x)] == 0
-                   : maze_.south[static_cast<std::size_t>(y * maze_.columns + x)] == 0;
-  }
-
-  void visit(std::deque<Cell>& queue) {
-    const Cell here = queue.front();
-    low_ = {std::min(low_.x, here.x), std::min(low_.y, here.y)};
-    high_ = {std::max(high_.x, here.x), std::max(high_.y, here.y)};
-    for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
-      if (!can_pass(here, dx, dy)) continue;
-      const Cell next{here.x + dx, here.y + dy};
-      if (next.x < 0 || next.y < 0 || next.x >= maze_.columns || next.y >= maze_.rows) {
-        open_ = true;
-      } else if (distance_[index(next)] < 0) {
-        distance_[index(next)] = distance_[index(here)] + 1;
-        queue.push_back(next);
-      }
-    }
-  }
-
-  const world::MazeGrid& maze_;
-  std::vector<int> distance_;
-  Cell low_;
-  Cell high_;
-  bool open_ = false;
-};
-
 world::WorldModel read(const std::string& file) {
   std::vector<Warning> warnings;
-  return files::read_maze(files::read_text_file(file), file, warnings);
+  return files::read_maze(files::read_maze_file(file), file, warnings);
 }
 
 testing::ProgramRun explore(const std::string& file) {
@@ -129,7 +60,7 @@ class PublishedMaze : public ::testing::TestWithParam<std::string> {};
 TEST_P(PublishedMaze, IsSolvedByTheShortestWay) {
   const std::string file = folder() + GetParam() + ".maz";
   const world::WorldModel model = read(file);
-  const Reached reached(model);
+  const MazeReach reached(model);
   ASSERT_FALSE(reached.is_open());
   ASSERT_TRUE(reached.way_to_centre()) << "the centre of this maze cannot be reached";
 
@@ -149,6 +80,43 @@ INSTANTIATE_TEST_SUITE_P(Contest, PublishedMaze, ::testing::ValuesIn(mazes()),
                            return name;
                          });
 
+/// Mazes of contests, as micromouseonline/mazefiles keeps them.
+std::vector<std::string> contest_mazes() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(
+           std::string(EYEBRIDGE_SHARED_DIR) + "/data/mazes/")) {
+    names.push_back(entry.path().stem().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+class MazeOfAContest : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(MazeOfAContest, EndsAtItsOwnCentreOrHasNone) {
+  const std::string file =
+      std::string(EYEBRIDGE_SHARED_DIR) + "/data/mazes/" + GetParam() + ".txt";
+  const world::WorldModel model = read(file);
+  const MazeReach reached(model);
+  ASSERT_FALSE(reached.is_open());
+  const testing::ProgramRun r = testing::run_program(
+      {{EYEBRIDGE_MAZE_EXPLORER, "20", std::to_string(model.maze->columns),
+        std::to_string(model.maze->rows)},
+       {{"EYEBRIDGE_FAST", "true"}, {"EYEBRIDGE_ROBOT", "Mouse"}, {"EYEBRIDGE_WORLD", file}},
+       ""});
+  const auto way = reached.way_to_own_centre();
+  EXPECT_EQ(r.exit_code, way ? 0 : 1) << r.out << r.err;
+  EXPECT_THAT(r.out, HasSubstr(way ? fmt::format("path length: {} cells", *way)
+                                   : "the centre cannot be reached"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Contest, MazeOfAContest, ::testing::ValuesIn(contest_mazes()),
+                         [](const auto& maze) {
+                           std::string name = maze.param;
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });
+
 TEST(PublishedMazes, ThatAreNoContestMazesAreThere) {
   for (const auto& [name, reason] : kNotForContests) {
     EXPECT_TRUE(std::filesystem::exists(folder() + name + ".maz")) << name << ": " << reason;
@@ -161,7 +129,7 @@ TEST(OwnMaze, IsSolvedByTheShortestWay) {
   const testing::ProgramRun r = explore(file);
   EXPECT_EQ(r.exit_code, 0) << r.out << r.err;
   EXPECT_THAT(r.out, HasSubstr(fmt::format("path length: {} cells",
-                                           Reached(model).way_to_centre().value())));
+                                           MazeReach(model).way_to_centre().value())));
 }
 
 TEST(ContestMaze, WithAStartThatIsOpenToASideIsExplored) {

@@ -11,6 +11,7 @@
 #include "dbc_entry.hpp"
 #include "entry.hpp"
 #include "firmware_entry.hpp"
+#include "foreign_entry.hpp"
 #include "gui_entry.hpp"
 #include "host_entry.hpp"
 #include "map_entry.hpp"
@@ -46,6 +47,9 @@ constexpr Target kTargets[] = {{"world", world},
                                {"errors", errors},
                                {"faults", faults},
                                {"hand", hand},
+                               {"svg", svg},
+                               {"stage", stage},
+                               {"irsim", irsim},
                                {"map_yaml", map_yaml},
                                {"map_pgm", map_pgm},
                                {"map_csv", map_csv},

@@ -65,7 +65,7 @@ inline void world(std::string_view text) {
 
 /// What a format can say of the maze survives, and always its walls.
 inline void maze_as(files::MazeFormat format, const world::WorldModel& model) {
-  files::MazeText written;
+  files::WrittenWorld written;
   try {
     written = files::write_maze_as(format, model);
   } catch (const ConfigError&) {

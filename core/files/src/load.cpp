@@ -128,7 +128,7 @@ void load(const std::filesystem::path& path, Scenario& scenario, const LoadOptio
       if (!kind) {
         throw ConfigError(where,
                           "unknown kind of file: expected .wld, .maz, .sim, .robi, .esObj or .p, "
-                          "or a maze of a contest");
+                          "a maze of a contest, a map (.yaml), .svg or .world");
       }
       load_ground(path, *kind, scenario, options);
       break;

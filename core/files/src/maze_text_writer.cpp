@@ -63,8 +63,8 @@ void lose_objects(const world::WorldModel& model, std::vector<std::string>& loss
   }
 }
 
-MazeText drawing_of(const world::WorldModel& model) {
-  MazeText out;
+WrittenWorld drawing_of(const world::WorldModel& model) {
+  WrittenWorld out;
   world::WorldModel drawn = model;
   lose_what_no_maze_has(model, out.losses);
   drawn.floor_texture.reset();
@@ -158,9 +158,9 @@ class PostsDrawing {
   std::vector<std::string> lines_;
 };
 
-MazeText posts_of(const world::WorldModel& model) {
+WrittenWorld posts_of(const world::WorldModel& model) {
   const world::MazeGrid& grid = *model.maze;
-  MazeText out;
+  WrittenWorld out;
   lose_what_no_maze_has(model, out.losses);
   lose_objects(model, out.losses);
   PostsDrawing drawing(grid);
@@ -195,9 +195,9 @@ MazeText posts_of(const world::WorldModel& model) {
   return out;
 }
 
-MazeText list_of(const world::WorldModel& model) {
+WrittenWorld list_of(const world::WorldModel& model) {
   const world::MazeGrid& grid = *model.maze;
-  MazeText out;
+  WrittenWorld out;
   lose_what_no_maze_has(model, out.losses);
   lose_objects(model, out.losses);
   const world::WorldModel plain = contest_maze(
@@ -228,7 +228,7 @@ MazeText list_of(const world::WorldModel& model) {
 
 }  // namespace
 
-MazeText write_maze_as(MazeFormat format, const world::WorldModel& model) {
+WrittenWorld write_maze_as(MazeFormat format, const world::WorldModel& model) {
   if (!model.maze) {
     throw ConfigError({kWritten, 0, 0},
                       "it is no maze: expected a world whose walls lie on a grid");

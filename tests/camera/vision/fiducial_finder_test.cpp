@@ -10,6 +10,7 @@
 #include "fake_view.hpp"
 #include "fiducials/vision.hpp"
 #include "lens_effects.hpp"
+#include "pictures/turn.hpp"
 
 namespace eyebridge::camera::testing {
 namespace {
@@ -100,6 +101,37 @@ TEST_F(Corner, FramesOfHalfTheSizeGiveTheSamePose) {
   ASSERT_TRUE(found);
   EXPECT_NEAR(found->pose.x, 0.3, 0.02);
   EXPECT_NEAR(found->pose.theta, 0.7, 0.02);
+}
+
+TEST_F(Corner, ACameraMountedAnotherWayIsToldWhichOptionItNeeds) {
+  struct Mounted {
+    int exif;  ///< How the pictures that come have to be turned to be right.
+    const char* option;
+  };
+  for (const Mounted& mounted : {Mounted{3, "?rotate=180"}, Mounted{6, "?rotate=90"},
+                                 Mounted{8, "?rotate=270"}, Mounted{2, "?flip=h"}}) {
+    RecordingLog log;
+    const Size size = upright_size(lens_.size, mounted.exif);
+    const auto finder =
+        make_fiducial_finder(fiducials_, pinhole(size, deg_to_rad(60.0)), log);
+    // Exif 6 and 8 undo each other, all others themselves.
+    const int undone = mounted.exif == 6 ? 8 : mounted.exif == 8 ? 6 : mounted.exif;
+    const Frame seen = upright(picture(eye_), undone);
+    for (int i = 0; i < 40; ++i) {
+      Frame frame = seen;
+      frame.time = now_ += kPeriod;
+      finder->take(frame);
+    }
+    EXPECT_EQ(std::ranges::count_if(log.warnings, [&](const auto& warning) {
+                return std::string(warning).find(mounted.option) != std::string::npos;
+              }),
+              1)
+        << mounted.option;
+  }
+  const auto finder = make_fiducial_finder(fiducials_, lens_, log_);
+  for (int i = 0; i < 40; ++i) take(*finder, eye_);
+  for (int i = 0; i < 40; ++i) take(*finder, eye_, none_shown());
+  EXPECT_TRUE(log_.warnings.empty());
 }
 
 TEST_F(Corner, NothingInViewIsCarriedOnFor300MillisecondsThenLost) {

@@ -254,7 +254,7 @@ TEST(MazeFormats, WhatIsWrittenIsReadAgain) {
                                    .text)
                            .model;
     for (const MazeFormat format : {MazeFormat::Posts, MazeFormat::List, MazeFormat::Drawing}) {
-      const MazeText written = write_maze_as(format, model);
+      const WrittenWorld written = write_maze_as(format, model);
       const auto again = read_it(written.text);
       if (written.losses.empty()) {
         EXPECT_EQ(again.model, model);

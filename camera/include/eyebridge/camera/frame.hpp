@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "eyebridge/base/clock.hpp"
@@ -36,6 +37,20 @@ constexpr int bytes_per_pixel(PixelFormat format) {
   return 0;
 }
 
+/// What was odd in a JPEG of which all rows were decoded. Webcams send such, and viewers show them.
+struct Oddities {
+  bool stray_bytes = false;     ///< Before its beginning, or between its parts.
+  bool no_end = false;          ///< No end marker.
+  bool no_tables = false;       ///< No Huffman tables: those of the standard were taken.
+  bool trailing_bytes = false;  ///< After its end.
+
+  [[nodiscard]] bool any() const { return stray_bytes || no_end || no_tables || trailing_bytes; }
+  /// "without an end, with bytes after their end"
+  [[nodiscard]] std::string text() const;
+
+  friend bool operator==(const Oddities&, const Oddities&) = default;
+};
+
 /// One picture. Shared and never changed once it has left its source.
 struct Frame {
   int width = 0;   ///< Pixels.
@@ -44,6 +59,7 @@ struct Frame {
   PixelFormat format = PixelFormat::Rgb24;
   Time time{0};                ///< When it was taken, on the robot's clock.
   std::uint64_t sequence = 0;  ///< 0 for a source's first frame; gaps are dropped frames.
+  Oddities odd{};              ///< Of the file or stream that it was decoded from.
   std::vector<std::uint8_t> bytes;
 
   [[nodiscard]] std::span<const std::uint8_t> row(int y) const {

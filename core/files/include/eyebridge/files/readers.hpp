@@ -155,7 +155,7 @@ std::string read_maze_file(const std::filesystem::path& path);
 std::string read_bytes(const std::filesystem::path& path, const std::string& what);
 
 /// What a file with a floor and walls is.
-enum class GroundKind { World, Maze, Map };
+enum class GroundKind { World, Maze, Map, Svg, Stage, IrSim };
 /// What the file at `path` is by its ending, or where that says nothing by its content; nothing:
 /// neither. Throws ConfigError when it cannot be read.
 std::optional<GroundKind> ground_kind(const std::filesystem::path& path);
@@ -165,14 +165,14 @@ std::string write_world(const world::WorldModel& model);
 /// Writes `model` so that read_maze() gives an equal model back. Throws ConfigError when the model
 /// is no maze or has objects a maze cannot draw.
 std::string write_maze(const world::WorldModel& model);
-/// A maze as text, and what of it the format cannot say, in words.
-struct MazeText {
+/// A world as text, and what of it the format cannot say, in words.
+struct WrittenWorld {
   std::string text;
   std::vector<std::string> losses;
 };
 /// Writes `model` in a format of text; what read_maze() then gives differs by the losses alone.
 /// Throws ConfigError when the model is no maze, and for one that the format cannot draw at all.
-MazeText write_maze_as(MazeFormat format, const world::WorldModel& model);
+WrittenWorld write_maze_as(MazeFormat format, const world::WorldModel& model);
 /// Whether two lines of robots say the same, wherever in their files.
 bool same_meaning(const SimRobot& a, const SimRobot& b);
 /// Whether two simulations say the same, wherever in their files they say it.
