@@ -37,7 +37,7 @@ struct Look {
   std::vector<Time> times;  ///< Of the frames.
   std::uint64_t dropped = 0;
   std::uint64_t damaged = 0;
-  std::uint64_t odd = 0;  ///< JPEGs of which all rows are there, …
+  std::uint64_t odd = 0;                          ///< JPEGs of which all rows are there, …
   std::map<std::string, std::uint64_t> oddities;  ///< … by what was odd.
   camera::FramePtr last;
 };

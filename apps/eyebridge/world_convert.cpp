@@ -38,7 +38,7 @@ struct Target {
 struct Converted {
   std::string text;
   std::vector<std::string> losses;
-  fs::path beside{};  ///< A second file, …
+  fs::path beside{};          ///< A second file, …
   std::string beside_text{};  ///< … and what is in it.
 };
 
@@ -166,7 +166,8 @@ void write(const fs::path& path, const std::string& text) {
   std::printf("%s\n", printable(path.string()).c_str());
 }
 
-int convert(const fs::path& from, const Target& target, const ReadingFlags& flags, bool overwrites) {
+int convert(const fs::path& from, const Target& target, const ReadingFlags& flags,
+            bool overwrites) {
   const fs::path& to = target.path;
   const Format& format = format_of(to);
   need_free(to, overwrites);

@@ -160,7 +160,7 @@ class FiducialFinder final : public PoseFinder {
   Time last_fix_{0};
   std::vector<SeenFiducial> seen_;  ///< In the last frame.
   MountingWatch mounting_;
-  int strangers_ = 0;               ///< Seen in this frame, not in the map.
+  int strangers_ = 0;  ///< Seen in this frame, not in the map.
   int misfits_ = 0;
   int jumps_ = 0;
   bool reported_ = false;

@@ -9,10 +9,10 @@
 namespace eyebridge::camera {
 namespace {
 
-constexpr int kEnough = 10;          // frames that agree
-constexpr int kMirrorEvery = 5;      // looking at a mirror image costs as much as the picture
-constexpr int kEnoughMirrored = 3;   // of them
-constexpr int kMostEmpty = 500;      // then there are just no fiducials
+constexpr int kEnough = 10;         // frames that agree
+constexpr int kMirrorEvery = 5;     // looking at a mirror image costs as much as the picture
+constexpr int kEnoughMirrored = 3;  // of them
+constexpr int kMostEmpty = 500;     // then there are just no fiducials
 constexpr int kMirroredByExif = 2;
 
 /// Quarters clockwise that a fiducial is turned by in the picture.

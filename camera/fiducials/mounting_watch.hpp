@@ -17,17 +17,17 @@ class MountingWatch {
  public:
   /// What to say after this frame, in which `seen` was found: once, after some frames that agree.
   /// Empty: nothing.
-  std::string look(const Frame& frame, const std::vector<SeenFiducial>& seen,
-                   const Vision& vision);
+  std::string look(const Frame& frame, const std::vector<SeenFiducial>& seen, const Vision& vision);
 
  private:
   std::string count_turn(const std::vector<SeenFiducial>& seen);
   std::string look_mirrored(const Frame& frame, const Vision& vision);
 
-  std::array<int, 4> turned_{};  ///< Frames in a row whose fiducials are turned by so many quarters.
-  int empty_ = 0;                ///< Frames without a fiducial, as long as there was no other one.
-  int mirrored_ = 0;             ///< Of them, those with one in their mirror image.
-  bool is_over_ = false;         ///< It was said, or the pictures are right.
+  std::array<int, 4>
+      turned_{};          ///< Frames in a row whose fiducials are turned by so many quarters.
+  int empty_ = 0;         ///< Frames without a fiducial, as long as there was no other one.
+  int mirrored_ = 0;      ///< Of them, those with one in their mirror image.
+  bool is_over_ = false;  ///< It was said, or the pictures are right.
 };
 
 }  // namespace eyebridge::camera

@@ -20,7 +20,8 @@ bool is_picture_name(const fs::path& path) {
   for (char& c : ending) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
-  constexpr std::array kEndings{".png", ".jpg", ".jpeg", ".bmp"};
+  constexpr std::array kEndings{".png", ".jpg", ".jpeg", ".bmp",  ".pbm", ".pgm",
+                                ".ppm", ".pnm", ".tif",  ".tiff", ".webp"};
   return std::ranges::find(kEndings, ending) != kEndings.end();
 }
 
@@ -80,8 +81,9 @@ std::vector<fs::path> pictures_in(const fs::path& folder) {
   }
   if (error) throw ConfigError({folder.string()}, "cannot be read: " + error.message());
   if (files.empty()) {
-    throw ConfigError({folder.string()},
-                      "found no pictures in this folder, expected .png, .jpg or .bmp");
+    throw ConfigError(
+        {folder.string()},
+        "found no pictures in this folder, expected .png, .jpg, .bmp, .ppm, .tif or .webp");
   }
   std::ranges::sort(files, natural_less,
                     [](const fs::path& path) { return path.filename().string(); });

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
+#include <pugixml.hpp>
 #include <yaml-cpp/yaml.h>
 
 #include "eyebridge/base/config_error.hpp"
@@ -19,16 +22,41 @@ constexpr double kWidest = 16384.0;  ///< Pixels.
 /// OpenCV begins its files with "%YAML:1.0", which is not YAML.
 constexpr std::string_view kOpencvMark = "%YAML:";
 
+bool is_xml(std::string_view text) { return text.starts_with("<?xml"); }
+
+/// OpenCV's XML says what its YAML says: elements are keys, lists have blanks between their words.
+YAML::Node yaml_of(const pugi::xml_node& element) {
+  YAML::Node node;
+  for (const pugi::xml_node& child : element.children()) {
+    if (child.type() != pugi::node_element) continue;
+    const std::string_view name = child.name();
+    const bool is_matrix = !child.child("data").empty();
+    if (is_matrix) {
+      node[child.name()] = yaml_of(child);
+      continue;
+    }
+    std::istringstream words(child.child_value());
+    YAML::Node list;
+    for (std::string word; words >> word;) list.push_back(word);
+    node[child.name()] = name == "data" || list.size() != 1 ? list : list[0];
+  }
+  return node;
+}
+
 class YamlReader {
  public:
   explicit YamlReader(const std::string& file) : file_(file) {}
 
   Calibration read(const std::string& text) {
     try {
-      root_ = YAML::Load(text);
+      return read(YAML::Load(text));
     } catch (const YAML::Exception& error) {
       throw ConfigError(place(error.mark), error.msg);
     }
+  }
+
+  Calibration read(const YAML::Node& root) {
+    root_ = root;
     if (!root_.IsMap()) throw ConfigError({file_, 1, 1}, "expected a calibration: 'key: value'");
     Calibration lens;
     lens.size = {side("image_width"), side("image_height")};
@@ -129,10 +157,21 @@ class YamlReader {
 }  // namespace
 
 bool is_yaml_calibration(std::string_view text) {
-  return text.starts_with(kOpencvMark) || text.find("camera_matrix:") != std::string_view::npos;
+  return text.starts_with(kOpencvMark) || is_xml(text) ||
+         text.find("camera_matrix:") != std::string_view::npos;
 }
 
 Calibration parse_yaml_calibration(std::string_view text, const std::string& file) {
+  if (is_xml(text)) {
+    pugi::xml_document document;
+    const auto result = document.load_buffer(text.data(), text.size());
+    if (!result) {
+      const auto line = 1 + std::count(text.begin(), text.begin() + result.offset, '\n');
+      throw ConfigError({file, static_cast<int>(line), 0},
+                        std::string("not well-formed XML: ") + result.description());
+    }
+    return YamlReader(file).read(yaml_of(document.child("opencv_storage")));
+  }
   std::string yaml(text);
   // Its line stays, so that the others keep their numbers.
   if (text.starts_with(kOpencvMark)) yaml.replace(0, std::min(text.find('\n'), text.size()), "#");

@@ -7,8 +7,8 @@
 
 namespace eyebridge::camera {
 
-/// Whether `text` is a calibration as ROS (`ost.yaml`, camera_info) or OpenCV (FileStorage) writes
-/// it.
+/// Whether `text` is a calibration as ROS (`ost.yaml`, camera_info) or OpenCV (FileStorage: YAML
+/// or XML) writes it.
 bool is_yaml_calibration(std::string_view text);
 
 /// Reads one. Throws ConfigError with line and column.

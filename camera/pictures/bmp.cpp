@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kFileHeader = 14;
 constexpr std::uint32_t kCoreHeader = 12;  // bytes; OS/2
+constexpr std::uint32_t kBitFields = 3;    // a compression that is none
 constexpr std::uint32_t kInfoHeader = 40;  // bytes; Windows, and the start of all later ones
 
 [[noreturn]] void bmp_failed(const std::string& reason) {
@@ -66,14 +67,22 @@ Header read_header(const Bytes& file) {
     header.width = file.i32(18);
     header.height = file.i32(22);
     header.bits = file.u16(28);
-    if (file.u32(30) != 0) bmp_failed("compressed, expected an uncompressed one");
+    const std::uint32_t compression = file.u32(30);
+    if (compression == kBitFields && header.bits == 32) {
+      // Where each colour's bits are: as everywhere, or not read.
+      if (file.u32(54) != 0xFF0000U || file.u32(58) != 0xFF00U || file.u32(62) != 0xFFU) {
+        bmp_failed("colours in other bits than red, green and blue of 8 each");
+      }
+    } else if (compression != 0) {
+      bmp_failed("compressed, expected an uncompressed one");
+    }
     header.colours = file.u32(46);
     header.colour_bytes = 4;
   } else {
     bmp_failed("a header of " + std::to_string(size) + " bytes, expected 12 or at least 40");
   }
-  if (header.bits != 8 && header.bits != 24) {
-    bmp_failed(std::to_string(header.bits) + " bits a pixel, expected 8 or 24");
+  if (header.bits != 8 && header.bits != 24 && header.bits != 32) {
+    bmp_failed(std::to_string(header.bits) + " bits a pixel, expected 8, 24 or 32");
   }
   if (header.colours == 0) header.colours = 256;
   if (header.bits == 8 && header.colours > 256) {
@@ -117,7 +126,7 @@ Frame decode_bmp(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels)
     const std::int64_t target = top_down ? y : rows - 1 - y;
     std::uint8_t* to = &frame.bytes[static_cast<std::size_t>(target * frame.stride)];
     for (std::int64_t x = 0; x < header.width; ++x, from += pixel, to += 3) {
-      if (header.bits == 24) {
+      if (header.bits > 8) {
         copy_colour(from, to);
         continue;
       }

@@ -20,11 +20,20 @@ struct Format {
   Size (*size)(std::span<const std::uint8_t> bytes);
 };
 
-constexpr std::array<Format, 3> kPictureFormats{{
+constexpr auto kPictureFormats = std::to_array<Format>({
     {"\x89PNG\r\n\x1A\n", &decode_png, &png_size},
     {"\xFF\xD8\xFF", &decode_jpeg, &jpeg_size},
     {"BM", &decode_bmp, &bmp_size},
-}};
+    {"P1", &decode_pnm, &pnm_size},
+    {"P2", &decode_pnm, &pnm_size},
+    {"P3", &decode_pnm, &pnm_size},
+    {"P4", &decode_pnm, &pnm_size},
+    {"P5", &decode_pnm, &pnm_size},
+    {"P6", &decode_pnm, &pnm_size},
+    {{"II*\0", 4}, &decode_tiff, &tiff_size},
+    {{"MM\0*", 4}, &decode_tiff, &tiff_size},
+    {"RIFF", &decode_webp, &webp_size},
+});
 
 /// The largest picture, uncompressed, with room for a header.
 constexpr std::uint64_t kMostBytes = 4 * kMostPicturePixels;
@@ -41,7 +50,7 @@ const Format& format_of(std::span<const std::uint8_t> bytes) {
   for (const Format& format : kPictureFormats) {
     if (text.starts_with(format.first_bytes)) return format;
   }
-  throw std::runtime_error("neither a PNG nor a JPEG nor a BMP");
+  throw std::runtime_error("no picture: expected PNG, JPEG, BMP, PGM, PPM, TIFF or WebP");
 }
 
 /// What `read` makes of the file's bytes; its failure names the file.

@@ -133,7 +133,8 @@ Result<void> V4l2Source::watch() {
 
 void V4l2Source::note(const Oddities& odd) {
   if (counts_.odd++ > 0) return;
-  say(Severity::Info, "sends JPEGs " + odd.text() + "; all their rows are there, and they are shown");
+  say(Severity::Info,
+      "sends JPEGs " + odd.text() + "; all their rows are there, and they are shown");
 }
 
 Result<FramePtr> V4l2Source::picture_of(const RawFrame& raw) {

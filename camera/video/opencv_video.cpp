@@ -8,6 +8,7 @@
 #include <dlfcn.h>
 #include <opencv2/core.hpp>
 #include <opencv2/core/utils/logger.hpp>
+#include <opencv2/imgproc.hpp>
 #include <opencv2/videoio.hpp>
 #include <opencv2/videoio/registry.hpp>
 
@@ -20,7 +21,7 @@ class OpencvVideo final : public VideoReader {
  public:
   explicit OpencvVideo(const char* path) : path_(path) {
     rewind();
-    size_ = {static_cast<int>(video_.get(cv::CAP_PROP_FRAME_WIDTH)),
+    size_ = {static_cast<int>(std::lround(video_.get(cv::CAP_PROP_FRAME_WIDTH) * pixel_aspect())),
              static_cast<int>(video_.get(cv::CAP_PROP_FRAME_HEIGHT))};
     const double rate = video_.get(cv::CAP_PROP_FPS);
     rate_ = std::isfinite(rate) && rate > 0.0 ? rate : 0.0;
@@ -44,6 +45,9 @@ class OpencvVideo final : public VideoReader {
       throw std::runtime_error("it cannot be decoded");
     }
     if (picture.type() != CV_8UC3) throw std::runtime_error("its pixels are not of 24 bits");
+    if (picture.cols != size_.width) {  // pixels that are not square
+      cv::resize(picture, picture, {size_.width, picture.rows}, 0, 0, cv::INTER_LINEAR);
+    }
     Frame frame;
     frame.width = picture.cols;
     frame.height = picture.rows;
@@ -73,6 +77,14 @@ class OpencvVideo final : public VideoReader {
   }
 
  private:
+  /// Width of a pixel by its height; 1 where the file does not say it, or nonsense.
+  [[nodiscard]] double pixel_aspect() const {
+    const double width = video_.get(cv::CAP_PROP_SAR_NUM);
+    const double height = video_.get(cv::CAP_PROP_SAR_DEN);
+    const double aspect = width / height;
+    return aspect >= 0.1 && aspect <= 10.0 ? aspect : 1.0;
+  }
+
   std::string path_;
   cv::VideoCapture video_;
   Size size_;

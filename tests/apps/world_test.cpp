@@ -79,8 +79,8 @@ TEST(WorldConvert, MapsHaveTheirPictureBesideThem) {
   EXPECT_THAT(check.out, HasSubstr("m.yaml: 2.04 m x 1.04 m"));
   const ProgramRun again = run_command({"world", "convert", "room.wld", "m.yaml"}, folder.path());
   EXPECT_EQ(again.exit_code, 2);
-  const ProgramRun fine = run_command(
-      {"world", "convert", "--resolution", "1um", "room.wld", "n.yaml"}, folder.path());
+  const ProgramRun fine =
+      run_command({"world", "convert", "--resolution", "1um", "room.wld", "n.yaml"}, folder.path());
   EXPECT_EQ(fine.exit_code, 2);
   EXPECT_THAT(fine.err, HasSubstr("--resolution"));
 }

@@ -165,7 +165,7 @@ TEST(Bmp, WhatItCannotBeIsAnErrorThatSaysWhy) {
   };
   EXPECT_EQ(error(header(1, 1, 24)), "");
   EXPECT_THAT(error(header(1, 1, 24, 1)), HasSubstr("compressed"));
-  EXPECT_THAT(error(header(1, 1, 16)), HasSubstr("16 bits a pixel, expected 8 or 24"));
+  EXPECT_THAT(error(header(1, 1, 16)), HasSubstr("16 bits a pixel, expected 8, 24 or 32"));
   EXPECT_THAT(error(header(0, 1, 24)), HasSubstr("a width of 0"));
   EXPECT_THAT(error(header(-1, 1, 24)), HasSubstr("a width of -1"));
   EXPECT_THAT(error(header(1, 0, 24)), HasSubstr("1 x 0 pixels"));
@@ -197,7 +197,7 @@ TEST(Picture, DamagedFilesNeverCrashTheReader) {
 }
 
 TEST(Picture, WhatIsNoPictureIsAnErrorThatNamesTheFile) {
-  EXPECT_EQ(decode_error({}), "neither a PNG nor a JPEG nor a BMP");
+  EXPECT_EQ(decode_error({}), "no picture: expected PNG, JPEG, BMP, PGM, PPM, TIFF or WebP");
   const Folder folder;
   folder.write("floor.gif", {'G', 'I', 'F'});
   for (const char* name : {"floor.gif", "missing.bmp", "."}) {

@@ -8,6 +8,7 @@
 #include "eyebridge/camera/source.hpp"
 #include "fake_clock.hpp"
 #include "picture_files.hpp"
+#include "quicktime.hpp"
 
 namespace eyebridge::camera::testing {
 namespace {
@@ -154,6 +155,68 @@ TEST_F(StrangersVideo, JpegsAloneAreTwentyFiveASecondOrAsManyAsAskedFor) {
   const auto slow = times("raw.mjpeg?pick=each&fps=10");
   ASSERT_EQ(slow.size(), 30U);
   EXPECT_NEAR(slow.back() - slow.front(), 2.9, 1e-6);
+}
+
+/// Six frames, each grey by its number, none as long as the one before.
+Film film_of_six() {
+  Film film;
+  film.width = 64;
+  film.height = 48;
+  for (int i = 0; i < 6; ++i) {
+    Frame frame = make_frame(64, 48, PixelFormat::Rgb24);
+    std::ranges::fill(frame.bytes, static_cast<std::uint8_t>(40 * i));
+    film.shots.push_back({jpeg_of(frame, TJSAMP_444, 0), static_cast<std::uint32_t>(20 + 30 * i)});
+  }
+  return film;
+}
+
+TEST_F(Video, FramesOfVaryingDurationComeAtTheirOwnTimes) {
+  file_ = folder_ / "film.mov";
+  folder_.write("film.mov", film_of_six().file());
+  open("?pick=each");
+  std::vector<double> times;
+  for (int i = 0; i < 6; ++i) {
+    ASSERT_GE(next(), 0) << error_.what;
+    EXPECT_NEAR(last_->row(24)[30], 40 * i, 3);
+    times.push_back(to_seconds(last_->time));
+  }
+  EXPECT_EQ(next(), -1);
+  double due = times[0];
+  for (int i = 0; i < 5; ++i) {
+    due += 0.02 + 0.03 * i;
+    EXPECT_NEAR(times[static_cast<std::size_t>(i) + 1], due, 0.001) << "frame " << i + 1;
+  }
+}
+
+TEST_F(Video, PixelsThatAreNotSquareAreMadeSo) {
+  Film film = film_of_six();
+  film.pixel_width = 16;
+  film.pixel_height = 11;
+  file_ = folder_ / "film.mov";
+  folder_.write("film.mov", film.file());
+  open("?pick=each");
+  EXPECT_EQ(source_->natural_size(), (Size{93, 48}));  // 64 * 16 / 11
+  ASSERT_TRUE(source_->set_size(93, 48));
+  for (int i = 0; i < 6; ++i) {
+    ASSERT_GE(next(), 0) << error_.what;
+    EXPECT_EQ(last_->width, 93);
+    EXPECT_NEAR(last_->row(24)[3 * 90], 40 * i, 3);
+  }
+}
+
+TEST_F(Video, WhatAnEditCutsOffIsNotShown) {
+  Film film = film_of_six();
+  film.begins_at = 70;  // after the first two, of 20 and 50 ms
+  file_ = folder_ / "film.mov";
+  folder_.write("film.mov", film.file());
+  open("?pick=each");
+  const double begin = to_seconds(clock_.now());
+  for (int i = 2; i < 6; ++i) {
+    ASSERT_GE(next(), 0) << error_.what;
+    EXPECT_NEAR(last_->row(24)[30], 40 * i, 3);
+    if (i == 3) EXPECT_NEAR(to_seconds(last_->time) - begin, 0.08, 0.001);
+  }
+  EXPECT_EQ(next(), -1);
 }
 
 TEST_F(Video, WhatIsNoVideoIsRefusedWithOneMessage) {

@@ -83,8 +83,8 @@ INSTANTIATE_TEST_SUITE_P(Contest, PublishedMaze, ::testing::ValuesIn(mazes()),
 /// Mazes of contests, as micromouseonline/mazefiles keeps them.
 std::vector<std::string> contest_mazes() {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(
-           std::string(EYEBRIDGE_SHARED_DIR) + "/data/mazes/")) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(EYEBRIDGE_SHARED_DIR) + "/data/mazes/")) {
     names.push_back(entry.path().stem().string());
   }
   std::ranges::sort(names);
@@ -94,8 +94,7 @@ std::vector<std::string> contest_mazes() {
 class MazeOfAContest : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(MazeOfAContest, EndsAtItsOwnCentreOrHasNone) {
-  const std::string file =
-      std::string(EYEBRIDGE_SHARED_DIR) + "/data/mazes/" + GetParam() + ".txt";
+  const std::string file = std::string(EYEBRIDGE_SHARED_DIR) + "/data/mazes/" + GetParam() + ".txt";
   const world::WorldModel model = read(file);
   const MazeReach reached(model);
   ASSERT_FALSE(reached.is_open());

@@ -39,7 +39,8 @@ void foreign(Read read) {
 }
 
 inline void svg(std::string_view text) {
-  foreign([&](std::vector<Warning>& warnings) { return files::read_svg(text, "fuzz.svg", warnings); });
+  foreign(
+      [&](std::vector<Warning>& warnings) { return files::read_svg(text, "fuzz.svg", warnings); });
 }
 
 inline void stage(std::string_view text) {

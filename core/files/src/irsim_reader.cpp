@@ -146,9 +146,8 @@ class IrsimReader {
          outlines_of(grey.columns, grey.rows, dark, kPixelTolerance, path.Scalar())) {
       std::vector<Vec2> points;
       for (const PixelCorner& corner : outline) {
-        points.push_back(model_.corner +
-                         Vec2{model_.width * corner.x / grey.columns,
-                              model_.height * (grey.rows - corner.y) / grey.rows});
+        points.push_back(model_.corner + Vec2{model_.width * corner.x / grey.columns,
+                                              model_.height * (grey.rows - corner.y) / grey.rows});
       }
       lines(node, points, true);
     }
@@ -176,10 +175,11 @@ class IrsimReader {
       } else if (key == "distribution") {
         const std::string way =
             entry.second.IsMap() ? scalar(entry.second["name"]) : scalar(entry.second);
-        if (way != "manual") leave_out(entry.first, "places that are drawn (distribution: " + printable(way) + ")");
+        if (way != "manual")
+          leave_out(entry.first, "places that are drawn (distribution: " + printable(way) + ")");
       } else if (key != "name" && key != "description") {
-        leave_out(entry.first, std::string(is_robot ? "a robot's '" : "an obstacle's '") +
-                                   printable(key) + "'");
+        leave_out(entry.first,
+                  std::string(is_robot ? "a robot's '" : "an obstacle's '") + printable(key) + "'");
       }
     }
     if (states.size() < number_of_them && !states.empty()) {

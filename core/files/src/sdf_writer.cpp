@@ -146,8 +146,8 @@ WrittenWorld write_sdf(const Scenario& scenario, const std::string& name) {
                  {200, 200, 200}));
   int number = 0;
   for (const Pose& pose : places_of_robots(scenario)) {
-    out.text += fmt::format("    <frame name=\"start_{}\">{}</frame>\n", ++number,
-                            pose_text(pose, 0));
+    out.text +=
+        fmt::format("    <frame name=\"start_{}\">{}</frame>\n", ++number, pose_text(pose, 0));
   }
   out.text += walls_text(world);
   number = 0;

@@ -36,8 +36,7 @@ class StageTokens {
     const char c = text_[at_];
     constexpr std::string_view kMarks = "()[]";
     constexpr StageToken::Kind kKinds[] = {StageToken::Kind::Open, StageToken::Kind::Close,
-                                           StageToken::Kind::OpenList,
-                                           StageToken::Kind::CloseList};
+                                           StageToken::Kind::OpenList, StageToken::Kind::CloseList};
     if (const std::size_t mark = kMarks.find(c); mark != std::string_view::npos) {
       token.kind = kKinds[mark];
       token.text = c;
@@ -49,8 +48,9 @@ class StageTokens {
     } else if (is_digit(c) || c == '+' || c == '-' || c == '.') {
       read_number(token);
     } else {
-      throw ConfigError(token.where, "found " + in_quotes(text_.substr(at_, 1)) +
-                                         ": expected a word, a number, a text in quotes, or one of ( ) [ ]");
+      throw ConfigError(token.where,
+                        "found " + in_quotes(text_.substr(at_, 1)) +
+                            ": expected a word, a number, a text in quotes, or one of ( ) [ ]");
     }
     return token;
   }

@@ -16,12 +16,11 @@
 namespace eyebridge::files {
 namespace {
 
-constexpr double kDefaultSize = 0.1;   // metres, of a model that does not say it
-constexpr int kDarkest = 127;          // greys up to this one are wall
+constexpr double kDefaultSize = 0.1;  // metres, of a model that does not say it
+constexpr int kDarkest = 127;         // greys up to this one are wall
 constexpr double kPixelTolerance = 0.75;
-constexpr int kMostPoints = 10000;     // of one block
-constexpr int kMostBlocks = 10000;     // of one model
-
+constexpr int kMostPoints = 10000;  // of one block
+constexpr int kMostBlocks = 10000;  // of one model
 
 /// Walls of a model about its middle, before they are stretched to its size.
 struct StageOutline {
@@ -44,8 +43,9 @@ class StageReader {
 
   world::WorldModel read(std::string_view text) {
     const StageEntity world = read_stage_entities(
-        text, file_,
-        [this](const std::string& name, const SourceLocation& where) { return include(name, where); });
+        text, file_, [this](const std::string& name, const SourceLocation& where) {
+          return include(name, where);
+        });
     read_units(world);
     for (const auto& [name, property] : world.properties) {
       if (name != "unit_length" && name != "unit_angle") {
@@ -56,8 +56,9 @@ class StageReader {
     if (model_.walls.empty()) warnings_.add(1, 1, "a world without walls");
     left_out_.say(warnings_);
     if (!floor_around(model_)) {
-      throw ConfigError({file_, 1, 1}, "nothing that spans a floor: expected a model with a bitmap, "
-                                       "blocks or a size");
+      throw ConfigError({file_, 1, 1},
+                        "nothing that spans a floor: expected a model with a bitmap, "
+                        "blocks or a size");
     }
     return std::move(model_);
   }
@@ -67,14 +68,14 @@ class StageReader {
     try {
       return files_.text(name, where);
     } catch (const ConfigError& error) {
-      warnings_.add(where.line, where.column,
-                    error.text() + "; what it defines is not known");
+      warnings_.add(where.line, where.column, error.text() + "; what it defines is not known");
       return std::nullopt;
     }
   }
 
   void read_units(const StageEntity& world) {
-    const auto unit = [&](const char* key, std::initializer_list<std::pair<const char*, double>> units,
+    const auto unit = [&](const char* key,
+                          std::initializer_list<std::pair<const char*, double>> units,
                           double otherwise) {
       const auto found = world.properties.find(key);
       if (found == world.properties.end()) return otherwise;
@@ -118,7 +119,7 @@ class StageReader {
       }
       const auto is_of = [&, &key = name](std::string_view kind) { return key.starts_with(kind); };
       constexpr std::array<std::string_view, 10> kRead = {
-          "pose",  "size",  "origin", "bitmap",  "name",
+          "pose",  "size",  "origin",  "bitmap",   "name",
           "color", "block", "polygon", "boundary", "obstacle_return"};
       if (std::ranges::any_of(kRead, is_of)) continue;
       left_out_.add(property.where, is_of("gui_") ? "how Stage shows a model (gui_...)"
@@ -136,8 +137,8 @@ class StageReader {
 
   void add_box(const StageEntity& e, const Pose& pose, const StageSize& size, world::Wall wall) {
     const bool is_long = size.x >= size.y;
-    const Vec2 half = Heading::from_angle(pose.theta)
-                          .rotate(is_long ? Vec2{size.x / 2, 0} : Vec2{0, size.y / 2});
+    const Vec2 half =
+        Heading::from_angle(pose.theta).rotate(is_long ? Vec2{size.x / 2, 0} : Vec2{0, size.y / 2});
     wall.thickness = is_long ? size.y : size.x;
     wall.a = pose.position() - half;
     wall.b = pose.position() + half;
@@ -173,7 +174,8 @@ class StageReader {
   }
 
   void add(const StageEntity& e, const world::Wall& wall) {
-    if (model_.walls.size() >= kMostForeignWalls) throw ConfigError(e.where, "more than 500000 walls");
+    if (model_.walls.size() >= kMostForeignWalls)
+      throw ConfigError(e.where, "more than 500000 walls");
     check_reach(e, wall.a);
     check_reach(e, wall.b);
     if (wall.a != wall.b) model_.walls.push_back(wall);
@@ -235,7 +237,8 @@ class StageReader {
          outlines_of(picture.columns, picture.rows, dark, kPixelTolerance, name)) {
       std::vector<Vec2> line;
       for (const PixelCorner& corner : corners) {
-        line.push_back({static_cast<double>(corner.x), static_cast<double>(picture.rows - corner.y)});
+        line.push_back(
+            {static_cast<double>(corner.x), static_cast<double>(picture.rows - corner.y)});
       }
       outline.lines.push_back(std::move(line));
     }

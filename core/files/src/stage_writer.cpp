@@ -45,8 +45,7 @@ std::string model_of(const world::ObjectSpec& object) {
     points += fmt::format(" point[{}] [ {} {} ]", i, decimal(p.x), decimal(p.y));
   }
   const Vec2 middle = 0.5 * (low + high);
-  const Vec2 place =
-      object.pose.position() + Heading::from_angle(object.pose.theta).rotate(middle);
+  const Vec2 place = object.pose.position() + Heading::from_angle(object.pose.theta).rotate(middle);
   return fmt::format("thing ( {} size [ {} {} {} ] {} block ( points {}{} z [ 0 1 ] ) )\n",
                      pose_text({place.x, place.y, object.pose.theta}), decimal(high.x - low.x),
                      decimal(high.y - low.y), decimal(object.height), colour_text(object.colour),
@@ -74,9 +73,9 @@ WrittenWorld write_stage(const Scenario& scenario, const std::string& name) {
       0.9 * kPixels / std::max(world.width, world.height));
   for (const world::Wall& wall : world.walls) {
     const WallBox box = box_of(wall);
-    out.text += fmt::format("wall ( {} size [ {} {} {} ] {} )\n", pose_text(box.pose),
-                            decimal(box.length), decimal(box.thickness), decimal(wall.height),
-                            colour_text(wall.colour));
+    out.text +=
+        fmt::format("wall ( {} size [ {} {} {} ] {} )\n", pose_text(box.pose), decimal(box.length),
+                    decimal(box.thickness), decimal(wall.height), colour_text(wall.colour));
   }
   for (const world::ObjectSpec& object : world.objects) out.text += model_of(object);
   int number = 0;

@@ -37,8 +37,8 @@ class SvgReader {
 
   world::WorldModel read() {
     pugi::xml_document document;
-    const pugi::xml_parse_result result = document.load_buffer(
-        text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
+    const pugi::xml_parse_result result =
+        document.load_buffer(text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
     if (!result) {
       throw ConfigError(place(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0))),
                         std::string("not well-formed XML: ") + result.description());
@@ -134,8 +134,9 @@ class SvgReader {
       scale = scale ? std::min(*scale, other) : other;
     }
     if (scale && *scale > 0) return *scale;
-    warn(root, "no size in millimetres: a unit of the drawing is taken as 1 mm; expected "
-               "width=\"...mm\", height and viewBox");
+    warn(root,
+         "no size in millimetres: a unit of the drawing is taken as 1 mm; expected "
+         "width=\"...mm\", height and viewBox");
     return 1.0;
   }
 
@@ -181,8 +182,8 @@ class SvgReader {
 
   void element(const pugi::xml_node& node, const Inherited& outer, int depth) {
     const std::string_view name = local_name(node);
-    constexpr std::array<std::string_view, 6> kSilent = {"defs", "metadata", "title", "desc",
-                                                         "namedview", "script"};
+    constexpr std::array<std::string_view, 6> kSilent = {"defs", "metadata",  "title",
+                                                         "desc", "namedview", "script"};
     if (std::ranges::find(kSilent, name) != kSilent.end()) return;
     if (name == "style") return leave_out(node, "style sheets (styles of elements are read)");
     if (is_hidden(node)) return leave_out(node, "hidden elements");
@@ -230,7 +231,8 @@ class SvgReader {
     if (const std::string fill = property(node, "fill"); !fill.empty() && fill != "inherit") {
       style.fill = read_svg_paint(fill);
     }
-    if (const std::string stroke = property(node, "stroke"); !stroke.empty() && stroke != "inherit") {
+    if (const std::string stroke = property(node, "stroke");
+        !stroke.empty() && stroke != "inherit") {
       style.stroke = read_svg_paint(stroke);
     }
     if (const std::string width = property(node, "stroke-width"); !width.empty()) {
@@ -275,13 +277,15 @@ class SvgReader {
       return std::vector<SvgLine>{svg_ellipse({units("cx"), units("cy")}, rx, ry, tolerance)};
     }
     if (name == "line") {
-      return std::vector<SvgLine>{{{{units("x1"), units("y1")}, {units("x2"), units("y2")}}, false}};
+      return std::vector<SvgLine>{
+          {{{units("x1"), units("y1")}, {units("x2"), units("y2")}}, false}};
     }
     if (name == "polyline" || name == "polygon") {
       const std::vector<double> list = numbers(node, node.attribute("points").value());
       if (list.size() % 2 != 0) refuse(node, "points: expected pairs of numbers");
       SvgLine line{{}, name == "polygon"};
-      for (std::size_t i = 0; i < list.size(); i += 2) line.points.push_back({list[i], list[i + 1]});
+      for (std::size_t i = 0; i < list.size(); i += 2)
+        line.points.push_back({list[i], list[i + 1]});
       return std::vector<SvgLine>{line};
     }
     return std::nullopt;
@@ -289,7 +293,8 @@ class SvgReader {
 
   [[nodiscard]] Vec2 in_world(const pugi::xml_node& node, Vec2 p) const {
     const double metres = mm_to_m(scale_);
-    const Vec2 world = model_.corner + Vec2{(p.x - page_low_.x) * metres, (page_low_.y - p.y) * metres};
+    const Vec2 world =
+        model_.corner + Vec2{(p.x - page_low_.x) * metres, (page_low_.y - p.y) * metres};
     check_reach(node, world);
     return world;
   }
@@ -330,8 +335,8 @@ class SvgReader {
 
   void take_start(const pugi::xml_node& node, const Inherited& style) {
     if (model_.starts.size() >= 10000) refuse(node, "more than 10000 starts");
-    const Vec2 at = in_world(
-        node, style.to_page.apply({units_of(node, "cx"), units_of(node, "cy")}));
+    const Vec2 at =
+        in_world(node, style.to_page.apply({units_of(node, "cx"), units_of(node, "cy")}));
     double heading = 0;
     if (const char* written = node.attribute("data-heading").value(); *written != '\0') {
       const auto list = numbers(node, written);
@@ -356,8 +361,8 @@ class SvgReader {
   LeftOut left_out_;
   world::WorldModel model_;
   bool has_page_ = false;
-  Vec2 page_low_;   ///< Its lower left corner, in units of the drawing.
-  Vec2 page_size_;  ///< Likewise.
+  Vec2 page_low_;     ///< Its lower left corner, in units of the drawing.
+  Vec2 page_size_;    ///< Likewise.
   double scale_ = 1;  ///< Millimetres a unit.
 };
 

@@ -26,14 +26,14 @@ std::string_view trimmed(std::string_view text) {
 }
 
 constexpr auto kNames = std::to_array<std::pair<std::string_view, Rgb>>({
-    {"aqua", {0, 255, 255}},      {"black", {0, 0, 0}},        {"blue", {0, 0, 255}},
-    {"brown", {165, 42, 42}},     {"cyan", {0, 255, 255}},     {"darkgray", {169, 169, 169}},
-    {"darkgrey", {169, 169, 169}}, {"fuchsia", {255, 0, 255}}, {"gray", {128, 128, 128}},
-    {"green", {0, 128, 0}},       {"grey", {128, 128, 128}},   {"lightgray", {211, 211, 211}},
-    {"lightgrey", {211, 211, 211}}, {"lime", {0, 255, 0}},     {"magenta", {255, 0, 255}},
-    {"maroon", {128, 0, 0}},      {"navy", {0, 0, 128}},       {"olive", {128, 128, 0}},
-    {"orange", {255, 165, 0}},    {"purple", {128, 0, 128}},   {"red", {255, 0, 0}},
-    {"silver", {192, 192, 192}},  {"teal", {0, 128, 128}},     {"white", {255, 255, 255}},
+    {"aqua", {0, 255, 255}},        {"black", {0, 0, 0}},       {"blue", {0, 0, 255}},
+    {"brown", {165, 42, 42}},       {"cyan", {0, 255, 255}},    {"darkgray", {169, 169, 169}},
+    {"darkgrey", {169, 169, 169}},  {"fuchsia", {255, 0, 255}}, {"gray", {128, 128, 128}},
+    {"green", {0, 128, 0}},         {"grey", {128, 128, 128}},  {"lightgray", {211, 211, 211}},
+    {"lightgrey", {211, 211, 211}}, {"lime", {0, 255, 0}},      {"magenta", {255, 0, 255}},
+    {"maroon", {128, 0, 0}},        {"navy", {0, 0, 128}},      {"olive", {128, 128, 0}},
+    {"orange", {255, 165, 0}},      {"purple", {128, 0, 128}},  {"red", {255, 0, 0}},
+    {"silver", {192, 192, 192}},    {"teal", {0, 128, 128}},    {"white", {255, 255, 255}},
     {"yellow", {255, 255, 0}},
 });
 
@@ -95,15 +95,16 @@ SvgTransform transform_of(std::string_view name, const std::vector<double>& v, s
     return name == "skewX" ? SvgTransform{1, 0, slope, 1, 0, 0}
                            : SvgTransform{1, slope, 0, 1, 0, 0};
   }
-  throw SvgPathError(offset, "unknown transform: expected matrix, translate, scale, rotate, skewX "
-                             "or skewY");
+  throw SvgPathError(offset,
+                     "unknown transform: expected matrix, translate, scale, rotate, skewX "
+                     "or skewY");
 }
 
 }  // namespace
 
 SvgTransform SvgTransform::after(const SvgTransform& m) const {
-  return {a * m.a + c * m.b,     b * m.a + d * m.b,     a * m.c + c * m.d,
-          b * m.c + d * m.d,     a * m.e + c * m.f + e, b * m.e + d * m.f + f};
+  return {a * m.a + c * m.b, b * m.a + d * m.b,     a * m.c + c * m.d,
+          b * m.c + d * m.d, a * m.e + c * m.f + e, b * m.e + d * m.f + f};
 }
 
 double SvgTransform::scale() const { return std::sqrt(std::fabs(a * d - b * c)); }
@@ -119,9 +120,9 @@ SvgTransform read_svg_transform(std::string_view text) {
     if (open == std::string_view::npos || close == std::string_view::npos || close < open) {
       throw SvgPathError(at, "expected a transform, as 'translate(10 20)'");
     }
-    whole = whole.after(transform_of(trimmed(text.substr(at, open - at)),
-                                     read_svg_numbers(text.substr(open + 1, close - open - 1)),
-                                     at));
+    whole =
+        whole.after(transform_of(trimmed(text.substr(at, open - at)),
+                                 read_svg_numbers(text.substr(open + 1, close - open - 1)), at));
     at = close + 1;
   }
 }
@@ -135,7 +136,8 @@ SvgPaint read_svg_paint(std::string_view written) {
   } else if (word.starts_with("rgb(") && word.ends_with(')')) {
     colour = rgb_colour(std::string_view(word).substr(4, word.size() - 5));
   } else {
-    const auto found = std::ranges::find(kNames, std::string_view(word), [](const auto& row) { return row.first; });
+    const auto found = std::ranges::find(kNames, std::string_view(word),
+                                         [](const auto& row) { return row.first; });
     if (found != kNames.end()) colour = found->second;
   }
   if (!colour) return {SvgPaint::Kind::Other, {}};

@@ -29,9 +29,8 @@ WrittenWorld write_svg(const Scenario& scenario, const std::string& name) {
   const auto has_own_height = [](const world::Wall& wall) {
     return wall.height != world::Wall::kDefaultHeight;
   };
-  add_loss(out.losses,
-           static_cast<std::size_t>(std::ranges::count_if(world.walls, has_own_height)), "height",
-           "of walls");
+  add_loss(out.losses, static_cast<std::size_t>(std::ranges::count_if(world.walls, has_own_height)),
+           "height", "of walls");
   const Vec2 far = world.far_corner();
   const auto mm = [](double metres) { return fmt::format("{:.9g}", m_to_mm(metres)); };
   const auto x = [&](double metres) { return mm(metres - world.corner.x); };
@@ -41,9 +40,9 @@ WrittenWorld write_svg(const Scenario& scenario, const std::string& name) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 "
       "{0} {1}\"{2}>\n<title>{3}</title>\n<g fill=\"none\">\n",
       mm(world.width), mm(world.height),
-      world.corner == Vec2{} ? ""
-                             : fmt::format(" data-corner=\"{} {}\"", mm(world.corner.x),
-                                           mm(world.corner.y)),
+      world.corner == Vec2{}
+          ? ""
+          : fmt::format(" data-corner=\"{} {}\"", mm(world.corner.x), mm(world.corner.y)),
       xml_text(name));
   for (const world::Wall& wall : world.walls) {
     const double width = wall.thickness > 0 ? wall.thickness : kBareThickness;
@@ -54,7 +53,8 @@ WrittenWorld write_svg(const Scenario& scenario, const std::string& name) {
   out.text += "</g>\n";
   for (const Pose& pose : places_of_robots(scenario)) {
     out.text += fmt::format(
-        "<circle class=\"start\" cx=\"{}\" cy=\"{}\" r=\"{}\" data-heading=\"{}\" fill=\"green\"/>\n",
+        "<circle class=\"start\" cx=\"{}\" cy=\"{}\" r=\"{}\" data-heading=\"{}\" "
+        "fill=\"green\"/>\n",
         x(pose.x), y(pose.y), kStartRadius, decimal(rad_to_deg(pose.theta)));
   }
   out.text += "</svg>\n";

@@ -41,7 +41,9 @@ std::vector<Pose> places_of_robots(const Scenario& scenario) {
   std::vector<Pose> places;
   for (const RobotPlacement& robot : scenario.robots) places.push_back(robot.pose);
   for (const world::StartPose& start : scenario.world.starts) {
-    const auto is_there = [&](const Pose& pose) { return pose.position() == start.pose.position(); };
+    const auto is_there = [&](const Pose& pose) {
+      return pose.position() == start.pose.position();
+    };
     if (std::ranges::none_of(places, is_there)) places.push_back(start.pose);
   }
   return places;
@@ -80,8 +82,8 @@ std::vector<std::string> losses_of_map(const Scenario& scenario) {
   const auto is_special = [](const world::Wall& wall) {
     return wall.height != world::Wall::kDefaultHeight || wall.colour != world::Wall::kDefaultColour;
   };
-  add_loss(losses, static_cast<std::size_t>(std::ranges::count_if(world.walls, is_special)),
-           "wall", "with a height or colour of its own");
+  add_loss(losses, static_cast<std::size_t>(std::ranges::count_if(world.walls, is_special)), "wall",
+           "with a height or colour of its own");
   return losses;
 }
 

@@ -35,4 +35,18 @@ inline std::vector<std::uint8_t> jpeg_of(const std::vector<std::uint8_t>& rgb, i
   return out;
 }
 
+/// `jpeg` without its Huffman tables (markers FF C4), which many cameras leave out.
+inline std::vector<std::uint8_t> without_tables(std::vector<std::uint8_t> jpeg) {
+  for (std::size_t at = 2; at + 4 < jpeg.size() && jpeg[at + 1] != 0xDA;) {
+    const std::size_t length = 2U + (unsigned{jpeg[at + 2]} << 8U | jpeg[at + 3]);
+    if (jpeg[at + 1] == 0xC4) {
+      jpeg.erase(jpeg.begin() + static_cast<std::ptrdiff_t>(at),
+                 jpeg.begin() + static_cast<std::ptrdiff_t>(at + length));
+    } else {
+      at += length;
+    }
+  }
+  return jpeg;
+}
+
 }  // namespace eyebridge::camera::testing

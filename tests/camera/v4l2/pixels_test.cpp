@@ -212,17 +212,7 @@ TEST(FramePool, FramesMayOutliveIt) {
 
 TEST(Mjpeg, AFrameWithoutHuffmanTablesIsRead) {
   const Bytes picture = smooth_picture(64, 48);
-  Bytes jpeg = jpeg_of(picture, 64, 48);
-  // Cameras leave the standard tables (markers FF C4) out.
-  for (std::size_t at = 2; at + 4 < jpeg.size() && jpeg[at + 1] != 0xDA;) {
-    const std::size_t length = 2U + (unsigned{jpeg[at + 2]} << 8U | jpeg[at + 3]);
-    if (jpeg[at + 1] == 0xC4) {
-      jpeg.erase(jpeg.begin() + static_cast<std::ptrdiff_t>(at),
-                 jpeg.begin() + static_cast<std::ptrdiff_t>(at + length));
-    } else {
-      at += length;
-    }
-  }
+  const Bytes jpeg = without_tables(jpeg_of(picture, 64, 48));
   EXPECT_GE(psnr(decoded(RawFormat::Mjpeg, {64, 48}, jpeg, {64, 48}).bytes, picture), 40.0);
 }
 

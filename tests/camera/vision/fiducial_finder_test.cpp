@@ -112,8 +112,7 @@ TEST_F(Corner, ACameraMountedAnotherWayIsToldWhichOptionItNeeds) {
                                  Mounted{8, "?rotate=270"}, Mounted{2, "?flip=h"}}) {
     RecordingLog log;
     const Size size = upright_size(lens_.size, mounted.exif);
-    const auto finder =
-        make_fiducial_finder(fiducials_, pinhole(size, deg_to_rad(60.0)), log);
+    const auto finder = make_fiducial_finder(fiducials_, pinhole(size, deg_to_rad(60.0)), log);
     // Exif 6 and 8 undo each other, all others themselves.
     const int undone = mounted.exif == 6 ? 8 : mounted.exif == 8 ? 6 : mounted.exif;
     const Frame seen = upright(picture(eye_), undone);
@@ -122,9 +121,11 @@ TEST_F(Corner, ACameraMountedAnotherWayIsToldWhichOptionItNeeds) {
       frame.time = now_ += kPeriod;
       finder->take(frame);
     }
-    EXPECT_EQ(std::ranges::count_if(log.warnings, [&](const auto& warning) {
-                return std::string(warning).find(mounted.option) != std::string::npos;
-              }),
+    EXPECT_EQ(std::ranges::count_if(log.warnings,
+                                    [&](const auto& warning) {
+                                      return std::string(warning).find(mounted.option) !=
+                                             std::string::npos;
+                                    }),
               1)
         << mounted.option;
   }

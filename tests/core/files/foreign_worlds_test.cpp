@@ -1,8 +1,9 @@
 // Files of others as they lie in their folders, by load_scenario(); and what we write, read again.
+#include "eyebridge/files/foreign_worlds.hpp"
+
 #include <gmock/gmock.h>
 
 #include "eyebridge/base/units.hpp"
-#include "eyebridge/files/foreign_worlds.hpp"
 #include "eyebridge/mapping/ground_truth.hpp"
 #include "reading.hpp"
 
@@ -39,8 +40,8 @@ TEST(PublicFiles, AWorldOfStageWithItsPicture) {
   EXPECT_GT(read.world.walls.size(), 20U);
   EXPECT_THAT(in_words(read.warnings), Contains(HasSubstr("lse_arena.pgm': read")));
   // A pixel of the picture is 50 mm; its column c and row r lie at (-3 + r * 0.05, c * 0.05).
-  const GreyPicture picture = read_map_picture(
-      read_bytes(kPublicMaps + "lse_arena.pgm", "a picture"), "lse_arena.pgm");
+  const GreyPicture picture =
+      read_map_picture(read_bytes(kPublicMaps + "lse_arena.pgm", "a picture"), "lse_arena.pgm");
   const auto truth = mapping::truth_of(read.world, {.resolution = 0.05});
   int walls = 0;
   int wrong = 0;

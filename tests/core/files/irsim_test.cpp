@@ -36,9 +36,11 @@ TEST(Irsim, ShapesAreWallsAndCans) {
       "  state: [1, 2, 1.57]\n  goal: [9, 9, 0]\n"
       "obstacle:\n"
       "  - shape: {name: 'circle', radius: 0.5}\n    state: [5, 5, 0]\n"
-      "  - shape: {name: 'rectangle', length: 2, width: 0.5}\n    state: [3, 3, 1.5707963267948966]\n"
+      "  - shape: {name: 'rectangle', length: 2, width: 0.5}\n    state: [3, 3, "
+      "1.5707963267948966]\n"
       "  - shape: {name: 'polygon', vertices: [[0, 0], [1, 0], [1, 1]]}\n    state: [4, 1]\n"
-      "  - shape: {name: 'linestring', vertices: [[0, 0], [2, 0], [2, 2]]}\n    state: [0, 0, 0]\n");
+      "  - shape: {name: 'linestring', vertices: [[0, 0], [2, 0], [2, 2]]}\n    state: [0, 0, "
+      "0]\n");
   const world::WorldModel& model = read.model;
   EXPECT_EQ(model.corner, (Vec2{-1, -2}));
   EXPECT_EQ(model.width, 10);
@@ -54,11 +56,12 @@ TEST(Irsim, ShapesAreWallsAndCans) {
   EXPECT_EQ(model.walls[5].b, (Vec2{2, 2})) << "a line is not";
   ASSERT_EQ(model.starts.size(), 1U);
   EXPECT_EQ(model.starts[0].pose.theta, 1.57);
-  EXPECT_THAT(read.warnings,
-              ElementsAre(HasSubstr("w.yaml:7:3: warning: not carried over: a robot: where it"),
-                          HasSubstr("w.yaml:10:3: warning: not carried over: a robot's 'goal'"),
-                          HasSubstr("w.yaml:7:3: warning: not carried over: a robot's 'kinematics'"),
-                          HasSubstr("w.yaml:5:3: warning: not carried over: settings of IR-SIM's")));
+  EXPECT_THAT(
+      read.warnings,
+      ElementsAre(HasSubstr("w.yaml:7:3: warning: not carried over: a robot: where it"),
+                  HasSubstr("w.yaml:10:3: warning: not carried over: a robot's 'goal'"),
+                  HasSubstr("w.yaml:7:3: warning: not carried over: a robot's 'kinematics'"),
+                  HasSubstr("w.yaml:5:3: warning: not carried over: settings of IR-SIM's")));
 }
 
 TEST(Irsim, SeveralOfAKind) {
@@ -71,15 +74,15 @@ TEST(Irsim, SeveralOfAKind) {
   ASSERT_EQ(read.model.objects.size(), 2U);
   EXPECT_EQ(read.model.objects[1].radius, 0.5);
   EXPECT_EQ(read.model.objects[1].pose.position(), (Vec2{3, 4}));
-  EXPECT_THAT(read.warnings,
-              ElementsAre(HasSubstr("a robot: where it stands"),
-                          HasSubstr("an obstacle's 'behavior'"),
-                          HasSubstr("places that are drawn (distribution: circle)")));
+  EXPECT_THAT(
+      read.warnings,
+      ElementsAre(HasSubstr("a robot: where it stands"), HasSubstr("an obstacle's 'behavior'"),
+                  HasSubstr("places that are drawn (distribution: circle)")));
 }
 
 TEST(Irsim, APictureIsAsLargeAsTheFloor) {
-  const auto read = read_it(
-      "world:\n  height: 2\n  width: 4\n  obstacle_map: 'cave.png'\n  mdownsample: 2\n");
+  const auto read =
+      read_it("world:\n  height: 2\n  width: 4\n  obstacle_map: 'cave.png'\n  mdownsample: 2\n");
   ASSERT_EQ(read.model.walls.size(), 4U);
   double left = 10;
   double low = 10;
@@ -99,9 +102,7 @@ TEST(Irsim, IsToldFromMaps) {
 }
 
 TEST(Irsim, ErrorsHaveAPlace) {
-  const auto error = [](const std::string& text) {
-    return error_of([&] { read_it(text); });
-  };
+  const auto error = [](const std::string& text) { return error_of([&] { read_it(text); }); };
   EXPECT_EQ(error("world:\n  height: high\n"),
             "w.yaml:2:11: 'high' found: expected height, a number");
   EXPECT_EQ(error("world: {height: 3}"), "w.yaml:1:8: width and height: expected both");

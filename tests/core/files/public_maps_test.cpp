@@ -48,8 +48,7 @@ class PublicMap : public testing::TestWithParam<const char*> {};
 TEST_P(PublicMap, TheBeliefOfAWallFollowerAgreesWithIt) {
   LoadOptions options;
   options.robot.clear();
-  const Scenario scenario =
-      load_scenario(std::string(EYEBRIDGE_SHARED_DIR) + GetParam(), options);
+  const Scenario scenario = load_scenario(std::string(EYEBRIDGE_SHARED_DIR) + GetParam(), options);
   const auto world = std::make_shared<const world::WorldModel>(scenario.world);
   const auto truth = mapping::truth_of(*world);
   mapping::OccupancyGrid belief(truth.geometry());

@@ -53,8 +53,8 @@ TEST(Sdf, GazebosLibraryReadsAWorldWithEverything) {
   wedge.path = world::Path{};
   model.objects = {ball, can, box, wedge};
   const WrittenWorld written = write_sdf(scenario, "my \"world\" & more");
-  EXPECT_THAT(written.losses, ElementsAre("1 bare wall (1 mm thick now)",
-                                          "how the ball moves by itself"));
+  EXPECT_THAT(written.losses,
+              ElementsAre("1 bare wall (1 mm thick now)", "how the ball moves by itself"));
 
   sdf::Root root;
   const sdf::Errors errors = load(root, written.text);

@@ -46,7 +46,8 @@ const std::string kMapInc =
 TEST(Stage, ABitmapFillsTheSizeOfItsModel) {
   const auto read = read_it(
       "include \"map.inc\"\nresolution 0.02\nwindow ( size [ 600 600 ] )\n"
-      "floorplan ( name \"cave\" pose [1 2 0 0] size [12.000 6.000 0.600] bitmap \"b/cave.png\" )\n",
+      "floorplan ( name \"cave\" pose [1 2 0 0] size [12.000 6.000 0.600] bitmap \"b/cave.png\" "
+      ")\n",
       {{"map.inc", kMapInc}});
   // The dark pixels alone fill it: not the white ones around them.
   EXPECT_NEAR(read.model.corner.x, -5, 1e-9);
@@ -55,11 +56,11 @@ TEST(Stage, ABitmapFillsTheSizeOfItsModel) {
   EXPECT_NEAR(read.model.height, 6, 1e-9);
   ASSERT_EQ(read.model.walls.size(), 8U) << "two bars";
   EXPECT_EQ(read.model.walls[0].height, 0.6);
-  EXPECT_THAT(read.warnings,
-              ElementsAre(HasSubstr("how Stage shows a model"), HasSubstr("s.world:2:1: warning: not "
-                          "carried over: settings of Stage (2 times)"),
-                          HasSubstr("the colour 'gray30'"),
-                          HasSubstr("the property 'gripper_return' of a model")));
+  EXPECT_THAT(read.warnings, ElementsAre(HasSubstr("how Stage shows a model"),
+                                         HasSubstr("s.world:2:1: warning: not "
+                                                   "carried over: settings of Stage (2 times)"),
+                                         HasSubstr("the colour 'gray30'"),
+                                         HasSubstr("the property 'gripper_return' of a model")));
 }
 
 TEST(Stage, ABoundaryIsTheRimOfThePicture) {
@@ -89,7 +90,8 @@ TEST(Stage, BoxesAreWallsAndRobotsAreStarts) {
   EXPECT_NEAR(read.model.walls[1].b.y, 2, 1e-9) << "along its longer side";
   ASSERT_EQ(read.model.starts.size(), 1U);
   EXPECT_NEAR(read.model.starts[0].pose.theta, kPi / 4, 1e-12);
-  EXPECT_THAT(read.warnings, ElementsAre(HasSubstr("s.world:5:1: warning: not carried over: a robot")));
+  EXPECT_THAT(read.warnings,
+              ElementsAre(HasSubstr("s.world:5:1: warning: not carried over: a robot")));
 }
 
 TEST(Stage, ModelsInModelsAndBlocks) {
@@ -117,22 +119,22 @@ TEST(Stage, WhatIsNotKnownIsSaid) {
       "model ( size [1 1 1] obstacle_return 0 )\n");
   EXPECT_THAT(
       read.warnings,
-      ElementsAre(HasSubstr("s.world:1:9: warning: no such file: 'pioneer.inc'; what it defines is "
-                            "not known"),
-                  HasSubstr("s.world:2:1: warning: not carried over: 'pioneer2dx', which is defined"),
-                  HasSubstr("s.world:3:49: warning: not carried over: 'sicklaser', which is a device"),
-                  HasSubstr("s.world:4:22: warning: not carried over: a model that is no obstacle"),
-                  HasSubstr("s.world:3:22: warning: not carried over: the property 'joules'")));
+      ElementsAre(
+          HasSubstr("s.world:1:9: warning: no such file: 'pioneer.inc'; what it defines is "
+                    "not known"),
+          HasSubstr("s.world:2:1: warning: not carried over: 'pioneer2dx', which is defined"),
+          HasSubstr("s.world:3:49: warning: not carried over: 'sicklaser', which is a device"),
+          HasSubstr("s.world:4:22: warning: not carried over: a model that is no obstacle"),
+          HasSubstr("s.world:3:22: warning: not carried over: the property 'joules'")));
   EXPECT_EQ(read.model.walls.size(), 1U);
 }
 
 TEST(Stage, ErrorsHaveAPlace) {
-  const auto error = [](const std::string& text) {
-    return error_of([&] { read_it(text); });
-  };
+  const auto error = [](const std::string& text) { return error_of([&] { read_it(text); }); };
   EXPECT_EQ(error("model (\n size [1 1"), "s.world:2:11: a list without its ']'");
   EXPECT_EQ(error("model ( size [1 1]\n"), "s.world:1:1: 'model (' without its ')'");
-  EXPECT_THAT(error("model ( size [1 x] )"), HasSubstr("s.world:1:17: found 'x': expected a number"));
+  EXPECT_THAT(error("model ( size [1 x] )"),
+              HasSubstr("s.world:1:17: found 'x': expected a number"));
   EXPECT_THAT(error("model ( name \"a\n )"), HasSubstr("s.world:1:14: a text without its closing"));
   EXPECT_THAT(error("model { }"), HasSubstr("s.world:1:7: found '{'"));
   EXPECT_THAT(error("model ( size 1.2.3 )"), HasSubstr("found '1.2.3': expected a number"));

@@ -44,8 +44,7 @@ GreyPicture painted(const std::string& svg) {
 /// How many dark pixels have no wall within a pixel, or walls no dark pixel.
 int missed(const std::string& svg) {
   const GreyPicture picture = painted(svg);
-  const auto truth =
-      mapping::truth_of(read_drawing(svg).model, {.resolution = 0.01, .margin = 0});
+  const auto truth = mapping::truth_of(read_drawing(svg).model, {.resolution = 0.01, .margin = 0});
   const auto is_dark = [&](int x, int y) {
     return x >= 0 && y >= 0 && x < 200 && y < 100 &&
            picture.greys[static_cast<std::size_t>(y * 200 + x)] < 200;
@@ -104,11 +103,11 @@ TEST(Svg, OtherScalesAndPages) {
   // Inches, a page that begins elsewhere, a page of another shape than its box.
   const std::string line = "<path d=\"M10 20H60V40\" fill=\"none\" stroke=\"#000\"/>";
   const std::string head = "<svg xmlns=\"http://www.w3.org/2000/svg\" ";
-  EXPECT_EQ(missed(head + "width=\"20in\" height=\"10in\" viewBox=\"-10 0 100 50\">" + line +
-                   "</svg>"),
-            0);
-  const auto inches = read_drawing(head + "width=\"20in\" height=\"10in\" viewBox=\"-10 0 100 50\">" +
-                                   line + "</svg>");
+  EXPECT_EQ(
+      missed(head + "width=\"20in\" height=\"10in\" viewBox=\"-10 0 100 50\">" + line + "</svg>"),
+      0);
+  const auto inches = read_drawing(
+      head + "width=\"20in\" height=\"10in\" viewBox=\"-10 0 100 50\">" + line + "</svg>");
   EXPECT_NEAR(inches.model.width, 0.508, 1e-9);
   ASSERT_EQ(inches.model.walls.size(), 2U);
   EXPECT_NEAR(inches.model.walls[0].a.x, 20 * 0.00508, 1e-9);
@@ -136,11 +135,11 @@ TEST(Svg, FilledShapesAreRimsAndWhiteIsPaper) {
 }
 
 TEST(Svg, WhatIsNotCarriedOverIsSaid) {
-  const auto read = read_drawing(
-      page("<style>.a{fill:red}</style>\n<text x=\"1\">Hall</text><text>Room</text>\n"
-           "<rect display=\"none\" width=\"10\" height=\"10\"/><use href=\"#x\"/>\n"
-           "<path d=\"M0 0H5\" fill=\"none\"/>\n<defs><path d=\"M0 0H9\"/></defs>\n"
-           "<path d=\"M0 0H5V5\" fill=\"url(#g)\"/>"));
+  const auto read =
+      read_drawing(page("<style>.a{fill:red}</style>\n<text x=\"1\">Hall</text><text>Room</text>\n"
+                        "<rect display=\"none\" width=\"10\" height=\"10\"/><use href=\"#x\"/>\n"
+                        "<path d=\"M0 0H5\" fill=\"none\"/>\n<defs><path d=\"M0 0H9\"/></defs>\n"
+                        "<path d=\"M0 0H5V5\" fill=\"url(#g)\"/>"));
   EXPECT_EQ(read.model.walls.size(), 3U);
   EXPECT_THAT(
       read.warnings,
@@ -150,13 +149,12 @@ TEST(Svg, WhatIsNotCarriedOverIsSaid) {
                   HasSubstr("d.svg:3:2: not carried over: hidden elements"),
                   HasSubstr("d.svg:4:2: not carried over: shapes that nothing fills or strokes"),
                   HasSubstr("d.svg:1:102: not carried over: style sheets")));
-  EXPECT_THAT(read_drawing(page("")).warnings, ElementsAre("d.svg:1:1: warning: a drawing without walls"));
+  EXPECT_THAT(read_drawing(page("")).warnings,
+              ElementsAre("d.svg:1:1: warning: a drawing without walls"));
 }
 
 TEST(Svg, ErrorsHaveAPlace) {
-  const auto error = [](const std::string& svg) {
-    return error_of([&] { read_drawing(svg); });
-  };
+  const auto error = [](const std::string& svg) { return error_of([&] { read_drawing(svg); }); };
   EXPECT_EQ(error(page("\n<path d=\"M0 0L5\"/>")),
             "d.svg:2:2: <path>: d: character 7: ends where a number is expected");
   EXPECT_EQ(error(page("<path d=\"L5 5\"/>")),

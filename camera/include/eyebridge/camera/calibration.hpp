@@ -30,8 +30,9 @@ Calibration pinhole(Size size, double horizontal_field_of_view);
 /// another aspect as fit() does it. Throws std::invalid_argument for an empty size.
 Calibration scaled(const Calibration& calibration, Size size);
 
-/// Reads to_toml()'s text, or a calibration as ROS (`ost.yaml`) or OpenCV writes it in YAML, named
-/// `file` in messages. Throws ConfigError with line and column.
+/// Reads to_toml()'s text, or a calibration as ROS (`ost.yaml`) or OpenCV writes it in YAML or
+/// XML, named `file` in messages. Throws ConfigError with line and column (of XML: where it is not
+/// well-formed).
 Calibration parse_calibration(std::string_view text, const std::string& file);
 
 /// `calibration` as TOML; parse_calibration() gives the same back.

@@ -12,8 +12,9 @@ namespace eyebridge::camera {
 /// gigabyte.
 inline constexpr std::uint64_t kMostPicturePixels = 100'000'000;
 
-/// Reads a PNG, a JPEG or an uncompressed BMP of 8 or 24 bits as Rgb24; what it is shows by its
-/// first bytes, its name does not matter. Throws std::runtime_error naming the file and the reason:
+/// Reads a PNG, a JPEG, an uncompressed BMP of 8, 24 or 32 bits, a PBM, PGM or PPM, a TIFF or a
+/// WebP as Rgb24 (the last two by OpenCV); what it is shows by its first bytes, its name does not
+/// matter. Throws std::runtime_error naming the file and the reason:
 /// for what cannot be opened, is none of these, is cut, damaged or too large. Any thread.
 Frame read_picture(const std::filesystem::path& path);
 
