@@ -15,7 +15,7 @@ namespace {
 using ::testing::HasSubstr;
 
 Frame plain(int width, int height, std::uint8_t red) {
-  Frame frame{width, height, 3 * width, PixelFormat::Rgb24, Time{0}, 0, {}};
+  Frame frame{width, height, 3 * width, PixelFormat::Rgb24, Time{0}, 0, {}, {}};
   for (int i = 0; i < width * height; ++i) frame.bytes.insert(frame.bytes.end(), {red, 0, 0});
   return frame;
 }
@@ -45,7 +45,7 @@ TEST_P(MadeVideo, CanBeReadAsACamera) {
 TEST_P(MadeVideo, TakesPicturesOfItsSizeOnly) {
   const auto video = make_video(file_, {64, 48}, 25.0);
   EXPECT_THROW(video->add(plain(48, 64, 0)), std::runtime_error);
-  Frame grey{64, 48, 64, PixelFormat::Grey8, Time{0}, 0, {}};
+  Frame grey{64, 48, 64, PixelFormat::Grey8, Time{0}, 0, {}, {}};
   grey.bytes.resize(64UL * 48);
   EXPECT_THROW(video->add(grey), std::runtime_error);
 }

@@ -96,7 +96,7 @@ TEST(PictureDecoders, GiveWhatOpenCvGives) {
 }
 
 TEST(PictureDecoders, GiveWhatTheLibrariesOfTheirFormatsGive) {
-  testing::ScratchFolder folder;
+  const eyebridge::testing::ScratchFolder folder;
   const std::string at = folder.path() + "/";
   const auto check = [&](const std::string& ending, const cv::Mat& picture,
                          const std::string& decode, const std::vector<int>& options = {}) {
@@ -118,7 +118,7 @@ TEST(PictureDecoders, GiveWhatTheLibrariesOfTheirFormatsGive) {
 }
 
 TEST(PictureDecoders, SizesAreKnownBeforeDecoding) {
-  testing::ScratchFolder folder;
+  const eyebridge::testing::ScratchFolder folder;
   for (const char* ending : {".png", ".bmp", ".jpg", ".ppm", ".tiff", ".webp"}) {
     const auto bytes = encoded(ending, smooth(CV_8UC3));
     const std::string file = folder.path() + "/p";

@@ -214,7 +214,9 @@ TEST_F(Video, WhatAnEditCutsOffIsNotShown) {
   for (int i = 2; i < 6; ++i) {
     ASSERT_GE(next(), 0) << error_.what;
     EXPECT_NEAR(last_->row(24)[30], 40 * i, 3);
-    if (i == 3) EXPECT_NEAR(to_seconds(last_->time) - begin, 0.08, 0.001);
+    if (i == 3) {
+      EXPECT_NEAR(to_seconds(last_->time) - begin, 0.08, 0.001);
+    }
   }
   EXPECT_EQ(next(), -1);
 }

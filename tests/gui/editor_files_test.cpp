@@ -231,7 +231,7 @@ TEST_F(EditorFiles, ABadFileIsToldWithItsLineAndIsNotTouched) {
 TEST_F(EditorFiles, AMapIsNoPlan) {
   folder_.write("map.yaml", "image: map.pgm\n");
   open(file("map.yaml"));
-  EXPECT_THAT(notice("open"), HasSubstr("it is a map, which cannot be edited: expected .wld"));
+  EXPECT_THAT(notice("open"), HasSubstr("it cannot be edited as it is: expected .wld"));
   EXPECT_EQ(window_->path(), "");
 }
 

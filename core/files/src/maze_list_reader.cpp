@@ -88,8 +88,9 @@ class ListReader {
       for (int row = 0; row < grid_.rows; ++row) {
         if (line_of({column, row}) != 0) continue;
         throw ConfigError({file_, cells_.back().line + 1, 1},
-                          "file ends without cell " + in_words({column, row}) + ": expected all " +
-                              std::to_string(grid_.columns) + " x " + std::to_string(grid_.rows));
+                          "file ends without cell " + in_words(world::MazeCell{column, row}) +
+                              ": expected all " + std::to_string(grid_.columns) + " x " +
+                              std::to_string(grid_.rows));
       }
     }
   }

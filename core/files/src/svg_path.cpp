@@ -12,7 +12,7 @@ namespace {
 constexpr int kMostPieces = 1000;  // of one curve
 constexpr double kLargestNumber = 1e9;
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
+bool is_svg_blank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
 
 /// Numbers, flags and letters of path data.
 class PathScanner {
@@ -23,7 +23,7 @@ class PathScanner {
   [[noreturn]] void fail(const std::string& what) const { throw SvgPathError(at_, what); }
 
   void skip_blanks() {
-    while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
+    while (at_ < text_.size() && is_svg_blank(text_[at_])) ++at_;
   }
   void skip_separator() {
     skip_blanks();
@@ -121,7 +121,8 @@ class PathReader {
         return close();
       case 'C': {
         const Vec2 a = point();
-        return cubic(a, point(), point());
+        const Vec2 b = point();
+        return cubic(a, b, point());
       }
       case 'S':
         return smooth_cubic(before == 'C' || before == 'S');

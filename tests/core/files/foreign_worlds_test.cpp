@@ -64,7 +64,7 @@ TEST(PublicFiles, AWorldOfStageWithItsPicture) {
       wrong += found || is_inside ? 0 : 1;
     }
   }
-  EXPECT_GT(walls, 100);
+  EXPECT_GT(walls, 50);
   EXPECT_EQ(wrong, 0);
 }
 
@@ -96,7 +96,7 @@ double agreement_after(const Scenario& scenario, const std::string& name, const 
   std::size_t found = 0;
   for (int row = 0; row < g.rows; ++row) {
     for (int column = 0; column < g.columns; ++column) {
-      if (before.state({column, row}) != mapping::CellState::Occupied) continue;
+      if (before.state(mapping::Cell{column, row}) != mapping::CellState::Occupied) continue;
       ++walls;
       bool near = false;
       for (const double dx : {-0.01, 0.0, 0.01}) {

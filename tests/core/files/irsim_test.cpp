@@ -16,11 +16,11 @@ struct ReadIrsim {
   std::vector<std::string> warnings;
 };
 
-ReadIrsim read_it(const std::string& text) {
+ReadIrsim read_yaml_world(const std::string& text) {
   NamedFiles files;
   files.picture = [](const std::string&, const SourceLocation&) {
-    GreyPicture picture{4, 2, std::vector<std::uint8_t>(8, 255)};
-    picture.greys[0] = 0;  // the upper left one
+    GreyPicture picture{8, 4, std::vector<std::uint8_t>(32, 255)};
+    for (const std::size_t i : {0U, 1U, 8U, 9U}) picture.greys[i] = 0;  // the upper left corner
     return picture;
   };
   std::vector<Warning> warnings;
@@ -30,7 +30,7 @@ ReadIrsim read_it(const std::string& text) {
 }
 
 TEST(Irsim, ShapesAreWallsAndCans) {
-  const auto read = read_it(
+  const auto read = read_yaml_world(
       "world:\n  height: 8\n  width: 10\n  offset: [-1, -2]\n  step_time: 0.1\n"
       "robot:\n  kinematics: {name: 'diff'}\n  shape: {name: 'circle', radius: 0.2}\n"
       "  state: [1, 2, 1.57]\n  goal: [9, 9, 0]\n"
@@ -58,14 +58,14 @@ TEST(Irsim, ShapesAreWallsAndCans) {
   EXPECT_EQ(model.starts[0].pose.theta, 1.57);
   EXPECT_THAT(
       read.warnings,
-      ElementsAre(HasSubstr("w.yaml:7:3: warning: not carried over: a robot: where it"),
-                  HasSubstr("w.yaml:10:3: warning: not carried over: a robot's 'goal'"),
+      ElementsAre(HasSubstr("w.yaml:10:3: warning: not carried over: a robot's 'goal'"),
                   HasSubstr("w.yaml:7:3: warning: not carried over: a robot's 'kinematics'"),
+                  HasSubstr("w.yaml:7:3: warning: not carried over: a robot: where it"),
                   HasSubstr("w.yaml:5:3: warning: not carried over: settings of IR-SIM's")));
 }
 
 TEST(Irsim, SeveralOfAKind) {
-  const auto read = read_it(
+  const auto read = read_yaml_world(
       "world: {height: 10, width: 10}\n"
       "robot:\n  - number: 3\n    distribution: {name: 'circle', radius: 4}\n"
       "obstacle:\n  - number: 2\n    distribution: {name: manual}\n"
@@ -81,8 +81,8 @@ TEST(Irsim, SeveralOfAKind) {
 }
 
 TEST(Irsim, APictureIsAsLargeAsTheFloor) {
-  const auto read =
-      read_it("world:\n  height: 2\n  width: 4\n  obstacle_map: 'cave.png'\n  mdownsample: 2\n");
+  const auto read = read_yaml_world(
+      "world:\n  height: 2\n  width: 4\n  obstacle_map: 'cave.png'\n  mdownsample: 2\n");
   ASSERT_EQ(read.model.walls.size(), 4U);
   double left = 10;
   double low = 10;
@@ -102,7 +102,9 @@ TEST(Irsim, IsToldFromMaps) {
 }
 
 TEST(Irsim, ErrorsHaveAPlace) {
-  const auto error = [](const std::string& text) { return error_of([&] { read_it(text); }); };
+  const auto error = [](const std::string& text) {
+    return error_of([&] { read_yaml_world(text); });
+  };
   EXPECT_EQ(error("world:\n  height: high\n"),
             "w.yaml:2:11: 'high' found: expected height, a number");
   EXPECT_EQ(error("world: {height: 3}"), "w.yaml:1:8: width and height: expected both");
@@ -112,7 +114,7 @@ TEST(Irsim, ErrorsHaveAPlace) {
   EXPECT_THAT(error("obstacle: {shape: {name: polygon}}"), HasSubstr("polygon without vertices"));
   EXPECT_THAT(error("obstacle: {shape: {name: circle, radius: -1}}"), HasSubstr("more than 0"));
   EXPECT_THAT(error("robot: {state: 5}"), HasSubstr("state: expected [x, y, heading]"));
-  EXPECT_THAT(error("robot: {number: 1e6}"), HasSubstr("number: expected 0 to 10000"));
+  EXPECT_THAT(error("robot: {number: -1}"), HasSubstr("number: expected 0 to 10000"));
   EXPECT_THAT(error("robot: {state: [1, 2, 0]}"), HasSubstr("no floor"));
   EXPECT_THAT(error("robot: [1"), HasSubstr("w.yaml:"));
   EXPECT_THAT(error("- 1"), HasSubstr("expected 'world:'"));

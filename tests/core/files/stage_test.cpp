@@ -20,7 +20,8 @@ struct ReadStage {
 };
 
 /// With files in memory; the picture is 8 x 4 with a dark rim one pixel within its white one.
-ReadStage read_it(const std::string& text, std::map<std::string, std::string> includes = {}) {
+ReadStage read_worldfile(const std::string& text,
+                         std::map<std::string, std::string> includes = {}) {
   NamedFiles files;
   files.text = [=](const std::string& name, const SourceLocation& where) {
     const auto found = includes.find(name);
@@ -44,7 +45,7 @@ const std::string kMapInc =
     "  gripper_return 0 # not to be moved\n)\n";
 
 TEST(Stage, ABitmapFillsTheSizeOfItsModel) {
-  const auto read = read_it(
+  const auto read = read_worldfile(
       "include \"map.inc\"\nresolution 0.02\nwindow ( size [ 600 600 ] )\n"
       "floorplan ( name \"cave\" pose [1 2 0 0] size [12.000 6.000 0.600] bitmap \"b/cave.png\" "
       ")\n",
@@ -64,7 +65,7 @@ TEST(Stage, ABitmapFillsTheSizeOfItsModel) {
 }
 
 TEST(Stage, ABoundaryIsTheRimOfThePicture) {
-  const auto read = read_it("model ( size [8 5 1] boundary 1 bitmap \"p.png\" )");
+  const auto read = read_worldfile("model ( size [8 5 1] boundary 1 bitmap \"p.png\" )");
   EXPECT_EQ(read.model.walls.size(), 12U);
   EXPECT_NEAR(read.model.width, 8, 1e-9);
   // A pixel is a metre now: the upper bar's lower edge lies three metres above the lower rim.
@@ -74,7 +75,7 @@ TEST(Stage, ABoundaryIsTheRimOfThePicture) {
 }
 
 TEST(Stage, BoxesAreWallsAndRobotsAreStarts) {
-  const auto read = read_it(
+  const auto read = read_worldfile(
       "define wall model ( size [ 4 0.2 0.5 ] color_rgba [ 1 0 0 1 ] )\n"
       "define rob position ( size [0.4 0.4 0.2] ranger ( sensor( range [0 5] ) ) )\n"
       "wall ( pose [ 2 1 0 90 ] )\n"
@@ -95,7 +96,7 @@ TEST(Stage, BoxesAreWallsAndRobotsAreStarts) {
 }
 
 TEST(Stage, ModelsInModelsAndBlocks) {
-  const auto read = read_it(
+  const auto read = read_worldfile(
       "unit_length \"cm\"\n"
       "model ( pose [ 100 0 0 90 ] size [ 20 20 20 ]\n"
       "  block ( points 3 point[0] [0 0] point[1] [2 0] point[2] [0 2] z [0 1] )\n"
@@ -113,7 +114,7 @@ TEST(Stage, ModelsInModelsAndBlocks) {
 }
 
 TEST(Stage, WhatIsNotKnownIsSaid) {
-  const auto read = read_it(
+  const auto read = read_worldfile(
       "include \"pioneer.inc\"\npioneer2dx ( pose [0 0 0 0] )\n"
       "model ( size [1 1 1] joules 3 obstacle_return 1 sicklaser ( samples 32 ) )\n"
       "model ( size [1 1 1] obstacle_return 0 )\n");
@@ -130,7 +131,9 @@ TEST(Stage, WhatIsNotKnownIsSaid) {
 }
 
 TEST(Stage, ErrorsHaveAPlace) {
-  const auto error = [](const std::string& text) { return error_of([&] { read_it(text); }); };
+  const auto error = [](const std::string& text) {
+    return error_of([&] { read_worldfile(text); });
+  };
   EXPECT_EQ(error("model (\n size [1 1"), "s.world:2:11: a list without its ']'");
   EXPECT_EQ(error("model ( size [1 1]\n"), "s.world:1:1: 'model (' without its ')'");
   EXPECT_THAT(error("model ( size [1 x] )"),
@@ -148,7 +151,7 @@ TEST(Stage, ErrorsHaveAPlace) {
   EXPECT_THAT(error("unit_length \"inch\""), HasSubstr("unit_length is 'inch'"));
   EXPECT_THAT(error("resolution 1"), HasSubstr("nothing that spans a floor"));
   EXPECT_THAT(error_of([] {
-                read_it("include \"a.inc\"", {{"a.inc", "include \"a.inc\"\n"}});
+                read_worldfile("include \"a.inc\"", {{"a.inc", "include \"a.inc\"\n"}});
               }),
               HasSubstr("more than 20 deep"));
   std::string doubling = "define a0 model ( )\n";
@@ -173,7 +176,7 @@ TEST(Stage, OurOwnIsReadAgain) {
   scenario.world.starts = {{0, {0.5, 1.5, 1}}};
   const WrittenWorld written = write_stage(scenario, "room");
   EXPECT_THAT(written.losses, ElementsAre("2 objects that can be pushed (they stand still now)"));
-  const auto read = read_it(written.text);
+  const auto read = read_worldfile(written.text);
   ASSERT_EQ(read.model.walls.size(), 4U + 4U + 16U);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(norm(read.model.walls[i].a - scenario.world.walls[i].a), 0, 1e-9);
