@@ -2,7 +2,7 @@
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "pictures/opencv_decoder.hpp"
+#include "frames/opencv_decoder.hpp"
 
 extern "C" __attribute__((visibility("default"))) bool eyebridge_decode_picture(
     const std::uint8_t* data, std::size_t size, int width, int height, std::uint8_t* rgb) {

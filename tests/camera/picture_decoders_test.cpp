@@ -1,5 +1,6 @@
 // Every format of pictures, decoded by us and by somebody else: OpenCV where ours is another
 // decoder, libtiff's and libwebp's own programs where ours is OpenCV.
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>

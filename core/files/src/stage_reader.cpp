@@ -291,8 +291,10 @@ class StageReader {
     if (v.size() != 2 && v.size() != 3) {
       throw ConfigError(found->second.where, "size: expected 2 or 3 numbers");
     }
-    if (!(v[0] > 0) || !(v[1] > 0)) {
-      throw ConfigError(found->second.where, "size: expected numbers above 0");
+    for (const double side : {v[0] * length_, v[1] * length_}) {
+      if (!(side > 0) || side > mm_to_m(kMaxMillimetres)) {
+        throw ConfigError(found->second.where, "size: expected more than 0, at most 10 km");
+      }
     }
     return {v[0] * length_, v[1] * length_,
             v.size() == 3 ? v[2] * length_ : world::Wall::kDefaultHeight};

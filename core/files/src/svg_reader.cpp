@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kTolerance = 0.5;  // millimetres that straight pieces may miss a curve by
 constexpr int kMostNested = 200;
+constexpr double kThickest = 100;  // metres, of a wall
 constexpr double kMostMillimetres = kMaxMillimetres;
 
 /// What an element hands on to those in it.
@@ -321,6 +322,7 @@ class SvgReader {
     if (paint.kind == SvgPaint::Kind::Colour && paint.colour != Rgb{}) wall.colour = paint.colour;
     if (!is_filled) {
       wall.thickness = mm_to_m(style.stroke_width * style.to_page.scale() * scale_);
+      if (!(wall.thickness <= kThickest)) refuse(node, "a stroke wider than 100 m");
     }
     const std::size_t count = line.points.size();
     const std::size_t sides = line.closed || is_filled ? count : count - 1;

@@ -167,6 +167,8 @@ TEST(Svg, ErrorsHaveAPlace) {
   EXPECT_THAT(error(page("<g transform=\"rotate(3 4)\"/>")), HasSubstr("rotate expects 1 or 3"));
   EXPECT_THAT(error(page("<polygon points=\"1 2 3\"/>")), HasSubstr("pairs of numbers"));
   EXPECT_THAT(error(page("<line x1=\"1e8mm\" x2=\"5\" stroke=\"red\"/>")), HasSubstr("10 km"));
+  EXPECT_THAT(error(page("<line x2=\"5\" stroke=\"red\" stroke-width=\"1e9\"/>")),
+              HasSubstr("a stroke wider than 100 m"));
   EXPECT_THAT(error("<svg viewBox=\"0 0 10\"/>"), HasSubstr("viewBox: expected 4 numbers"));
   EXPECT_THAT(error("<html/>"), HasSubstr("d.svg:1:2: no <svg>"));
   EXPECT_THAT(error("<svg>\n<g></svg>"), HasSubstr("not well-formed XML"));

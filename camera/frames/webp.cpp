@@ -2,8 +2,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "frames/opencv_decoder.hpp"
 #include "pictures/decoders.hpp"
-#include "pictures/opencv_decoder.hpp"
 
 // Sizes: RFC 9649, WebP container and bitstreams.
 namespace eyebridge::camera {

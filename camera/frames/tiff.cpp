@@ -1,8 +1,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "frames/opencv_decoder.hpp"
 #include "pictures/decoders.hpp"
-#include "pictures/opencv_decoder.hpp"
 #include "pictures/turn.hpp"
 
 // Sizes: Adobe, TIFF revision 6.0, sections 2 and 8.

@@ -1,4 +1,4 @@
-#include "pictures/opencv_decoder.hpp"
+#include "frames/opencv_decoder.hpp"
 
 #include <stdexcept>
 
