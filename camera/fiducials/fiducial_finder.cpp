@@ -33,7 +33,11 @@ class FiducialFinder final : public PoseFinder {
  public:
   FiducialFinder(const std::vector<Fiducial>& map, const Calibration& lens, LogSink& log,
                  std::string world)
-      : calibration_(lens), log_(log), world_(std::move(world)), vision_(vision()) {
+      : calibration_(lens),
+        log_(log),
+        world_(std::move(world)),
+        vision_(vision()),
+        family_(map.front().family) {
     for (const Fiducial& fiducial : map) places_.emplace(fiducial.id, corners_of(fiducial));
   }
 
@@ -42,7 +46,7 @@ class FiducialFinder final : public PoseFinder {
       lens_ = scaled(calibration_, {frame.width, frame.height});
     }
     const std::vector<Sighting> sightings = sightings_in(frame);
-    if (const std::string what = mounting_.look(frame, seen_, vision_); !what.empty()) {
+    if (const std::string what = mounting_.look(frame, seen_, vision_, family_); !what.empty()) {
       log_.write(Severity::Warning, what);
     }
     if (filter_ && frame.time - last_fix_ > kLostAfter) filter_.reset();
@@ -62,7 +66,7 @@ class FiducialFinder final : public PoseFinder {
   std::vector<Sighting> sightings_in(const Frame& frame) {
     std::vector<Sighting> sightings;
     strangers_ = 0;
-    seen_ = vision_.find_fiducials(frame);
+    seen_ = vision_.find_fiducials(frame, family_);
     for (const SeenFiducial& seen : seen_) {
       const auto place = places_.find(seen.id);
       if (place == places_.end()) {
@@ -153,6 +157,7 @@ class FiducialFinder final : public PoseFinder {
   LogSink& log_;
   const std::string world_;
   const Vision& vision_;
+  const FiducialFamily family_;
   std::unordered_map<int, std::array<Vec3, 4>> places_;
   Calibration lens_;                  ///< calibration_ for the size of the frames.
   std::optional<PoseFilter> filter_;  ///< None: lost.

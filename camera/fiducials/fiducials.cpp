@@ -1,8 +1,10 @@
 #include "eyebridge/camera/fiducials.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "eyebridge/base/config_error.hpp"
 
@@ -83,6 +85,13 @@ std::vector<Stretch> free_stretches(const Face& face, const std::vector<world::W
   return free;
 }
 
+constexpr auto kFamilyNames = std::to_array<std::pair<std::string_view, FiducialFamily>>({
+    {"aruco", FiducialFamily::Aruco5x5},
+    {"tag36h11", FiducialFamily::Tag36h11},
+    {"tag25h9", FiducialFamily::Tag25h9},
+    {"tag16h5", FiducialFamily::Tag16h5},
+});
+
 class Placer {
  public:
   Placer(const world::WorldModel& model, const FiducialLayout& layout)
@@ -104,9 +113,9 @@ class Placer {
   void mark(const world::Wall& wall, const Face& face, const Stretch& stretch) {
     const double length = stretch.end - stretch.begin;
     const double z = layout_.height > 0.0 ? layout_.height : 0.5 * wall.height;
-    const double outer =
-        std::min({with_margin(layout_.size), length, 2.0 * std::min(z, wall.height - z)});
-    const double size = outer * layout_.size / with_margin(layout_.size);
+    const double outer = std::min(
+        {with_margin(layout_.size, layout_.family), length, 2.0 * std::min(z, wall.height - z)});
+    const double size = outer * layout_.size / with_margin(layout_.size, layout_.family);
     if (!(size >= kSmallestFiducial)) return;
     // Half a thousandth more than fits still fits: lengths are sums of rounded numbers.
     const double most = std::floor(length / outer + 0.0005);
@@ -115,13 +124,14 @@ class Placer {
       const Vec2 centre = face.from + (stretch.begin + (i + 0.5) * length / count) * face.along;
       if (!is_inside(centre + kClose * face.normal) || is_taken(centre, face.normal, outer))
         continue;
-      if (fiducials_.size() >= static_cast<std::size_t>(kFiducials)) {
-        throw ConfigError({}, "the world needs more than " + std::to_string(kFiducials) +
+      if (fiducials_.size() >= static_cast<std::size_t>(count_of(layout_.family))) {
+        throw ConfigError({}, "the world needs more than " +
+                                  std::to_string(count_of(layout_.family)) +
                                   " fiducials, expected at most as many as there are different "
                                   "ones: a wider spacing needs fewer");
       }
       fiducials_.push_back({static_cast<int>(fiducials_.size()), centre, z,
-                            arc_tan2(face.normal.y, face.normal.x), size});
+                            arc_tan2(face.normal.y, face.normal.x), size, layout_.family});
     }
   }
 
@@ -134,7 +144,7 @@ class Placer {
   /// Walls that were drawn twice, or over each other, have one face.
   [[nodiscard]] bool is_taken(Vec2 centre, Vec2 normal, double outer) const {
     return std::any_of(fiducials_.begin(), fiducials_.end(), [&](const Fiducial& other) {
-      const double distance = 0.5 * (outer + with_margin(other.size));
+      const double distance = 0.5 * (outer + with_margin(other));
       return norm(other.centre - centre) < 0.999 * distance &&
              dot(Heading::from_angle(other.facing).forward(), normal) > 0.99;
     });
@@ -146,6 +156,13 @@ class Placer {
 };
 
 }  // namespace
+
+std::optional<FiducialFamily> family_named(std::string_view name) {
+  for (const auto& [known, family] : kFamilyNames) {
+    if (known == name) return family;
+  }
+  return std::nullopt;
+}
 
 std::vector<Fiducial> place_fiducials(const world::WorldModel& model,
                                       const FiducialLayout& layout) {

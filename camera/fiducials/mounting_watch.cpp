@@ -25,9 +25,9 @@ std::size_t quarters_of(const SeenFiducial& seen) {
 }  // namespace
 
 std::string MountingWatch::look(const Frame& frame, const std::vector<SeenFiducial>& seen,
-                                const Vision& vision) {
+                                const Vision& vision, FiducialFamily family) {
   if (is_over_) return {};
-  std::string what = seen.empty() ? look_mirrored(frame, vision) : count_turn(seen);
+  std::string what = seen.empty() ? look_mirrored(frame, vision, family) : count_turn(seen);
   is_over_ = is_over_ || !what.empty();
   return what;
 }
@@ -57,9 +57,10 @@ std::string MountingWatch::count_turn(const std::vector<SeenFiducial>& seen) {
   }
 }
 
-std::string MountingWatch::look_mirrored(const Frame& frame, const Vision& vision) {
+std::string MountingWatch::look_mirrored(const Frame& frame, const Vision& vision,
+                                         FiducialFamily family) {
   if (empty_ >= kMostEmpty || ++empty_ % kMirrorEvery != 0) return {};
-  if (vision.find_fiducials(upright(frame, kMirroredByExif)).empty()) return {};
+  if (vision.find_fiducials(upright(frame, kMirroredByExif), family).empty()) return {};
   if (++mirrored_ < kEnoughMirrored) return {};
   return "fiducials are seen in the mirror image alone: such a camera has ?flip=h";
 }

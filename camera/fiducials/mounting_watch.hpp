@@ -15,13 +15,14 @@ class Vision;
 /// pictures are mirrored.
 class MountingWatch {
  public:
-  /// What to say after this frame, in which `seen` was found: once, after some frames that agree.
-  /// Empty: nothing.
-  std::string look(const Frame& frame, const std::vector<SeenFiducial>& seen, const Vision& vision);
+  /// What to say after this frame, in which `seen`, of `family`, was found: once, after some frames
+  /// that agree. Empty: nothing.
+  std::string look(const Frame& frame, const std::vector<SeenFiducial>& seen, const Vision& vision,
+                   FiducialFamily family);
 
  private:
   std::string count_turn(const std::vector<SeenFiducial>& seen);
-  std::string look_mirrored(const Frame& frame, const Vision& vision);
+  std::string look_mirrored(const Frame& frame, const Vision& vision, FiducialFamily family);
 
   std::array<int, 4>
       turned_{};          ///< Frames in a row whose fiducials are turned by so many quarters.

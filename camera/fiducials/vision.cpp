@@ -10,6 +10,8 @@ const Vision& vision() {
   return *kVision;
 }
 
-FiducialBits fiducial_bits(int id) { return vision().fiducial_bits(id); }
+FiducialBits fiducial_bits(FiducialFamily family, int id) {
+  return vision().fiducial_bits(family, id);
+}
 
 }  // namespace eyebridge::camera

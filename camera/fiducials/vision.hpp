@@ -28,10 +28,11 @@ class Vision {
   virtual ~Vision() = default;
 
   /// As fiducial_bits().
-  [[nodiscard]] virtual FiducialBits fiducial_bits(int id) const = 0;
+  [[nodiscard]] virtual FiducialBits fiducial_bits(FiducialFamily family, int id) const = 0;
 
-  /// All fiducials in a frame of any format, corners to a fraction of a pixel.
-  [[nodiscard]] virtual std::vector<SeenFiducial> find_fiducials(const Frame& frame) const = 0;
+  /// All fiducials of `family` in a frame of any format, corners to a fraction of a pixel.
+  [[nodiscard]] virtual std::vector<SeenFiducial> find_fiducials(const Frame& frame,
+                                                                 FiducialFamily family) const = 0;
 
   /// The one or two poses from which a square of edge `size` has its corners at `corners`, points
   /// on the plane 1 m in front of the camera (x right, y down); the better first (Collins and

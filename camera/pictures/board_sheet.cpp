@@ -63,7 +63,8 @@ void draw(Paper& paper, const Board& board) {
         paper.fill(at, {square, square}, kBoardInk);
       } else if (charuco) {
         const double margin = 0.5 * (1.0 - kCharucoFiducial) * square;
-        paper.fiducial(at + Vec2{margin, margin}, kCharucoFiducial * square, id++);
+        paper.fiducial(at + Vec2{margin, margin}, kCharucoFiducial * square,
+                       FiducialFamily::Aruco5x5, id++);
       }
     }
   }

@@ -42,14 +42,18 @@ struct Grid {
 
 Grid grid_for(std::span<const Fiducial> fiducials) {
   double largest = 0.01;
-  for (const Fiducial& fiducial : fiducials) largest = std::max(largest, fiducial.size);
+  double outer = 0.0;
+  for (const Fiducial& fiducial : fiducials) {
+    largest = std::max(largest, fiducial.size);
+    outer = std::max(outer, with_margin(fiducial));
+  }
   if (largest > kLargestPrinted) {
     throw ConfigError({}, fmt::format("fiducials of {:.0f} mm do not fit on A4 paper, expected at "
                                       "most {:.0f} mm",
                                       m_to_mm(largest), m_to_mm(kLargestPrinted)));
   }
   Grid grid;
-  grid.pitch = m_to_mm(with_margin(largest)) + kGap;
+  grid.pitch = m_to_mm(outer) + kGap;
   grid.columns = std::max(1, static_cast<int>((kUsable + kGap) / grid.pitch));
   grid.rows = std::max(1, static_cast<int>((kBottom - kTop) / (grid.pitch + kLabel)));
   return grid;
@@ -116,7 +120,7 @@ void draw_map(Paper& paper, const FiducialSheet& sheet, int pages) {
   // Numbers as large as the narrowest of them leave room for.
   double narrowest = 1e9;
   for (const Fiducial& fiducial : sheet.fiducials) {
-    narrowest = std::min(narrowest, scale * 2.0 * with_margin(fiducial.size));
+    narrowest = std::min(narrowest, scale * 2.0 * with_margin(fiducial));
   }
   const double font = std::clamp(0.18 * narrowest, 1.2, 4.0);
   for (const Fiducial& fiducial : sheet.fiducials) {
@@ -139,10 +143,10 @@ void draw_map(Paper& paper, const FiducialSheet& sheet, int pages) {
 void draw_fiducial(Paper& paper, const FiducialSheet& sheet, const Fiducial& fiducial,
                    Vec2 corner) {
   const double size = m_to_mm(fiducial.size);
-  const double outer = m_to_mm(with_margin(fiducial.size));
+  const double outer = m_to_mm(with_margin(fiducial));
   const double margin = 0.5 * (outer - size);
   paper.outline(corner, {outer, outer}, 0.2, kCut, true);
-  paper.fiducial(corner + Vec2{margin, margin}, size, fiducial.id);
+  paper.fiducial(corner + Vec2{margin, margin}, size, fiducial.family, fiducial.id);
   const double y = corner.y + outer;
   // What is left of the label once it is cut out: in the corner, where it disturbs no edge.
   paper.text({corner.x + 0.12 * margin, y - 0.12 * margin}, std::to_string(fiducial.id),

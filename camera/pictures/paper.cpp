@@ -154,14 +154,15 @@ void Paper::centred_text(Vec2 at, const std::string& text, double size, Rgb colo
   cairo_show_text(pen, text.c_str());
 }
 
-void Paper::fiducial(Vec2 corner, double size, int id) {
-  const FiducialBits bits = fiducial_bits(id);
+void Paper::fiducial(Vec2 corner, double size, FiducialFamily family, int id) {
+  const FiducialBits bits = fiducial_bits(family, id);
+  const int cells = cells_of(family);
   cairo_t* pen = sheet_->with(kPrintBlack);
-  const double cell = size / kFiducialCells;
+  const double cell = size / cells;
   // All black cells as one path: no seams between neighbours.
-  for (int row = 0; row < kFiducialCells; ++row) {
-    for (int column = 0; column < kFiducialCells; ++column) {
-      if (bits[static_cast<std::size_t>(row * kFiducialCells + column)] != 0) continue;
+  for (int row = 0; row < cells; ++row) {
+    for (int column = 0; column < cells; ++column) {
+      if (bits[static_cast<std::size_t>(row * cells + column)] != 0) continue;
       cairo_rectangle(pen, corner.x + column * cell, corner.y + row * cell, cell, cell);
     }
   }

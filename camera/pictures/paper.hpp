@@ -45,7 +45,7 @@ class Paper {
   void centred_text(Vec2 at, const std::string& text, double size, Rgb colour, bool bold = false);
   /// The black square of `id`, its top left corner at `corner`, no margin. Throws what
   /// fiducial_bits() throws.
-  void fiducial(Vec2 corner, double size, int id);
+  void fiducial(Vec2 corner, double size, FiducialFamily family, int id);
   /// A bar of 100 mm in the page's lower margin, by which one sees that it was printed true to
   /// size.
   void ruler();

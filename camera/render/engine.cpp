@@ -48,7 +48,8 @@ struct RenderEngine::Impl {
   std::shared_ptr<const world::WorldModel> model;  // drawn last
   std::string texture_directory;
   bool floor_has_picture = false;
-  std::shared_ptr<const world::WorldModel> marked;  // whose fiducials those are
+  std::shared_ptr<const world::WorldModel> marked;        // whose fiducials those are, …
+  FiducialFamily marked_with = FiducialFamily::Aruco5x5;  // … and of which family
   double extent = 0.0;  // of the walls and the floor from the origin, metres
   std::vector<std::uint8_t> rgba;
 
@@ -80,11 +81,13 @@ struct RenderEngine::Impl {
     floor->take(mip_levels(picture_texture(*picture)), floor_mesh(*model, Pattern::Plain));
   }
 
-  void draw_fiducials(const Lens& lens, const std::array<float, 16>& matrix, float light) {
+  void draw_fiducials(FiducialFamily family, const Lens& lens, const std::array<float, 16>& matrix,
+                      float light) {
     if (!fiducials) fiducials.emplace(gl);
-    if (marked != model) {
-      fiducials->take(*model);
+    if (marked != model || marked_with != family) {
+      fiducials->take(*model, family);
       marked = model;
+      marked_with = family;
     }
     fiducials->draw(lens, world.walls(), matrix, light);
   }
@@ -126,7 +129,7 @@ Frame RenderEngine::render(const Shot& shot, LogSink& log) {
   gl.clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   my.world.draw(lens, matrix, light);
   my.bodies.draw(shot.scene.bodies, shot.carrier, lens, my.world.walls(), matrix, light);
-  if (shot.fiducials) my.draw_fiducials(lens, matrix, light);
+  if (shot.fiducials) my.draw_fiducials(*shot.fiducials, lens, matrix, light);
   // After all that hides most of it.
   if (my.floor_has_picture) my.floor->draw(triangles_of(0, 1), matrix, light, /*on_top=*/false);
   my.world.draw_markers();

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "eyebridge/camera/fiducials.hpp"
 #include "eyebridge/camera/frame.hpp"
 #include "eyebridge/camera/view.hpp"
 
@@ -18,12 +20,12 @@ namespace eyebridge::camera {
 struct Shot {
   world::Scene scene;
   Eye eye;
-  std::uint32_t carrier = 0;      ///< Body that is not drawn.
-  std::string texture_directory;  ///< Relative texture names are searched here.
-  bool fiducials = false;         ///< Draw those of the default layout on the walls.
-  double light = 1.0;             ///< How bright it is; 1 is usual.
-  int width = 0;                  ///< Pixels.
-  int height = 0;                 ///< Pixels.
+  std::uint32_t carrier = 0;                  ///< Body that is not drawn.
+  std::string texture_directory;              ///< Relative texture names are searched here.
+  std::optional<FiducialFamily> fiducials{};  ///< Draw those of the default layout on the walls.
+  double light = 1.0;                         ///< How bright it is; 1 is usual.
+  int width = 0;                              ///< Pixels.
+  int height = 0;                             ///< Pixels.
 };
 
 /// Draws pictures of worlds with OpenGL: a context, its programs, and the world drawn last.

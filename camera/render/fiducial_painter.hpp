@@ -18,9 +18,9 @@ class FiducialPainter {
   /// `gl` is lent for its life; its context must be current here and in every call.
   explicit FiducialPainter(const GlFunctions& gl);
 
-  /// Replaces the fiducials by those of `model` in the default layout. Loads the vision library.
-  /// Throws ConfigError as place_fiducials() and fiducial_bits() do.
-  void take(const world::WorldModel& model);
+  /// Replaces the fiducials by those of `model`, of `family` in the default layout. Loads the
+  /// vision library. Throws ConfigError as place_fiducials() and fiducial_bits() do.
+  void take(const world::WorldModel& model, FiducialFamily family);
 
   /// Draws those that `lens` may see and `walls` do not hide from it, after the walls. `light`
   /// scales all colours.

@@ -19,15 +19,9 @@ namespace {
 
 struct Settings {
   std::string maker;
-  bool fiducials = false;
+  std::optional<FiducialFamily> fiducials{};
   double light = 1.0;
 };
-
-bool read_switch(std::string_view key, const std::string& text) {
-  if (text == "on" || text == "off") return text == "on";
-  throw ConfigError({"--camera"}, "render: found " + std::string(key) + "=" + in_quotes(text) +
-                                      ", expected on or off");
-}
 
 double read_light(const std::string& text) {
   double light = 0.0;
@@ -36,6 +30,15 @@ double read_light(const std::string& text) {
   if (all && light >= 0.01 && light <= 4.0) return light;
   throw ConfigError({"--camera"}, "render: found light=" + in_quotes(text) +
                                       ", expected a number 0.01 ... 4; 1 is usual");
+}
+
+/// "on" is the usual family, "off" none.
+std::optional<FiducialFamily> read_fiducials(const std::string& value) {
+  if (value == "off") return std::nullopt;
+  if (value == "on") return FiducialFamily::Aruco5x5;
+  if (const auto family = family_named(value)) return family;
+  throw ConfigError({"--camera"}, "render: found fiducials=" + in_quotes(value) +
+                                      ", expected on, off, aruco, tag36h11, tag25h9 or tag16h5");
 }
 
 /// Of what follows "render:".
@@ -48,7 +51,7 @@ Settings read_settings(std::string_view rest) {
     if (key == "light") {
       settings.light = read_light(value);
     } else if (key == "fiducials") {
-      settings.fiducials = read_switch(key, value);
+      settings.fiducials = read_fiducials(value);
     } else {
       throw ConfigError({"--camera"}, "render: found the option " + in_quotes(key) +
                                           ", expected one of: fiducials, light");
@@ -66,7 +69,7 @@ class RenderSource final : public Source {
         log_(context.log) {
     // Now, so that a missing library is found while opening.
     RenderEngine::of_this_thread(settings_.maker, log_or_stderr(log_));
-    if (settings_.fiducials) fiducial_bits(0);
+    if (settings_.fiducials) fiducial_bits(*settings_.fiducials, 0);
   }
 
   Result<void> set_size(int width, int height) override {
@@ -124,7 +127,7 @@ void check_render_source(std::string_view rest, const SourceContext& context) {
   const Settings settings = read_settings(rest);
   if (!settings.fiducials) return;
   try {
-    place_fiducials(*context.view->scene().model);
+    place_fiducials(*context.view->scene().model, {.family = *settings.fiducials});
   } catch (const ConfigError& error) {
     throw ConfigError({"--camera"}, "render: " + error.text());
   }

@@ -1,5 +1,6 @@
 #include "vision/aruco.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -12,15 +13,31 @@
 namespace eyebridge::camera {
 namespace {
 
+/// AprilTags are upside down in OpenCV's dictionaries: half a turn makes them as they are printed.
+bool is_turned(FiducialFamily family) { return family != FiducialFamily::Aruco5x5; }
+
 /// As OpenCV's functions take it: an object, before 4.7 a pointer to one.
-const auto& dictionary() {
-  static const auto kDictionary = cv::aruco::getPredefinedDictionary(cv::aruco::DICT_5X5_1000);
-  return kDictionary;
+const auto& dictionary(FiducialFamily family = FiducialFamily::Aruco5x5) {
+  static const auto kAruco = cv::aruco::getPredefinedDictionary(cv::aruco::DICT_5X5_1000);
+  static const auto k36h11 = cv::aruco::getPredefinedDictionary(cv::aruco::DICT_APRILTAG_36h11);
+  static const auto k25h9 = cv::aruco::getPredefinedDictionary(cv::aruco::DICT_APRILTAG_25h9);
+  static const auto k16h5 = cv::aruco::getPredefinedDictionary(cv::aruco::DICT_APRILTAG_16h5);
+  switch (family) {
+    case FiducialFamily::Tag36h11:
+      return k36h11;
+    case FiducialFamily::Tag25h9:
+      return k25h9;
+    case FiducialFamily::Tag16h5:
+      return k16h5;
+    case FiducialFamily::Aruco5x5:
+      break;
+  }
+  return kAruco;
 }
 
 #if EYEBRIDGE_NEW_ARUCO
 
-const cv::aruco::Dictionary& codes() { return dictionary(); }
+const cv::aruco::Dictionary& codes(FiducialFamily family) { return dictionary(family); }
 
 cv::aruco::CharucoBoard charuco(const Board& board) {
   cv::aruco::CharucoBoard pattern({board.columns, board.rows}, static_cast<float>(board.square),
@@ -41,7 +58,7 @@ void detect_board(const cv::aruco::CharucoBoard& pattern, const cv::Mat& grey,
 
 #else
 
-const cv::aruco::Dictionary& codes() { return *dictionary(); }
+const cv::aruco::Dictionary& codes(FiducialFamily family) { return *dictionary(family); }
 
 cv::Ptr<cv::aruco::CharucoBoard> charuco(const Board& board) {
   return cv::aruco::CharucoBoard::create(
@@ -55,7 +72,7 @@ std::vector<cv::Point3f> corners_of(const cv::Ptr<cv::aruco::CharucoBoard>& patt
 
 void detect_board(const cv::Ptr<cv::aruco::CharucoBoard>& pattern, const cv::Mat& grey,
                   std::vector<cv::Point2f>& pixels, std::vector<int>& ids) {
-  const Squares squares = find_squares(grey, {});
+  const Squares squares = find_squares(grey, {}, FiducialFamily::Aruco5x5);
   if (squares.ids.empty()) return;
   cv::aruco::interpolateCornersCharuco(squares.corners, squares.ids, grey, pattern, pixels, ids);
 }
@@ -64,31 +81,40 @@ void detect_board(const cv::Ptr<cv::aruco::CharucoBoard>& pattern, const cv::Mat
 
 }  // namespace
 
-FiducialBits bits_of(int id) {
-  if (id < 0 || id >= kFiducials) {
+FiducialBits bits_of(FiducialFamily family, int id) {
+  if (id < 0 || id >= count_of(family)) {
     throw std::out_of_range("no fiducial " + std::to_string(id) + ", expected 0 to " +
-                            std::to_string(kFiducials - 1));
+                            std::to_string(count_of(family) - 1));
   }
-  constexpr int kCode = kFiducialCells - 2;
-  const cv::Mat code = cv::aruco::Dictionary::getBitsFromByteList(codes().bytesList.row(id), kCode);
-  FiducialBits bits{};
-  for (int row = 0; row < kCode; ++row) {
-    for (int column = 0; column < kCode; ++column) {
-      bits[static_cast<std::size_t>((row + 1) * kFiducialCells + column + 1)] =
-          code.at<std::uint8_t>(row, column);
+  const int cells = cells_of(family);
+  const int code_cells = cells - 2;
+  const cv::Mat code =
+      cv::aruco::Dictionary::getBitsFromByteList(codes(family).bytesList.row(id), code_cells);
+  FiducialBits bits(static_cast<std::size_t>(cells * cells));
+  for (int row = 0; row < code_cells; ++row) {
+    for (int column = 0; column < code_cells; ++column) {
+      bits[static_cast<std::size_t>((row + 1) * cells + column + 1)] =
+          is_turned(family) ? code.at<std::uint8_t>(code_cells - 1 - row, code_cells - 1 - column)
+                            : code.at<std::uint8_t>(row, column);
     }
   }
   return bits;
 }
 
-Squares find_squares(const cv::Mat& grey, const cv::aruco::DetectorParameters& parameters) {
+Squares find_squares(const cv::Mat& grey, const cv::aruco::DetectorParameters& parameters,
+                     FiducialFamily family) {
   Squares found;
 #if EYEBRIDGE_NEW_ARUCO
-  cv::aruco::ArucoDetector(dictionary(), parameters).detectMarkers(grey, found.corners, found.ids);
+  cv::aruco::ArucoDetector(dictionary(family), parameters)
+      .detectMarkers(grey, found.corners, found.ids);
 #else
-  cv::aruco::detectMarkers(grey, dictionary(), found.corners, found.ids,
+  cv::aruco::detectMarkers(grey, dictionary(family), found.corners, found.ids,
                            cv::makePtr<cv::aruco::DetectorParameters>(parameters));
 #endif
+  if (is_turned(family)) {
+    for (auto& corners : found.corners)
+      std::rotate(corners.begin(), corners.begin() + 2, corners.end());
+  }
   return found;
 }
 

@@ -18,7 +18,7 @@
 namespace eyebridge::camera {
 
 /// As fiducial_bits().
-FiducialBits bits_of(int id);
+FiducialBits bits_of(FiducialFamily family, int id);
 
 /// Fiducials in a picture: four corners each, clockwise from their own upper left one.
 struct Squares {
@@ -26,7 +26,8 @@ struct Squares {
   std::vector<std::vector<cv::Point2f>> corners;
 };
 
-Squares find_squares(const cv::Mat& grey, const cv::aruco::DetectorParameters& parameters);
+Squares find_squares(const cv::Mat& grey, const cv::aruco::DetectorParameters& parameters,
+                     FiducialFamily family);
 
 /// The inner corners of a ChArUco board that the picture shows.
 BoardCorners charuco_corners(const Board& board, const cv::Mat& grey);

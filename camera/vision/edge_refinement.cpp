@@ -65,13 +65,13 @@ class LineThrough {
 };
 
 /// The edge from `a` to `b`; what lies to the left as one goes, the picture's y down, is white.
-std::optional<Line> edge_between(const cv::Mat& grey, Vec2 a, Vec2 b) {
+std::optional<Line> edge_between(const cv::Mat& grey, Vec2 a, Vec2 b, int cells) {
   const double length = norm(b - a);
   if (length < 8.0) return std::nullopt;
   const Vec2 along = (1.0 / length) * (b - a);
   const Vec2 outwards{along.y, -along.x};
   // The next step is a cell away on either side.
-  const double reach = std::clamp(0.6 * length / kFiducialCells, 1.5, 4.0);
+  const double reach = std::clamp(0.6 * length / cells, 1.5, 4.0);
   const int samples = std::clamp(static_cast<int>(length / 2.0), 8, 40);
   LineThrough found;
   for (int i = 0; i < samples; ++i) {
@@ -102,12 +102,13 @@ std::optional<Vec2> crossing(const Line& a, const Line& b) {
 
 }  // namespace
 
-Corners refined(const cv::Mat& grey, const Corners& corners) {
+Corners refined(const cv::Mat& grey, const Corners& corners, int cells) {
   Corners now = corners;
   // Once more from the better place: the steepest places are sought about the line.
   for (int round = 0; round < 2; ++round) {
     std::array<std::optional<Line>, 4> edges;
-    for (std::size_t i = 0; i < 4; ++i) edges[i] = edge_between(grey, now[i], now[(i + 1) % 4]);
+    for (std::size_t i = 0; i < 4; ++i)
+      edges[i] = edge_between(grey, now[i], now[(i + 1) % 4], cells);
     for (std::size_t i = 0; i < 4; ++i) {
       const auto& before = edges[(i + 3) % 4];
       if (!before || !edges[i]) continue;

@@ -24,20 +24,20 @@ cv::aruco::DetectorParameters parameters() {
 
 }  // namespace
 
-std::vector<SeenFiducial> find_fiducials(const Frame& frame) {
+std::vector<SeenFiducial> find_fiducials(const Frame& frame, FiducialFamily family) {
   static const auto kParameters = parameters();
   const cv::Mat grey = grey_of(frame);
   // Noise makes thousands of specks, each looked at for a square, and in the dark drowns the edges;
   // their exact places are taken from the picture as it is.
   cv::Mat smooth;
   cv::GaussianBlur(grey, smooth, {3, 3}, 0.0);
-  const auto [ids, squares] = find_squares(smooth, kParameters);
+  const auto [ids, squares] = find_squares(smooth, kParameters, family);
   std::vector<SeenFiducial> seen;
   for (std::size_t i = 0; i < ids.size(); ++i) {
     SeenFiducial fiducial;
     fiducial.id = ids[i];
     for (std::size_t k = 0; k < 4; ++k) fiducial.corners[k] = {squares[i][k].x, squares[i][k].y};
-    fiducial.corners = refined(grey, fiducial.corners);
+    fiducial.corners = refined(grey, fiducial.corners, cells_of(family));
     seen.push_back(fiducial);
   }
   return seen;

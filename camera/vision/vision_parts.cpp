@@ -14,10 +14,13 @@ class OpenCvVision final : public Vision {
   // Its pool of threads would take the cores of the other robots.
   OpenCvVision() { cv::setNumThreads(1); }
 
-  [[nodiscard]] FiducialBits fiducial_bits(int id) const override { return bits_of(id); }
+  [[nodiscard]] FiducialBits fiducial_bits(FiducialFamily family, int id) const override {
+    return bits_of(family, id);
+  }
 
-  [[nodiscard]] std::vector<SeenFiducial> find_fiducials(const Frame& frame) const override {
-    return camera::find_fiducials(frame);
+  [[nodiscard]] std::vector<SeenFiducial> find_fiducials(const Frame& frame,
+                                                         FiducialFamily family) const override {
+    return camera::find_fiducials(frame, family);
   }
 
   [[nodiscard]] std::vector<SquarePose> square_poses(const Corners& corners,

@@ -74,11 +74,19 @@ HandSetting parse_hand(std::string_view text, const SourceLocation& where) {
       setting.layout.spacing = parse_length(key, value, where);
     } else if (key == "height") {
       setting.layout.height = parse_length(key, value, where);
+    } else if (key == "family") {
+      const auto family = camera::family_named(value);
+      if (!family) {
+        throw ConfigError(where, fmt::format("found family={}, expected aruco, tag36h11, tag25h9 "
+                                             "or tag16h5",
+                                             in_quotes(value)));
+      }
+      setting.layout.family = *family;
     } else if (key == "fov") {
       setting.field_of_view = parse_field_of_view(value, where);
     } else {
       throw ConfigError(where, fmt::format("unknown option {}, expected one of size, spacing, "
-                                           "height, fov",
+                                           "height, family, fov",
                                            in_quotes(key)));
     }
   }

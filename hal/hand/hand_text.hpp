@@ -17,8 +17,8 @@ struct HandSetting {
   friend bool operator==(const HandSetting&, const HandSetting&) = default;
 };
 
-/// "hand", "hand?size=60mm&spacing=0.4m&height=10cm&fov=66" (degrees), or "hand:free". Throws
-/// ConfigError at `where`.
+/// "hand", "hand?size=60mm&spacing=0.4m&height=10cm&family=tag36h11&fov=66" (degrees), or
+/// "hand:free". Throws ConfigError at `where`.
 HandSetting parse_hand(std::string_view text, const SourceLocation& where);
 
 }  // namespace eyebridge::hal

@@ -66,7 +66,7 @@ TEST(PlaceFiducials, ThoseOnSmallWallsAreSmallerSoThatTheMarginFits) {
   for (const world::Wall& wall : {low, narrow}) {
     const auto all = place_fiducials(room({wall}));
     ASSERT_EQ(all.size(), 2U);
-    EXPECT_NEAR(with_margin(all[0].size), std::min(wall.height, norm(wall.b - wall.a)), 1e-12);
+    EXPECT_NEAR(with_margin(all[0]), std::min(wall.height, norm(wall.b - wall.a)), 1e-12);
   }
   EXPECT_TRUE(place_fiducials(room({{{1.0, 2.0}, {1.01, 2.0}}})).empty());
 }
@@ -75,7 +75,7 @@ TEST(PlaceFiducials, AFixedHeightIsKeptAndLimitsTheSize) {
   const auto all = place_fiducials(room({{{1.0, 2.0}, {1.36, 2.0}}}), {.height = 0.17});
   ASSERT_EQ(all.size(), 2U);
   EXPECT_NEAR(all[0].z, 0.17, 1e-12);
-  EXPECT_NEAR(with_margin(all[0].size), 2 * 0.03, 1e-12);
+  EXPECT_NEAR(with_margin(all[0]), 2 * 0.03, 1e-12);
 }
 
 TEST(PlaceFiducials, AWallThatTouchesAnotherIsNotInFrontOfAFiducial) {
@@ -133,32 +133,42 @@ TEST(PlaceFiducials, ALayoutThatCannotBeIsAnError) {
   }
 }
 
-TEST(FiducialBits, EachHasABlackBorderAndIsLikeNoOtherHoweverTurned) {
-  const auto turned = [](const FiducialBits& bits) {
-    FiducialBits out{};
-    for (std::size_t row = 0; row < kFiducialCells; ++row) {
-      for (std::size_t column = 0; column < kFiducialCells; ++column) {
-        out[column * kFiducialCells + (kFiducialCells - 1 - row)] =
-            bits[row * kFiducialCells + column];
+class FiducialBitsOf : public ::testing::TestWithParam<FiducialFamily> {};
+
+TEST_P(FiducialBitsOf, EachHasABlackBorderAndIsLikeNoOtherHoweverTurned) {
+  const auto cells = static_cast<std::size_t>(cells_of(GetParam()));
+  const auto turned = [&](const FiducialBits& bits) {
+    FiducialBits out(bits.size());
+    for (std::size_t row = 0; row < cells; ++row) {
+      for (std::size_t column = 0; column < cells; ++column) {
+        out[column * cells + (cells - 1 - row)] = bits[row * cells + column];
       }
     }
     return out;
   };
   std::set<FiducialBits> seen;
-  for (int id = 0; id < kFiducials; ++id) {
-    FiducialBits bits = fiducial_bits(id);
-    for (std::size_t i = 0; i < kFiducialCells; ++i) {
-      EXPECT_EQ(bits[i] + bits[bits.size() - 1 - i] + bits[i * kFiducialCells], 0);
+  for (int id = 0; id < count_of(GetParam()); ++id) {
+    FiducialBits bits = fiducial_bits(GetParam(), id);
+    ASSERT_EQ(bits.size(), cells * cells);
+    for (std::size_t i = 0; i < cells; ++i) {
+      EXPECT_EQ(bits[i] + bits[bits.size() - 1 - i] + bits[i * cells], 0);
     }
     for (int turn = 0; turn < 4; ++turn, bits = turned(bits)) {
       EXPECT_TRUE(seen.insert(bits).second) << id;
     }
   }
+  EXPECT_THROW(fiducial_bits(GetParam(), -1), std::out_of_range);
+  EXPECT_THROW(fiducial_bits(GetParam(), count_of(GetParam())), std::out_of_range);
 }
 
-TEST(FiducialBits, ANumberThatThereIsNotIsRefused) {
-  EXPECT_THROW(fiducial_bits(-1), std::out_of_range);
-  EXPECT_THROW(fiducial_bits(kFiducials), std::out_of_range);
+INSTANTIATE_TEST_SUITE_P(Families, FiducialBitsOf,
+                         ::testing::Values(FiducialFamily::Aruco5x5, FiducialFamily::Tag36h11,
+                                           FiducialFamily::Tag25h9, FiducialFamily::Tag16h5));
+
+TEST(FiducialFamilies, HaveNames) {
+  EXPECT_EQ(family_named("tag25h9"), FiducialFamily::Tag25h9);
+  EXPECT_EQ(family_named("aruco"), FiducialFamily::Aruco5x5);
+  EXPECT_FALSE(family_named("tag"));
 }
 
 }  // namespace

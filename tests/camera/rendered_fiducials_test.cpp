@@ -75,14 +75,15 @@ class RenderedFiducials : public ::testing::Test {
   /// True when the bits of `fiducial` are where they must be, and white round them.
   [[nodiscard]] ::testing::AssertionResult is_at_its_place(const Frame& frame,
                                                            const Fiducial& fiducial) const {
-    const double cell = fiducial.size / kFiducialCells;
-    const FiducialBits bits = fiducial_bits(fiducial.id);
-    for (int row = -1; row <= kFiducialCells; ++row) {
-      for (int column = -1; column <= kFiducialCells; ++column) {
-        const bool margin = std::min(row, column) < 0 || std::max(row, column) >= kFiducialCells;
-        const bool white =
-            margin || bits[static_cast<std::size_t>(row * kFiducialCells + column)] != 0;
-        const Point at = in_picture(fiducial, (column - 3) * cell, (3 - row) * cell);
+    const int cells = cells_of(fiducial.family);
+    const double cell = fiducial.size / cells;
+    const FiducialBits bits = fiducial_bits(fiducial.family, fiducial.id);
+    for (int row = -1; row <= cells; ++row) {
+      for (int column = -1; column <= cells; ++column) {
+        const bool margin = std::min(row, column) < 0 || std::max(row, column) >= cells;
+        const bool white = margin || bits[static_cast<std::size_t>(row * cells + column)] != 0;
+        const Point at = in_picture(fiducial, (column - 0.5 * (cells - 1)) * cell,
+                                    (0.5 * (cells - 1) - row) * cell);
         const int seen = tone(frame, at);
         if (white ? seen < 120 : seen > 60) {
           return ::testing::AssertionFailure() << "row " << row << ", column " << column << " at "

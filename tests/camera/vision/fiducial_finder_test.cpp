@@ -58,7 +58,7 @@ class Corner : public ::testing::Test {
 };
 
 TEST_F(Corner, EveryFiducialInViewIsFoundWhereItIs) {
-  const auto seen = vision().find_fiducials(picture(eye_));
+  const auto seen = vision().find_fiducials(picture(eye_), FiducialFamily::Aruco5x5);
   EXPECT_GE(seen.size(), 3U);
   for (const SeenFiducial& one : seen) {
     const auto corners = corners_of(fiducials_[static_cast<std::size_t>(one.id)]);
@@ -71,8 +71,8 @@ TEST_F(Corner, EveryFiducialInViewIsFoundWhereItIs) {
 
 TEST_F(Corner, FramesOfAllFormatsShowTheSame) {
   const Frame grey = picture(eye_);
-  const auto expected = vision().find_fiducials(grey);
-  const auto seen = vision().find_fiducials(to_rgb24(grey));
+  const auto expected = vision().find_fiducials(grey, FiducialFamily::Aruco5x5);
+  const auto seen = vision().find_fiducials(to_rgb24(grey), FiducialFamily::Aruco5x5);
   ASSERT_EQ(seen.size(), expected.size());
   for (std::size_t i = 0; i < seen.size(); ++i) EXPECT_EQ(seen[i].id, expected[i].id);
 }

@@ -78,7 +78,7 @@ Errors errors_of(const Walk& walk, double seconds) {
       continue;
     }
     // A wall close by whose only fiducial is hidden tells nobody anything.
-    if (vision().find_fiducials(frame).empty()) continue;
+    if (vision().find_fiducials(frame, FiducialFamily::Aruco5x5).empty()) continue;
     if (!shown_again) shown_again = t;
     ++errors.seen;
     if (!found || found->fiducials == 0) {

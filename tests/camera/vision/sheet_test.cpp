@@ -32,8 +32,8 @@ TEST(FiducialSheet, HasEveryFiducialTrueToSizeOnItsPages) {
     const FiducialSheet sheet{model, fiducials, "maze-5.maz"};
     std::set<int> ids;
     for (int page = 2; page <= pages_of(sheet); ++page) {
-      for (const auto& seen :
-           vision().find_fiducials(draw_page(sheet, page, kPagePixelsPerMillimetre))) {
+      for (const auto& seen : vision().find_fiducials(
+               draw_page(sheet, page, kPagePixelsPerMillimetre), FiducialFamily::Aruco5x5)) {
         EXPECT_TRUE(ids.insert(seen.id).second) << seen.id;
         const double edge = size * 1000.0 * kPagePixelsPerMillimetre;
         for (std::size_t i = 0; i < 4; ++i) {
@@ -52,7 +52,7 @@ TEST(FiducialSheet, BeginsAPageWithEachFiducialThatNoLongerFits) {
   for (const double size : {0.08, 0.04}) {
     const auto all = place_fiducials(model, {.size = size});
     const Frame full = draw_page({model, all, ""}, 2, kPagePixelsPerMillimetre);
-    const std::size_t fit = vision().find_fiducials(full).size();
+    const std::size_t fit = vision().find_fiducials(full, FiducialFamily::Aruco5x5).size();
     ASSERT_GT(fit, 1U);
     ASSERT_GT(all.size(), 2 * fit);
     int pages = 1;  // the map
@@ -71,7 +71,7 @@ TEST(FiducialSheet, ItsMapShowsNoFiducialThatACameraCouldTakeForOne) {
   const Frame map = draw_page(FiducialSheet{model, fiducials, "maze-5.maz"}, 1, 4.0);
   EXPECT_EQ(map.width, 840);
   EXPECT_EQ(map.height, 1188);
-  EXPECT_TRUE(vision().find_fiducials(map).empty());
+  EXPECT_TRUE(vision().find_fiducials(map, FiducialFamily::Aruco5x5).empty());
   EXPECT_THROW(draw_page(FiducialSheet{model, fiducials, ""}, 1000, 1.0), std::out_of_range);
 }
 
