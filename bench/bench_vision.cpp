@@ -58,7 +58,7 @@ void opencv_detector_as_it_comes(benchmark::State& state) {
   cv::aruco::DetectorParameters parameters;
   parameters.cornerRefinementMethod = cv::aruco::CORNER_REFINE_SUBPIX;
   std::size_t found = 0;
-  for (auto _ : state) found = find_squares(grey, parameters).ids.size();
+  for (auto _ : state) found = find_squares(grey, parameters, FiducialFamily::Aruco5x5).ids.size();
   state.counters["fiducials"] = static_cast<double>(found);
 }
 BENCHMARK(opencv_detector_as_it_comes)->Arg(100)->Arg(30)->Unit(benchmark::kMillisecond);

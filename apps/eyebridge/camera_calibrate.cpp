@@ -76,6 +76,11 @@ int calibrate(const CalibrateOptions& options, const camera::Board& board) {
   if (options.camera.find("calibration=") != std::string::npos) {
     throw ConfigError({"--camera"}, "found a calibration, expected the camera as it is");
   }
+  try {
+    camera::check_calibration_place(options.out);  // before minutes of work
+  } catch (const ConfigError& error) {
+    throw ConfigError({"--out"}, error.text());
+  }
   const std::unique_ptr<Clock> clock = clock_for(options.camera);
   const auto calibrator = camera::make_calibrator(board);
   const auto source = camera::open_source(options.camera, {clock.get(), nullptr, nullptr});

@@ -73,7 +73,7 @@ eb_config board_config(const FirmwareOptions& options, const WantedBoard& wanted
 }
 
 FirmwareTrace::FirmwareTrace(const std::string& path)
-    : file_(open_output(path, "--trace")), start_(monotonic_now()) {}
+    : file_(open_output(path, kTraceOutput)), start_(monotonic_now()) {}
 
 ports::TraceSink FirmwareTrace::sink() const {
   return [file = file_.get()](std::string_view line) {

@@ -9,8 +9,17 @@ namespace eyebridge::apps {
 /// A text that is written line by line: complete even when the process is killed.
 using OutputFile = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-/// The file at `path`, which the option `flag` names, emptied; null for "". Throws ConfigError when
-/// it cannot be written.
-OutputFile open_output(const std::string& path, const char* flag);
+/// What such a text is, by which an earlier one is known.
+struct OutputKind {
+  const char* name;    ///< "trace"
+  const char* flag;    ///< That names the file: "--trace".
+  const char* header;  ///< Its first line.
+};
+inline constexpr OutputKind kTraceOutput{"trace", "--trace", "# eyebridge: what passed a line"};
+inline constexpr OutputKind kPathOutput{"path", "--path", "t,robot,x,y,theta"};
+
+/// The file at `path`, emptied, with its first line; null for "". Throws ConfigError when it cannot
+/// be written, and for a file of another kind: that is not replaced.
+OutputFile open_output(const std::string& path, const OutputKind& kind);
 
 }  // namespace eyebridge::apps

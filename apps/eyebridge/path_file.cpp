@@ -5,9 +5,7 @@
 
 namespace eyebridge::apps {
 
-PathFile::PathFile(const std::string& path) : file_(open_output(path, "--path")) {
-  if (file_ != nullptr) std::fputs("t,robot,x,y,theta\n", file_.get());
-}
+PathFile::PathFile(const std::string& path) : file_(open_output(path, kPathOutput)) {}
 
 void PathFile::note(Time now, const robot::Simulation& simulation, std::size_t robots) {
   if (file_ == nullptr || now < due_) return;

@@ -72,7 +72,7 @@ int probe_io7(const ProbeTarget& target, const ProbeFlags& flags) {
   const Time patience = from_seconds(parse_duration(flags.patience, {"--patience"}));
   const bool is_serial = target.line.scheme == "serial";
   const unsigned baud = is_serial ? bridges::serial_settings(target.line, where).baud : 0;
-  const OutputFile trace = open_output(flags.trace, "--trace");
+  const OutputFile trace = open_output(flags.trace, kTraceOutput);
   bridges::MonotonicClock clock;
   auto stream = bridges::open_stream(target.line, where, clock);
   if (!stream) {
@@ -100,7 +100,7 @@ int probe_can(const ProbeTarget& target, const ProbeFlags& flags) {
     if (candidate.name == name) interface = &candidate;
   }
   settings.fd = settings.fd || (interface != nullptr && interface->takes_fd);
-  const OutputFile trace = open_output(flags.trace, "--trace");
+  const OutputFile trace = open_output(flags.trace, kTraceOutput);
   bridges::MonotonicClock clock;
   auto bus = bridges::open_socket_can(settings, clock);
   if (!bus) throw ConfigError({}, why_not_opened(state, name, bus.error()));

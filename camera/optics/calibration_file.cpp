@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "eyebridge/base/config_error.hpp"
+#include "eyebridge/base/own_results.hpp"
 #include "eyebridge/base/read_file.hpp"
 #include "eyebridge/base/text.hpp"
 #include "eyebridge/base/toml_library.hpp"
@@ -149,6 +150,11 @@ std::string to_toml(const Calibration& lens) {
       "error = {}  # root mean square, pixels\n",
       lens.size.width, lens.size.height, lens.fx, lens.fy, lens.cx, lens.cy, k1, k2, p1, p2, k3,
       lens.error);
+}
+
+void check_calibration_place(const fs::path& path) {
+  const std::string text = to_toml({});
+  check_replaceable(path, "calibration", text.substr(0, text.find('\n')));
 }
 
 void write_calibration(const Calibration& calibration, const fs::path& path) {

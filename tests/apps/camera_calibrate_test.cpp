@@ -55,5 +55,16 @@ TEST(CalibrateCommand, ViewsOfABoardGiveTheLensThatOtherCommandsUse) {
   EXPECT_EQ(camera::read_png(folder.path() + "/straight.png").width, 320);
 }
 
+TEST(CalibrateCommand, ReplacesOnlyACalibration) {
+  const ScratchFolder folder;
+  const std::string work = folder.write("work.toml", "mine = true\n");
+  const ProgramRun run = run_command({"camera", "calibrate", "--camera", "pattern", "--board",
+                                      "chessboard:9x6", "--square", "20mm", "--out", "work.toml"},
+                                     folder.path());
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_THAT(run.err, HasSubstr("--out: cannot write work.toml: found another kind of file"));
+  EXPECT_EQ(testing::file_text(work), "mine = true\n");
+}
+
 }  // namespace
 }  // namespace eyebridge

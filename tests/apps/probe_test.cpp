@@ -156,6 +156,14 @@ TEST_F(Probe, WhatIsNoDeviceIsRefusedWithOneClearMessage) {
   expect_refusal({"/dev/null", "--trace", "/no/such/file"}, "--trace");
 }
 
+TEST_F(Probe, ATraceReplacesOnlyATrace) {
+  const std::string work = folder_.write("work.c", "int main() { return 0; }\n");
+  expect_refusal({"/dev/null", "--trace", work}, "--trace: cannot write " + work +
+                                                     ": found another kind of file, expected a new "
+                                                     "name, or an earlier trace");
+  EXPECT_EQ(testing::file_text(work), "int main() { return 0; }\n");
+}
+
 TEST_F(Probe, ACanInterfaceThatCannotBeUsedIsRefusedWithTheReasonsNumber) {
   const ProgramRun r = probe({"can:nocan7"});
   EXPECT_EQ(r.exit_code, 2);

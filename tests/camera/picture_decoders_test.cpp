@@ -12,6 +12,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "eyebridge/camera/picture.hpp"
+#include "eyebridge/files/map_files.hpp"
 #include "run_program.hpp"
 
 namespace eyebridge::camera {
@@ -116,6 +117,36 @@ TEST(PictureDecoders, GiveWhatTheLibrariesOfTheirFormatsGive) {
   const std::string webp = "dwebp -quiet -ppm " + at + "p -o " + at + "p.ppm";
   check(".webp", smooth(CV_8UC3), webp, {cv::IMWRITE_WEBP_QUALITY, 90});
   check(".webp", smooth(CV_8UC3), webp, {cv::IMWRITE_WEBP_QUALITY, 101});  // without loss
+}
+
+// Maps of ROS are read by another decoder, stb_image, and by their own rule: the mean of the
+// colours.
+TEST(PictureDecoders, PicturesOfMapsAreGreyAsOpenCvHasThem) {
+  struct Kind {
+    const char* ending;
+    int type;
+  };
+  for (const Kind& kind : {Kind{".png", CV_8UC3}, Kind{".png", CV_8UC1}, Kind{".png", CV_16UC1},
+                           Kind{".png", CV_16UC3}, Kind{".png", CV_8UC4}, Kind{".bmp", CV_8UC3},
+                           Kind{".bmp", CV_8UC1}, Kind{".bmp", CV_8UC4}, Kind{".pgm", CV_8UC1},
+                           Kind{".pgm", CV_16UC1}, Kind{".ppm", CV_8UC3}}) {
+    const auto bytes = encoded(kind.ending, smooth(kind.type));
+    const auto ours =
+        files::read_map_picture({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, "map");
+    const cv::Mat theirs = cv::imdecode(bytes, cv::IMREAD_COLOR);
+    ASSERT_EQ(ours.columns, theirs.cols);
+    ASSERT_EQ(ours.rows, theirs.rows);
+    int largest = 0;
+    for (int y = 0; y < ours.rows; ++y) {
+      for (int x = 0; x < ours.columns; ++x) {
+        const std::uint8_t* bgr = theirs.ptr<std::uint8_t>(y) + std::ptrdiff_t{3} * x;
+        const int mean = (bgr[0] + bgr[1] + bgr[2]) / 3;
+        largest = std::max(
+            largest, std::abs(ours.greys[static_cast<std::size_t>(y * ours.columns + x)] - mean));
+      }
+    }
+    EXPECT_LE(largest, 1) << kind.ending << " of type " << kind.type;
+  }
 }
 
 TEST(PictureDecoders, SizesAreKnownBeforeDecoding) {

@@ -41,6 +41,10 @@ std::string to_toml(const Calibration& calibration);
 /// The same of a file. Throws ConfigError with line and column.
 Calibration read_calibration(const std::filesystem::path& path);
 
+/// That write_calibration() may write there: nothing, or an earlier calibration of ours. Throws
+/// ConfigError without a place.
+void check_calibration_place(const std::filesystem::path& path);
+
 /// Throws std::runtime_error naming the file and the reason.
 void write_calibration(const Calibration& calibration, const std::filesystem::path& path);
 
