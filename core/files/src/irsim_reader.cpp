@@ -77,7 +77,7 @@ class IrsimReader {
     left_out_.add(where(node.Mark()), what);
   }
   static std::string scalar(const YAML::Node& node) {
-    return node.IsScalar() ? node.Scalar() : std::string();
+    return node.IsDefined() && node.IsScalar() ? node.Scalar() : std::string();
   }
 
   /// A list, or one thing in its place.
@@ -159,11 +159,17 @@ class IrsimReader {
     std::vector<IrsimShape> shapes;
     std::vector<Pose> states;
     std::size_t number_of_them = 1;
+    bool is_drawn = false;  // where they are
     for (const auto& entry : node) {
       const std::string key = scalar(entry.first);
       if (key == "shape") {
         if (is_robot) continue;  // ours are those of EyeBot
-        each(entry.second, [&](const YAML::Node& shape) { shapes.push_back(shape_of(shape)); });
+        each(entry.second, [&](const YAML::Node& shape) {
+          if (shape.IsMap() && scalar(shape["random_shape"]) == "true") {
+            return leave_out(shape, "shapes that are drawn (random_shape)");
+          }
+          shapes.push_back(shape_of(shape));
+        });
       } else if (key == "state") {
         states = states_of(entry.second);
       } else if (key == "number") {
@@ -175,8 +181,10 @@ class IrsimReader {
       } else if (key == "distribution") {
         const std::string way =
             entry.second.IsMap() ? scalar(entry.second["name"]) : scalar(entry.second);
-        if (way != "manual")
+        if (way != "manual") {
+          is_drawn = true;
           leave_out(entry.first, "places that are drawn (distribution: " + printable(way) + ")");
+        }
       } else if (key != "name" && key != "description") {
         leave_out(entry.first,
                   std::string(is_robot ? "a robot's '" : "an obstacle's '") + printable(key) + "'");
@@ -185,7 +193,7 @@ class IrsimReader {
     if (states.size() < number_of_them && !states.empty()) {
       leave_out(node, is_robot ? "robots without a state" : "obstacles without a state");
     }
-    if (states.empty()) states.push_back({});  // as IR-SIM: at the origin
+    if (states.empty() && !is_drawn) states.push_back({});  // as IR-SIM: at the origin
     if (number_of_them < states.size()) states.resize(number_of_them);
     for (std::size_t i = 0; i < states.size(); ++i) {
       if (is_robot) {
@@ -194,7 +202,7 @@ class IrsimReader {
         obstacle(node, shapes[std::min(i, shapes.size() - 1)], states[i]);
       }
     }
-    if (!is_robot && shapes.empty()) leave_out(node, "obstacles without a shape");
+    if (!is_robot && shapes.empty() && !is_drawn) leave_out(node, "obstacles without a shape");
   }
 
   [[nodiscard]] std::vector<Pose> states_of(const YAML::Node& node) const {

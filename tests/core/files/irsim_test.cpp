@@ -71,13 +71,25 @@ TEST(Irsim, SeveralOfAKind) {
       "obstacle:\n  - number: 2\n    distribution: {name: manual}\n"
       "    shape:\n      - {name: circle, radius: 1.0}\n      - {name: circle, radius: 0.5}\n"
       "    state: [[1, 2, 0], [3, 4, 0], [5, 6, 0]]\n    behavior: {name: 'rvo'}\n");
+  EXPECT_TRUE(read.model.starts.empty()) << "nobody knows where they will be";
   ASSERT_EQ(read.model.objects.size(), 2U);
   EXPECT_EQ(read.model.objects[1].radius, 0.5);
   EXPECT_EQ(read.model.objects[1].pose.position(), (Vec2{3, 4}));
+  EXPECT_THAT(read.warnings,
+              ElementsAre(HasSubstr("an obstacle's 'behavior'"),
+                          HasSubstr("places that are drawn (distribution: circle)")));
+}
+
+TEST(Irsim, WhatIsDrawnWhileItRunsIsSaid) {
+  const auto read = read_yaml_world(
+      "world: {height: 10, width: 10}\n"
+      "obstacle:\n  - number: 10\n    shape: [{name: polygon, random_shape: true}]\n"
+      "  - {shape: {name: circle, radius: 1}, state: [2, 2]}\n");
+  EXPECT_EQ(read.model.objects.size(), 1U);
   EXPECT_THAT(
       read.warnings,
-      ElementsAre(HasSubstr("a robot: where it stands"), HasSubstr("an obstacle's 'behavior'"),
-                  HasSubstr("places that are drawn (distribution: circle)")));
+      ElementsAre(HasSubstr("obstacles without a shape"),
+                  HasSubstr("w.yaml:4:13: warning: not carried over: shapes that are drawn")));
 }
 
 TEST(Irsim, APictureIsAsLargeAsTheFloor) {
@@ -110,6 +122,7 @@ TEST(Irsim, ErrorsHaveAPlace) {
   EXPECT_EQ(error("world: {height: 3}"), "w.yaml:1:8: width and height: expected both");
   EXPECT_THAT(error("world: 3"), HasSubstr("world: expected width and height"));
   EXPECT_THAT(error("obstacle: 3"), HasSubstr("expected a robot or an obstacle"));
+  EXPECT_THAT(error("obstacle: {shape: {radius: 1}}"), HasSubstr("shape '': expected circle"));
   EXPECT_THAT(error("obstacle: {shape: {name: star}}"), HasSubstr("shape 'star': expected circle"));
   EXPECT_THAT(error("obstacle: {shape: {name: polygon}}"), HasSubstr("polygon without vertices"));
   EXPECT_THAT(error("obstacle: {shape: {name: circle, radius: -1}}"), HasSubstr("more than 0"));
