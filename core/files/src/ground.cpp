@@ -23,7 +23,7 @@ namespace {
 NamedFiles files_beside(const std::filesystem::path& path, std::vector<Warning>& warnings) {
   const auto found = [folder = path.parent_path(), &warnings](const std::string& name,
                                                               const SourceLocation& where) {
-    const std::filesystem::path file = folder / name;
+    std::filesystem::path file = folder / name;
     std::error_code error;
     if (std::filesystem::exists(file, error)) return file;
     std::filesystem::path beside = folder / std::filesystem::path(name).filename();
