@@ -22,6 +22,7 @@ TEST(HandText, TakesTheSheetsLayoutInAnyUnitOfLength) {
   EXPECT_NEAR(setting.layout.spacing, 0.4, 1e-12);
   EXPECT_NEAR(setting.layout.height, 0.1, 1e-12);
   EXPECT_NEAR(setting.field_of_view.value(), deg_to_rad(66), 1e-12);
+  EXPECT_EQ(parse_hand("hand?family=tag25h9", {}).layout.family, camera::FiducialFamily::Tag25h9);
 }
 
 TEST(HandText, SaysWhatIsWrong) {
@@ -29,7 +30,9 @@ TEST(HandText, SaysWhatIsWrong) {
       {"feet", "found 'feet', expected hand or hand:free"},
       {"hand:held", "found 'hand:held', expected hand or hand:free"},
       {"hand:free?size=1", "found the option 'size', expected none"},
-      {"hand?colour=red", "unknown option 'colour', expected one of size, spacing, height, fov"},
+      {"hand?colour=red",
+       "unknown option 'colour', expected one of size, spacing, height, family, fov"},
+      {"hand?family=tag", "found family='tag', expected aruco, tag36h11, tag25h9 or tag16h5"},
       {"hand?size=big", "found size='big', expected a length up to 100 m, such as 80mm"},
       {"hand?size=-1mm", "expected a length"},
       {"hand?size=nan", "expected a length"},
