@@ -197,7 +197,8 @@ std::string error_of(const std::string& url, const world::WorldModel& model) {
 TEST_F(RenderedFiducials, AreAnErrorAtTheStartWhereTheWorldNeedsTooMany) {
   EXPECT_THAT(error_of("render:?fiducials=on", *maze_scene(43, 7).model), HasSubstr("1000"));
   EXPECT_EQ(error_of("render", *maze_scene(43, 7).model), "");
-  EXPECT_THAT(error_of("render:?fiducials=yes", empty_room()), HasSubstr("expected on, off, aruco"));
+  EXPECT_THAT(error_of("render:?fiducials=yes", empty_room()),
+              HasSubstr("expected on, off, aruco"));
 }
 
 }  // namespace

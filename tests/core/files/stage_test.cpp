@@ -141,7 +141,8 @@ TEST(Stage, ErrorsHaveAPlace) {
   EXPECT_THAT(error("model ( name \"a\n )"), HasSubstr("s.world:1:14: a text without its closing"));
   EXPECT_THAT(error("model { }"), HasSubstr("s.world:1:7: found '{'"));
   EXPECT_THAT(error("model ( size 1.2.3 )"), HasSubstr("found '1.2.3': expected a number"));
-  EXPECT_THAT(error("model ( size [0 1 1] )"), HasSubstr("size: expected more than 0, at most 10 km"));
+  EXPECT_THAT(error("model ( size [0 1 1] )"),
+              HasSubstr("size: expected more than 0, at most 10 km"));
   EXPECT_THAT(error("model ( pose [0 1] )"), HasSubstr("pose: expected 3 or 4 numbers"));
   EXPECT_THAT(error("model ( pose [1e8 1 0] )"), HasSubstr("more than 10 km"));
   EXPECT_THAT(error("model ( block ( points 2 ) )"), HasSubstr("points: expected 3 to 10000"));
