@@ -44,7 +44,12 @@ int write_sheet(const MarkerOptions& options) {
   layout.spacing = parse_length(options.spacing, {"--spacing"}, 0.02, 100.0);
   if (!options.height.empty())
     layout.height = parse_length(options.height, {"--height"}, 0.01, 10.0);
-  layout.family = *camera::family_named(options.family);
+  const auto family = camera::family_named(options.family);
+  if (!family) {
+    throw ConfigError({"--family"}, fmt::format("found {}, expected {}", in_quotes(options.family),
+                                                camera::kFamilyWords));
+  }
+  layout.family = *family;
   // Only the walls count: the smallest robot, so that none is too large for a start.
   const files::Scenario scenario = files::load_scenario(options.world, {.robot = ""});
   for (const Warning& warning : scenario.warnings) {
@@ -89,10 +94,8 @@ void add_camera_markers(CLI::App& camera, int& code) {
   command->add_option("--spacing", options->spacing, "One for so much of a long wall [360mm]");
   command->add_option("--height", options->height,
                       "Of the centres above the floor [the middle of the wall]");
-  command
-      ->add_option("--family", options->family,
-                   "aruco, tag36h11, tag25h9 or tag16h5 [aruco, which has the most numbers]")
-      ->check(CLI::IsMember({"aruco", "tag36h11", "tag25h9", "tag16h5"}));
+  command->add_option("--family", options->family,
+                      "aruco, tag36h11, tag25h9 or tag16h5 [aruco, which has the most numbers]");
   command->add_option("--page", options->page, "Page of a .png [1, the map]")
       ->check(CLI::Range(1, 10000));
   command->callback([options, &code] { code = write_sheet(*options); });

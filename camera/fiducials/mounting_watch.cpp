@@ -16,7 +16,7 @@ constexpr int kMostEmpty = 500;     // then there are just no fiducials
 constexpr int kMirroredByExif = 2;
 
 /// Quarters clockwise that a fiducial is turned by in the picture.
-std::size_t quarters_of(const SeenFiducial& seen) {
+int quarters_of(const SeenFiducial& seen) {
   const Vec2 along = seen.corners[1] - seen.corners[0];  // its upper edge, y downwards
   if (std::fabs(along.x) >= std::fabs(along.y)) return along.x >= 0 ? 0 : 2;
   return along.y >= 0 ? 1 : 3;
@@ -34,18 +34,17 @@ std::string MountingWatch::look(const Frame& frame, const std::vector<SeenFiduci
 
 std::string MountingWatch::count_turn(const std::vector<SeenFiducial>& seen) {
   empty_ = kMostEmpty;  // they are seen: the picture is not mirrored
-  std::optional<std::size_t> all;
+  std::optional<int> all;
   for (const SeenFiducial& one : seen) {
-    const std::size_t quarters = quarters_of(one);
+    const int quarters = quarters_of(one);
     if (all && *all != quarters) return {};
     all = quarters;
   }
-  const int frames = ++turned_[*all];
-  turned_ = {};
-  turned_[*all] = frames;
-  if (frames < kEnough) return {};
+  agreeing_ = *all == turn_ ? agreeing_ + 1 : 1;
+  turn_ = *all;
+  if (agreeing_ < kEnough) return {};
   is_over_ = true;
-  switch (*all) {
+  switch (turn_) {
     case 1:
       return "fiducials are seen lying on their side: a camera that is mounted so has ?rotate=270";
     case 2:

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -24,9 +23,10 @@ class MountingWatch {
   std::string count_turn(const std::vector<SeenFiducial>& seen);
   std::string look_mirrored(const Frame& frame, const Vision& vision, FiducialFamily family);
 
-  std::array<int, 4>
-      turned_{};          ///< Frames in a row whose fiducials are turned by so many quarters.
-  int empty_ = 0;         ///< Frames without a fiducial, as long as there was no other one.
+  int turn_ = 0;  ///< Quarters clockwise that all fiducials of a frame were turned by last.
+  int agreeing_ =
+      0;           ///< Frames in a row that showed them so. One that shows two ways does not count.
+  int empty_ = 0;  ///< Frames without a fiducial, as long as there was no other one.
   int mirrored_ = 0;      ///< Of them, those with one in their mirror image.
   bool is_over_ = false;  ///< It was said, or the pictures are right.
 };

@@ -60,7 +60,7 @@ Size tiff_size(std::span<const std::uint8_t> bytes) {
   constexpr std::uint32_t kMost = 1U << 30U;
   if (width < 1 || height < 1 || width > kMost || height > kMost) {
     throw std::runtime_error("TIFF: " + std::to_string(width) + " x " + std::to_string(height) +
-                             " pixels");
+                             " pixels, expected at least 1 x 1");
   }
   return upright_size({static_cast<int>(width), static_cast<int>(height)},
                       static_cast<int>(file.value(kOrientation, 1) & 0xFU));

@@ -19,7 +19,7 @@ Frame decode_bmp(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels)
 Frame decode_pnm(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels);
 /// The first picture of a TIFF, by OpenCV: loads libeyebridge_video.so.
 Frame decode_tiff(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels);
-/// The first picture of a WebP, likewise.
+/// The first picture of a WebP, by OpenCV, too.
 Frame decode_webp(std::span<const std::uint8_t> bytes, std::uint64_t most_pixels);
 
 // The sizes of their pictures, from the headers alone. Each throws likewise.

@@ -38,7 +38,7 @@ std::optional<FiducialFamily> read_fiducials(const std::string& value) {
   if (value == "on") return FiducialFamily::Aruco5x5;
   if (const auto family = family_named(value)) return family;
   throw ConfigError({"--camera"}, "render: found fiducials=" + in_quotes(value) +
-                                      ", expected on, off, aruco, tag36h11, tag25h9 or tag16h5");
+                                      ", expected on, off, " + std::string(kFamilyWords));
 }
 
 /// Of what follows "render:".

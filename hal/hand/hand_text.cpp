@@ -77,9 +77,8 @@ HandSetting parse_hand(std::string_view text, const SourceLocation& where) {
     } else if (key == "family") {
       const auto family = camera::family_named(value);
       if (!family) {
-        throw ConfigError(where, fmt::format("found family={}, expected aruco, tag36h11, tag25h9 "
-                                             "or tag16h5",
-                                             in_quotes(value)));
+        throw ConfigError(where, fmt::format("found family={}, expected {}", in_quotes(value),
+                                             camera::kFamilyWords));
       }
       setting.layout.family = *family;
     } else if (key == "fov") {

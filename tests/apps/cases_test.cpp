@@ -1,5 +1,6 @@
 // The inputs of ../shared/cases/programs, on which the first release failed, as their README wants
-// them. Those of mazes, maps, texts, pictures and videos are in the tests of their rooms.
+// them. One thing is missing: an endless loop is not told where it computes. Mazes, maps, texts,
+// pictures and videos are in the tests of their rooms.
 #include <sstream>
 #include <string>
 #include <vector>

@@ -4,9 +4,6 @@
 
 namespace eyebridge::files {
 
-/// Most walls that a world of others may have.
-inline constexpr std::size_t kMostForeignWalls = 500000;
-
 /// Makes the floor of `model` the smallest one that has all of its walls and starts. False, and
 /// nothing is changed, where those span no floor.
 bool floor_around(world::WorldModel& model);

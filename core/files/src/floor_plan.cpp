@@ -186,12 +186,17 @@ std::vector<std::vector<PixelCorner>> outlines_of(int columns, int rows,
   return out;
 }
 
+std::vector<std::vector<PixelCorner>> outlines_of(const GreyPicture& picture, int darkest,
+                                                  double tolerance, const std::string& file) {
+  std::vector<char> dark;
+  dark.reserve(picture.greys.size());
+  for (const std::uint8_t grey : picture.greys) dark.push_back(grey <= darkest ? 1 : 0);
+  return outlines_of(picture.columns, picture.rows, dark, tolerance, file);
+}
+
 FloorPlan read_floor_plan(const GreyPicture& picture, const FloorPlanOptions& options,
                           const std::string& file) {
   const int threshold = options.threshold.value_or(otsu_threshold(picture));
-  std::vector<char> dark;
-  dark.reserve(picture.greys.size());
-  for (const std::uint8_t grey : picture.greys) dark.push_back(grey < threshold ? 1 : 0);
   FloorPlan plan;
   const double scale = options.metres_per_pixel;
   plan.width = picture.columns * scale;
@@ -201,8 +206,7 @@ FloorPlan read_floor_plan(const GreyPicture& picture, const FloorPlanOptions& op
     const auto tidy = [](double metres) { return std::round(metres * 1e5) / 1e5; };
     return Vec2{tidy(corner.x * scale), tidy((picture.rows - corner.y) * scale)};
   };
-  for (const auto& outline :
-       outlines_of(picture.columns, picture.rows, dark, options.tolerance, file)) {
+  for (const auto& outline : outlines_of(picture, threshold - 1, options.tolerance, file)) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
       world::Wall wall;
       wall.a = place(outline[i]);

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -13,12 +12,13 @@
 #include "eyebridge/files/foreign_worlds.hpp"
 #include "floor_around.hpp"
 #include "left_out.hpp"
+#include "world_limits.hpp"
 
 namespace eyebridge::files {
 namespace {
 
 constexpr std::size_t kLargestIrsim = 4U << 20U;
-constexpr std::size_t kMostThings = 10000;
+constexpr std::size_t kMostThings = 10000;  // of a kind
 constexpr int kDarkest = 127;
 constexpr double kPixelTolerance = 0.75;
 
@@ -90,14 +90,11 @@ class IrsimReader {
 
   [[nodiscard]] double number(const YAML::Node& node, const std::string& what) const {
     const std::string text = scalar(node);
-    const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
-    const char* const end = text.data() + text.size();
-    double value = 0.0;
-    const auto [stop, error] = std::from_chars(begin, end, value);
-    if (error != std::errc{} || stop != end || !(std::fabs(value) <= mm_to_m(kMaxMillimetres))) {
+    const auto value = parse_number(text);
+    if (!value || std::fabs(*value) > mm_to_m(kMaxMillimetres)) {
       refuse(node, in_quotes(text) + " found: expected " + what + ", a number");
     }
-    return value;
+    return *value;
   }
   [[nodiscard]] double above_zero(const YAML::Node& node, const std::string& what) const {
     const double value = number(node, what);
@@ -139,11 +136,7 @@ class IrsimReader {
     }
     if (model_.width <= 0) refuse(node, "obstacle_map: expected width and height of the world");
     const GreyPicture grey = files_.picture(path.Scalar(), where(path.Mark()));
-    std::vector<char> dark;
-    dark.reserve(grey.greys.size());
-    for (const std::uint8_t g : grey.greys) dark.push_back(g <= kDarkest ? 1 : 0);
-    for (const auto& outline :
-         outlines_of(grey.columns, grey.rows, dark, kPixelTolerance, path.Scalar())) {
+    for (const auto& outline : outlines_of(grey, kDarkest, kPixelTolerance, path.Scalar())) {
       std::vector<Vec2> points;
       for (const PixelCorner& corner : outline) {
         points.push_back(model_.corner + Vec2{model_.width * corner.x / grey.columns,
@@ -281,14 +274,7 @@ class IrsimReader {
     for (std::size_t i = 0; i < sides; ++i) add(node, {points[i], points[(i + 1) % count]});
   }
   void add(const YAML::Node& node, const world::Wall& wall) {
-    if (model_.walls.size() == kMostForeignWalls) refuse(node, "more than 500000 walls");
-    const double most = mm_to_m(kMaxMillimetres);
-    for (const Vec2 end : {wall.a, wall.b}) {
-      if (!(std::fabs(end.x) <= most) || !(std::fabs(end.y) <= most)) {
-        refuse(node, "lies more than 10 km from the origin");
-      }
-    }
-    if (wall.a != wall.b) model_.walls.push_back(wall);
+    add_wall(model_, wall, [&](const std::string& what) { refuse(node, what); });
   }
 
   const std::string& file_;

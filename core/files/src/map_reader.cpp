@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -130,18 +129,13 @@ class DescriptionReader {
   [[nodiscard]] double number(const YAML::Node& node, const std::string& what, double low,
                               double high) const {
     const std::string text = node.IsScalar() ? node.Scalar() : std::string();
-    const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
-    const char* const end = text.data() + text.size();
-    double value = 0.0;
-    const auto [stop, error] = std::from_chars(begin, end, value);
-    if (error != std::errc{} || stop != end || !std::isfinite(value)) {
-      refuse(node, in_quotes(text) + " found: expected " + what + ", a number");
-    }
-    if (value < low || value > high) {
+    const auto value = parse_number(text);
+    if (!value) refuse(node, in_quotes(text) + " found: expected " + what + ", a number");
+    if (*value < low || *value > high) {
       refuse(node, what + " is " + text + ": expected " + plain_number(low) + " to " +
                        plain_number(high));
     }
-    return value;
+    return *value;
   }
 
   [[nodiscard]] bool flag(const YAML::Node& node) const {

@@ -32,7 +32,7 @@ struct MazeLine {
   int line = 0;           ///< From 1.
 };
 /// The lines of a drawing from its first to its last that is not empty; they borrow from `text`.
-/// Throws ConfigError for what is no text, and for more than 100,000 lines.
+/// Throws ConfigError for bytes that are no text, and for more than 100,000 lines.
 std::vector<MazeLine> maze_lines(std::string_view text, const std::string& file);
 /// The edge length of a cell, metres, if that is all that a line says. Throws ConfigError for one
 /// that no cell has.

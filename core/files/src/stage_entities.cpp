@@ -1,8 +1,6 @@
 #include "stage_entities.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 namespace eyebridge::files {
 namespace {
@@ -106,12 +104,11 @@ class StageTokens {
     while (end < text_.size() && belongs(text_[end])) ++end;
     token.kind = StageToken::Kind::Number;
     token.text = text_.substr(at_, end - at_);
-    const char* begin = token.text.data() + (token.text.starts_with('+') ? 1 : 0);
-    const char* stop = token.text.data() + token.text.size();
-    const auto [after, error] = std::from_chars(begin, stop, token.number);
-    if (error != std::errc{} || after != stop || !std::isfinite(token.number)) {
+    const auto number = parse_number(token.text);
+    if (!number) {
       throw ConfigError(token.where, "found " + in_quotes(token.text) + ": expected a number");
     }
+    token.number = *number;
     at_ = end;
   }
 

@@ -35,9 +35,9 @@ struct StageEntity {
 };
 
 /// Reads the worldfile `text`: its properties and entities, each with what its definition says, as
-/// children of one of type "". `include` gives the text of a file that `include "..."` names, or
-/// nothing where there is none, and has said so. Throws ConfigError for what is no worldfile, and
-/// for more than 100,000 entities.
+/// children of one of type "". `include` gives the text of a file that `include "..."` names. Where
+/// there is no such file it warns, and gives nothing. Throws ConfigError for a text that is no
+/// worldfile, and for more than 100,000 entities.
 StageEntity read_stage_entities(
     std::string_view text, const std::string& file,
     const std::function<std::optional<std::string>(const std::string& name,

@@ -12,6 +12,7 @@
 #include "left_out.hpp"
 #include "stage_entities.hpp"
 #include "svg_style.hpp"
+#include "world_limits.hpp"
 
 namespace eyebridge::files {
 namespace {
@@ -74,27 +75,32 @@ class StageReader {
   }
 
   void read_units(const StageEntity& world) {
-    const auto unit = [&](const char* key,
-                          std::initializer_list<std::pair<const char*, double>> units,
-                          double otherwise) {
-      const auto found = world.properties.find(key);
-      if (found == world.properties.end()) return otherwise;
-      const std::string word = text_of(found->second);
-      for (const auto& [name, value] : units) {
-        if (word == name) return value;
-      }
-      throw ConfigError(found->second.where, std::string(key) + " is " + in_quotes(word) +
-                                                 ": expected one of those that Stage has");
-    };
-    length_ = unit("unit_length", {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}}, 1.0);
-    angle_ = unit("unit_angle", {{"degrees", kPi / 180}, {"radians", 1.0}}, kPi / 180);
+    length_ =
+        unit_of(world, "unit_length", {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}}, "m, cm or mm");
+    angle_ = unit_of(world, "unit_angle", {{"degrees", kPi / 180}, {"radians", 1.0}},
+                     "degrees or radians");
+  }
+  /// The first of `units` where the file says none.
+  static double unit_of(const StageEntity& world, const char* key,
+                        std::initializer_list<std::pair<const char*, double>> units,
+                        const char* expected) {
+    const auto found = world.properties.find(key);
+    if (found == world.properties.end()) return units.begin()->second;
+    const std::string word = text_of(found->second);
+    for (const auto& [name, value] : units) {
+      if (word == name) return value;
+    }
+    throw ConfigError(found->second.where,
+                      std::string(key) + " is " + in_quotes(word) + ": expected " + expected);
   }
 
   void entity(const StageEntity& e, const Pose& frame, int depth) {
     if (e.base == "window") return left_out_.add(e.where, "settings of Stage");
     if (e.base == "block") return;  // read with its model
     const Pose pose = transform(frame, pose_of(e, "pose"));
-    check_reach(e, pose.position());
+    if (is_too_far(pose.position())) {
+      throw ConfigError(e.where, "lies more than 10 km from the origin");
+    }
     if (e.base == "position") return robot(e, pose);
     if (e.base != "model") {
       return left_out_.add(e.where, "'" + e.type + "', which is " +
@@ -106,25 +112,18 @@ class StageReader {
   }
 
   void robot(const StageEntity& e, const Pose& pose) {
-    if (model_.starts.size() >= 10000) throw ConfigError(e.where, "more than 10000 robots");
+    if (model_.starts.size() >= kMostStarts) throw ConfigError(e.where, "more than 10000 robots");
     model_.starts.push_back({0, pose});
     if (start_places_ != nullptr) start_places_->push_back(e.where);
     left_out_.add(e.where, "a robot: where it stands is a start");
   }
 
   void model(const StageEntity& e, const Pose& pose) {
-    for (const auto& [name, property] : e.properties) {
-      if (name == "obstacle_return" && number_of(property, 1) == 0) {
-        return left_out_.add(property.where, "a model that is no obstacle");
-      }
-      const auto is_of = [&, &key = name](std::string_view kind) { return key.starts_with(kind); };
-      constexpr std::array<std::string_view, 10> kRead = {
-          "pose",  "size",  "origin",  "bitmap",   "name",
-          "color", "block", "polygon", "boundary", "obstacle_return"};
-      if (std::ranges::any_of(kRead, is_of)) continue;
-      left_out_.add(property.where, is_of("gui_") ? "how Stage shows a model (gui_...)"
-                                                  : "the property '" + name + "' of a model");
+    if (const auto found = e.properties.find("obstacle_return");
+        found != e.properties.end() && number_of(found->second, 1) == 0) {
+      return left_out_.add(found->second.where, "a model that is no obstacle");
     }
+    say_what_is_not_read(e);
     const StageSize size = size_of(e);
     const Pose origin = transform(pose, pose_of(e, "origin"));
     world::Wall wall;
@@ -133,6 +132,19 @@ class StageReader {
     const StageOutline outline = outline_of(e);
     if (outline.is_box) return add_box(e, origin, size, wall);
     add_lines(e, outline, origin, size, wall);
+  }
+
+  void say_what_is_not_read(const StageEntity& e) {
+    constexpr std::array<std::string_view, 10> kRead = {
+        "pose",  "size",  "origin",  "bitmap",   "name",
+        "color", "block", "polygon", "boundary", "obstacle_return"};
+    for (const auto& [name, property] : e.properties) {
+      const std::string& key = name;  // clang 14: no structured binding in a lambda
+      if (std::ranges::any_of(kRead, [&](auto begin) { return key.starts_with(begin); })) continue;
+      left_out_.add(property.where, key.starts_with("gui_")
+                                        ? "how Stage shows a model (gui_...)"
+                                        : "the property '" + key + "' of a model");
+    }
   }
 
   void add_box(const StageEntity& e, const Pose& pose, const StageSize& size, world::Wall wall) {
@@ -174,18 +186,7 @@ class StageReader {
   }
 
   void add(const StageEntity& e, const world::Wall& wall) {
-    if (model_.walls.size() >= kMostForeignWalls)
-      throw ConfigError(e.where, "more than 500000 walls");
-    check_reach(e, wall.a);
-    check_reach(e, wall.b);
-    if (wall.a != wall.b) model_.walls.push_back(wall);
-  }
-
-  static void check_reach(const StageEntity& e, Vec2 p) {
-    const double most = mm_to_m(kMaxMillimetres);
-    if (!(std::fabs(p.x) <= most) || !(std::fabs(p.y) <= most)) {
-      throw ConfigError(e.where, "lies more than 10 km from the origin");
-    }
+    add_wall(model_, wall, [&](const std::string& what) { throw ConfigError(e.where, what); });
   }
 
   // Shapes.
@@ -229,12 +230,8 @@ class StageReader {
   void read_bitmap(const StageProperty& property, StageOutline& outline) {
     const std::string name = text_of(property);
     const GreyPicture picture = files_.picture(name, property.values.front().where);
-    std::vector<char> dark;
-    dark.reserve(picture.greys.size());
-    for (const std::uint8_t grey : picture.greys) dark.push_back(grey <= kDarkest ? 1 : 0);
     picture_size_ = {static_cast<double>(picture.columns), static_cast<double>(picture.rows)};
-    for (const auto& corners :
-         outlines_of(picture.columns, picture.rows, dark, kPixelTolerance, name)) {
+    for (const auto& corners : outlines_of(picture, kDarkest, kPixelTolerance, name)) {
       std::vector<Vec2> line;
       for (const PixelCorner& corner : corners) {
         line.push_back(

@@ -49,6 +49,8 @@ std::string range_text(double low, double high) { return plain(low) + " to " + p
 
 }  // namespace
 
+std::optional<double> parse_number(std::string_view text) { return parse(text); }
+
 std::string Statement::rest(std::size_t i) const {
   if (i >= tokens_.size()) return {};
   if (tokens_[i].quoted) return std::string(tokens_[i].text);

@@ -35,7 +35,7 @@ inline constexpr std::size_t kMostSvgPoints = 1'000'000;
 /// SvgPathError.
 std::vector<SvgLine> read_svg_path(std::string_view data, double tolerance);
 
-/// A whole ellipse, likewise.
+/// A whole ellipse as straight pieces that miss it by at most `tolerance`.
 SvgLine svg_ellipse(Vec2 centre, double rx, double ry, double tolerance);
 
 /// Reads the numbers of a list with blanks and commas between them. Throws SvgPathError.

@@ -13,6 +13,7 @@
 #include "svg_path.hpp"
 #include "svg_style.hpp"
 #include "text.hpp"
+#include "world_limits.hpp"
 
 namespace eyebridge::files {
 namespace {
@@ -20,7 +21,6 @@ namespace {
 constexpr double kTolerance = 0.5;  // millimetres that straight pieces may miss a curve by
 constexpr int kMostNested = 200;
 constexpr double kThickest = 100;  // metres, of a wall
-constexpr double kMostMillimetres = kMaxMillimetres;
 
 /// What an element hands on to those in it.
 struct Inherited {
@@ -209,19 +209,13 @@ class SvgReader {
       const std::size_t end = std::min(style.find(';'), style.size());
       const std::string_view rule = style.substr(0, end);
       const std::size_t colon = rule.find(':');
-      if (colon != std::string_view::npos && trim(rule.substr(0, colon)) == name) {
-        return std::string(trim(rule.substr(colon + 1)));
+      if (colon != std::string_view::npos && trimmed(rule.substr(0, colon)) == name) {
+        return std::string(trimmed(rule.substr(colon + 1)));
       }
       style.remove_prefix(std::min(end + 1, style.size()));
     }
     return node.attribute(std::string(name).c_str()).value();
   }
-  static std::string_view trim(std::string_view text) {
-    while (!text.empty() && (text.front() == ' ' || text.front() == '\n')) text.remove_prefix(1);
-    while (!text.empty() && (text.back() == ' ' || text.back() == '\n')) text.remove_suffix(1);
-    return text;
-  }
-
   Inherited style_of(const pugi::xml_node& node, const Inherited& outer) {
     Inherited style = outer;
     try {
@@ -300,10 +294,7 @@ class SvgReader {
     return world;
   }
   void check_reach(const pugi::xml_node& node, Vec2 world) const {
-    const double most = mm_to_m(kMostMillimetres);
-    if (!(std::fabs(world.x) <= most) || !(std::fabs(world.y) <= most)) {
-      refuse(node, "lies more than 10 km from the corner of the page");
-    }
+    if (is_too_far(world)) refuse(node, "lies more than 10 km from the origin");
   }
 
   void add_walls(const pugi::xml_node& node, const SvgLine& line, const Inherited& style) {
@@ -329,14 +320,13 @@ class SvgReader {
     for (std::size_t i = 0; i < sides && count > 1; ++i) {
       wall.a = in_world(node, style.to_page.apply(line.points[i]));
       wall.b = in_world(node, style.to_page.apply(line.points[(i + 1) % count]));
-      if (wall.a == wall.b || (count == 2 && i == 1)) continue;
-      if (model_.walls.size() >= kMostForeignWalls) refuse(node, "more than 500000 walls");
-      model_.walls.push_back(wall);
+      if (count == 2 && i == 1) continue;  // the way back
+      add_wall(model_, wall, [&](const std::string& what) { refuse(node, what); });
     }
   }
 
   void take_start(const pugi::xml_node& node, const Inherited& style) {
-    if (model_.starts.size() >= 10000) refuse(node, "more than 10000 starts");
+    if (model_.starts.size() >= kMostStarts) refuse(node, "more than 10000 starts");
     const Vec2 at =
         in_world(node, style.to_page.apply({units_of(node, "cx"), units_of(node, "cy")}));
     double heading = 0;
@@ -364,7 +354,7 @@ class SvgReader {
   world::WorldModel model_;
   bool has_page_ = false;
   Vec2 page_low_;     ///< Its lower left corner, in units of the drawing.
-  Vec2 page_size_;    ///< Likewise.
+  Vec2 page_size_;    ///< In units of the drawing.
   double scale_ = 1;  ///< Millimetres a unit.
 };
 

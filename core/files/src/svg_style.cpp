@@ -18,13 +18,6 @@ namespace {
 constexpr double kMillimetresPerInch = 25.4;
 constexpr double kUnitsPerInch = 96;  // CSS
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r\n\f";
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
-
 constexpr auto kNames = std::to_array<std::pair<std::string_view, Rgb>>({
     {"aqua", {0, 255, 255}},        {"black", {0, 0, 0}},       {"blue", {0, 0, 255}},
     {"brown", {165, 42, 42}},       {"cyan", {0, 255, 255}},    {"darkgray", {169, 169, 169}},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,6 +29,9 @@ std::string lower(std::string_view word);
 
 /// The candidate nearest to `word`, case ignored, when it is at most two edits away; else "".
 std::string_view nearest(std::string_view word, std::span<const std::string_view> candidates);
+
+/// `text` as a finite decimal number; nothing when it is anything else.
+std::optional<double> parse_number(std::string_view text);
 
 /// "a, b or c"
 std::string one_of(std::span<const std::string_view> words);

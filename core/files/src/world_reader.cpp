@@ -8,13 +8,12 @@
 #include "eyebridge/files/readers.hpp"
 #include "ground.hpp"
 #include "text.hpp"
+#include "world_limits.hpp"
 
 namespace eyebridge::files {
 namespace {
 
 constexpr std::size_t kMaxNesting = 1000;  // one published world nests 83 frames
-constexpr std::size_t kMaxWalls = 500000;
-constexpr std::size_t kMaxStarts = 10000;
 constexpr std::array<std::string_view, 8> kWorldKeywords = {
     "floor", "width", "height", "push", "pop", "position", "floor_texture", "water"};
 
@@ -79,7 +78,7 @@ class WorldReader {
       if (frames_.empty()) s.fail(0, "'pop' without 'push': expected a 'push X Y PHI' before it");
       frames_.pop_back();
     } else if (keyword == "position") {
-      if (model_.starts.size() >= kMaxStarts) s.fail(0, "more than 10000 start positions");
+      if (model_.starts.size() >= kMostStarts) s.fail(0, "more than 10000 start positions");
       model_.starts.push_back({0, read_pose(s, "position X Y PHI")});
       if (start_places_ != nullptr) start_places_->push_back(s.where(0));
     } else if (keyword == "floor_texture") {
@@ -125,8 +124,8 @@ class WorldReader {
                  " values: expected 4 (x1 y1 x2 y2), 6 (... thickness height) or "
                  "9 (... red green blue)");
     }
-    if (model_.walls.size() >= kMaxWalls) {
-      s.fail(0, "more than " + std::to_string(kMaxWalls) + " walls");
+    if (model_.walls.size() >= kMostWalls) {
+      s.fail(0, "more than " + std::to_string(kMostWalls) + " walls");
     }
     world::Wall wall;
     wall.a = point(s, {s.millimetres(0, "x1"), s.millimetres(1, "y1")});
@@ -156,8 +155,7 @@ class WorldReader {
   }
 
   void check_reach(const Statement& s, Vec2 p) {
-    const double most = mm_to_m(kMaxMillimetres);
-    if (std::abs(p.x) > most || std::abs(p.y) > most) {
+    if (is_too_far(p)) {
       s.fail(0, "lies more than 10 km from the origin once its 'push' frames are added up");
     }
   }

@@ -74,6 +74,7 @@ WallPainter::WallPainter(const world::WorldModel& model, const std::vector<Fiduc
       if (wall.thickness == 0.0) break;
     }
   }
+  if (!fiducials.empty()) cells_ = cells_of(fiducials.front().family);
   for (std::size_t i = 0; i < fiducials.size(); ++i) {
     const Fiducial& f = fiducials[i];
     bits_.push_back(fiducial_bits(f.family, f.id));
@@ -115,8 +116,6 @@ std::vector<float> WallPainter::paint(const EyePose& eye, const Calibration& len
     const double volume = dot(normal, o);
     const Reach reach = reach_of(o, a, b, lens);
     const FiducialBits* bits = is_wall ? nullptr : &bits_[static_cast<std::size_t>(panel.fiducial)];
-    const int cells =
-        is_wall ? 0 : static_cast<int>(std::lround(std::sqrt(static_cast<double>(bits->size()))));
     for (int row = reach.top; row <= reach.bottom; ++row) {
       const double y = (row - lens.cy) / lens.fy;
       for (int column = reach.left; column <= reach.right; ++column) {
@@ -133,11 +132,11 @@ std::vector<float> WallPainter::paint(const EyePose& eye, const Calibration& len
         nearness[pixel] = static_cast<float>(near);
         double value = kWall;
         if (bits != nullptr) {
-          const int cell_x = std::min(static_cast<int>(u * (cells + 2)), cells + 1) - 1;
-          const int cell_y = std::min(static_cast<int>(v * (cells + 2)), cells + 1) - 1;
-          const bool margin = cell_x < 0 || cell_y < 0 || cell_x >= cells || cell_y >= cells;
+          const int cell_x = std::min(static_cast<int>(u * (cells_ + 2)), cells_ + 1) - 1;
+          const int cell_y = std::min(static_cast<int>(v * (cells_ + 2)), cells_ + 1) - 1;
+          const bool margin = cell_x < 0 || cell_y < 0 || cell_x >= cells_ || cell_y >= cells_;
           const bool white =
-              margin || (*bits)[static_cast<std::size_t>(cell_y * cells + cell_x)] != 0;
+              margin || (*bits)[static_cast<std::size_t>(cell_y * cells_ + cell_x)] != 0;
           value = white ? kPaper : kInk;
         }
         picture[pixel] = static_cast<float>(value);

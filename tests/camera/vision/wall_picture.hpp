@@ -39,6 +39,7 @@ class WallPainter {
 
   std::vector<Panel> panels_;
   std::vector<FiducialBits> bits_;
+  int cells_ = 0;  ///< Of all: they are of one family.
 };
 
 }  // namespace eyebridge::camera::testing

@@ -149,7 +149,8 @@ TEST(Stage, ErrorsHaveAPlace) {
   EXPECT_THAT(error("model ( block ( points 3 point[0] [1 1] ) )"), HasSubstr("expected point[1]"));
   EXPECT_THAT(error("define a"), HasSubstr("define: expected a name"));
   EXPECT_THAT(error("include map.inc"), HasSubstr("the name of a file in quotes"));
-  EXPECT_THAT(error("unit_length \"inch\""), HasSubstr("unit_length is 'inch'"));
+  EXPECT_THAT(error("unit_length \"inch\""),
+              HasSubstr("unit_length is 'inch': expected m, cm or mm"));
   EXPECT_THAT(error("resolution 1"), HasSubstr("nothing that spans a floor"));
   EXPECT_THAT(error_of([] {
                 read_worldfile("include \"a.inc\"", {{"a.inc", "include \"a.inc\"\n"}});

@@ -19,7 +19,9 @@ enum class FiducialFamily {
   Tag16h5,
 };
 
-/// "aruco", "tag36h11", "tag25h9", "tag16h5"; nothing for another word.
+/// The words for them, for messages.
+inline constexpr std::string_view kFamilyWords = "aruco, tag36h11, tag25h9 or tag16h5";
+/// The family that one of these words means; nothing for another word.
 std::optional<FiducialFamily> family_named(std::string_view name);
 /// How many different ones there are: numbers 0 … count_of() - 1.
 constexpr int count_of(FiducialFamily family) {

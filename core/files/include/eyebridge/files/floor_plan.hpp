@@ -32,6 +32,10 @@ std::vector<std::vector<PixelCorner>> outlines_of(int columns, int rows,
                                                   const std::vector<char>& dark, double tolerance,
                                                   const std::string& file);
 
+/// The same of the pixels whose grey is at most `darkest`.
+std::vector<std::vector<PixelCorner>> outlines_of(const GreyPicture& picture, int darkest,
+                                                  double tolerance, const std::string& file);
+
 /// How a picture of a floor plan becomes walls.
 struct FloorPlanOptions {
   double metres_per_pixel = 0.01;  ///< > 0.
